@@ -16,7 +16,7 @@ popd
 if not defined JAR goto build
 set "SHARE=-Xshare:auto"
 if exist "%JAR%.jsa" set "SHARE=-XX:SharedArchiveFile=%JAR%.jsa"
-"%JAVA%" -XX:+UseSerialGC -XX:+DisableAttachMechanism "%SHARE%" -Xlog:disable "-Drobonewbie.home=%~dp0." "-Drobonewbie.archive=%JAR%.jsa" -jar "%JAR%" %*
+"%JAVA%" -XX:+UseSerialGC -XX:+DisableAttachMechanism "%SHARE%" -Xlog:disable "-Drobonewbie.home=%~dp0." "-Drobonewbie.terminal=true" "-Drobonewbie.archive=%JAR%.jsa" -jar "%JAR%" %*
 exit /b %ERRORLEVEL%
 
 :build

@@ -48,9 +48,9 @@ def checked_render_mode(mode):
 
 def show(connection):
     """Opens the studio in the browser with the first environment of a connection; returns the address of its page."""
-    address = connection.show(0)
+    address, file = connection.show(0)
     print(f"Studio: {address}", file=sys.stderr)
-    webbrowser.open(address)
+    webbrowser.open(file)  # every user of the computer can read the browser's command line, so that it holds no code
     return address
 
 

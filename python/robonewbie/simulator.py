@@ -245,10 +245,11 @@ class Connection:
         return json.loads(self._ask(b"P" + struct.pack("<i", index)))
 
     def show(self, index):
-        """Opens the studio with one environment, which runs in real time from now on; gives the address of its page."""
-        address = self._ask(b"V" + struct.pack("<i", index)).decode("utf-8")
+        """Starts the studio with one environment, which runs in real time from now on; gives the addresses of its page, which
+        opens once, and of a file that opens it."""
+        address, file = self._ask(b"V" + struct.pack("<i", index)).decode("utf-8").split("\n")
         self._socket.settimeout(None)  # people may stop the clock
-        return address
+        return address, file
 
     def _ask(self, message):
         if self._socket.fileno() < 0:

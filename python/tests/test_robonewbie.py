@@ -188,7 +188,8 @@ class EnvironmentTest(unittest.TestCase):
         with mock.patch("webbrowser.open") as browser:
             env = gymnasium.make("RoboNewbie/Reach-v1", render_mode="human")
         address = env.unwrapped.studio_address
-        browser.assert_called_once_with(address)
+        (opened,) = browser.call_args.args
+        self.assertTrue(opened.startswith("file:"), opened)  # and holds no code, since everybody can read command lines
         with urllib.request.urlopen(address) as page:
             self.assertIn(b"<title>", page.read())
         env.reset(seed=1)

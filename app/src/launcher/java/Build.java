@@ -208,6 +208,7 @@ final class Build {
                 "-XX:+UseSerialGC",
                 "-XX:+DisableAttachMechanism",
                 "-Drobonewbie.home=" + home,
+                "-Drobonewbie.terminal=true",
                 "-jar",
                 program().orElseThrow().toString()));
         command.addAll(arguments);

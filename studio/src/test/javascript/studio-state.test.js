@@ -16,15 +16,10 @@ import {
 } from '../../main/resources/org/robonewbie/studio/web/state/studio-state.js';
 import { sampleFrame, sampleScene } from './sample-world.js';
 
-const live = () => withScene(withConnection(initialState(true)), sampleScene());
-
-test('a page without token says what to open', () => {
-  assert.equal(message(initialState(false), 0)?.tone, 'trouble');
-  assert.match(message(initialState(false), 0)?.text ?? '', /Open the address that the simulator has printed/);
-});
+const live = () => withScene(withConnection(initialState()), sampleScene());
 
 test('a page that opens looks for the simulator', () => {
-  assert.match(message(initialState(true), 0)?.title ?? '', /Looking for the simulator/);
+  assert.match(message(initialState(), 0)?.title ?? '', /Looking for the simulator/);
 });
 
 test('losing the connection says that the page comes back by itself', () => {
@@ -35,14 +30,14 @@ test('losing the connection says that the page comes back by itself', () => {
 });
 
 test('a page that never was connected goes on looking', () => {
-  assert.match(message(withoutConnection(initialState(true)), 0)?.title ?? '', /Looking/);
+  assert.match(message(withoutConnection(initialState()), 0)?.title ?? '', /Looking/);
 });
 
 test('a page that is not let in says why, until it is', () => {
-  const refused = withRefusal(withoutConnection(live()), 'The access token is wrong.');
+  const refused = withRefusal(withoutConnection(live()), 'This browser has not been let in yet.');
 
-  assert.equal(message(refused, 0)?.text, 'The access token is wrong.');
-  assert.notEqual(message(withConnection(refused), 0)?.text, 'The access token is wrong.');
+  assert.equal(message(refused, 0)?.text, 'This browser has not been let in yet.');
+  assert.notEqual(message(withConnection(refused), 0)?.text, 'This browser has not been let in yet.');
 });
 
 test('an empty field waits for a robot', () => {
@@ -110,7 +105,7 @@ test('a goal is cheered for some seconds', () => {
 });
 
 test('the score board is readable before anything is known', () => {
-  assert.equal(scoreBoard(initialState(true), 0).score, '– : –');
+  assert.equal(scoreBoard(initialState(), 0).score, '– : –');
 });
 
 test('time controls work only while a world is there', () => {
@@ -148,7 +143,7 @@ test('faster and slower walk through the list and stop at its ends', () => {
 });
 
 test('a side without a team is not called by the name of a side', () => {
-  const { left, right } = scoreBoard(initialState(true), 0);
+  const { left, right } = scoreBoard(initialState(), 0);
 
   assert.deepEqual([left, right], ['no team yet', 'no team yet']);
 });

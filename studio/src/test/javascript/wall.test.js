@@ -8,7 +8,7 @@ import {
   withWallNews,
 } from '../../main/resources/org/robonewbie/studio/web/state/wall.js';
 
-const trial = (id, ...teams) => ({ id, teams, studio: `http://127.0.0.1:1/?token=${id}`, length: 12, width: 8 });
+const trial = (id, ...teams) => ({ id, teams, studio: `http://127.0.0.1:1/${id}`, length: 12, width: 8 });
 const table = { over: 0, planned: 3, columns: ['Goal'], rows: [{ rank: 1, team: 'Red', cells: ['–'] }] };
 const whole = (...trials) => ({ kind: 'whole', title: 'Scoring', rule: 'Score.', results: [], table, trials });
 const moment = (id, seconds) => ({

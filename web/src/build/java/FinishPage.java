@@ -48,7 +48,7 @@ final class FinishPage {
         String names = files.stream().map(file -> "\"" + name(folder, file) + "\"").collect(Collectors.joining(",\n    "));
         Files.writeString(
                 folder.resolve(LIST),
-                "{\n  \"version\": \"robonewbie-" + version + "\",\n  \"files\": [\n    " + names + "\n  ]\n}\n");
+                "{\n  \"version\": \"" + version + "\",\n  \"files\": [\n    " + names + "\n  ]\n}\n");
     }
 
     /** Each page of the documentation inside of this folder leads back to its front page. */

@@ -1,18 +1,33 @@
 /** Keeps all files of the page, so that it also opens without a network; a newer page takes the place of an older one at once. */
 
 const LIST = 'files.json';
+/** The folder of the page. Caches belong to the whole host, on which there may be other editions. */
+const SCOPE = self.registration.scope;
+const OURS = `robonewbie ${new URL(SCOPE).pathname} `;
 /** Large, or seldom wanted: kept from the first time on that somebody asks for it. */
 const ON_DEMAND = /\/(compiler|docs|examples|programs|project|vendor\/codemirror)\//;
 
-/** @returns {Promise<{version: string, files: string[]}>} */
-const list = async () => (await fetch(LIST, { cache: 'no-cache' })).json();
+/** @returns {Promise<{cacheName: string, files: string[]}>} */
+async function list() {
+  const { version, files } = await (await fetch(LIST, { cache: 'no-cache' })).json();
+  return { cacheName: OURS + version, files };
+}
+
+/** Whether a cache is an older one of this edition; those of the first version did not name their folder. @param {string} name */
+async function isOlder(name) {
+  const isNameless = /^robonewbie-\w+$/.test(name);
+  return name.startsWith(OURS) || (isNameless && (await (await caches.open(name)).match(SCOPE)) !== undefined);
+}
 
 async function keepAll() {
-  const { version, files } = await list();
-  const cache = await caches.open(version);
+  const { cacheName, files } = await list();
+  const cache = await caches.open(cacheName);
   await cache.addAll(['./', ...files.filter((name) => !ON_DEMAND.test(`/${name}`))]);
-  const others = (await caches.keys()).filter((name) => name !== version && name.startsWith('robonewbie-'));
-  await Promise.all(others.map((name) => caches.delete(name)));
+  for (const name of (await caches.keys()).filter((other) => other !== cacheName)) {
+    if (await isOlder(name)) {
+      await caches.delete(name);
+    }
+  }
   await self.skipWaiting();
 }
 
@@ -24,17 +39,17 @@ async function kept(request) {
 /** @param {Request} request */
 async function fetched(request) {
   const answer = await fetch(request);
-  if (answer.ok && ON_DEMAND.test(new URL(request.url).pathname)) {
-    const { version } = await list();
-    await (await caches.open(version)).put(request, answer.clone());
+  if (answer.ok && request.url.startsWith(SCOPE) && ON_DEMAND.test(`/${request.url.slice(SCOPE.length)}`)) {
+    const { cacheName } = await list();
+    await (await caches.open(cacheName)).put(request, answer.clone());
   }
   return answer;
 }
 
 /** Keeps what is in some folders and was not kept before. @param {string[]} folders */
 async function keepFolders(folders) {
-  const { version, files } = await list();
-  const cache = await caches.open(version);
+  const { cacheName, files } = await list();
+  const cache = await caches.open(cacheName);
   for (const name of files.filter((each) => folders.some((folder) => each.startsWith(folder)))) {
     if (!(await cache.match(name))) {
       await cache.add(name);

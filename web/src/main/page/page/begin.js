@@ -1,4 +1,6 @@
 /** Begins the studio over the world of this page. Tests find it in the browser's console as `studio`. */
+import { keep, recall } from '../panels/memory.js';
+import { LAST_PROGRAM } from '../state/program/documents.js';
 import { Studio } from '../studio.js';
 import { AgentChoice } from './agent-choice.js';
 import { CourseServer } from './course-server.js';
@@ -14,21 +16,39 @@ import { RecordingStore } from './recording-store.js';
 import { addRecordingTools } from './recording-tools.js';
 import { ReplayServer } from './replay-server.js';
 import { SceneServer } from './scene-server.js';
-import { sharedProgram } from './share.js';
+import { NO_ROOM, storage } from './page-storage.js';
+import { isShared, sharedProgram } from './share.js';
 import { WorldConnection } from './world-connection.js';
 import { world } from './world-process.js';
 import { WorldQuestions } from './world-questions.js';
 
-/** The studio shows nothing to whom its server has not given a token; this page is everybody's. */
-const TOKEN = 'page';
+const NOT_KEPT =
+  'This browser keeps nothing for this page, as in a private window: press Download before you close it, or your work is gone.';
+
+const NO_ROOM_FOR_SHARED =
+  'This browser has no room for the program of this link: delete scenes that you do not need, and open the link again.';
+
+/** Takes the program out of the page's address, if it holds one. @param {ProgramShelf} shelf @returns {Promise<string>} what went wrong */
+async function takeShared(shelf) {
+  const { hash } = location;
+  if (!isShared(hash)) {
+    return '';
+  }
+  history.replaceState(undefined, '', '#program');
+  try {
+    const { path, text } = await sharedProgram(hash);
+    keep(LAST_PROGRAM, shelf.takeShared(path, text, recall(LAST_PROGRAM, '')));
+    return '';
+  } catch (failure) {
+    const { message } = /** @type {Error} */ (failure);
+    return message === NO_ROOM ? NO_ROOM_FOR_SHARED : message;
+  }
+}
 
 /** @param {import('./world-process.js').World} worker */
 async function begin(worker) {
   const shelf = new ProgramShelf();
-  const shared = await sharedProgram();
-  if (shared) {
-    shelf.takeShared(shared.path, shared.text);
-  }
+  const trouble = (await takeShared(shelf)) || (storage().isLost ? NOT_KEPT : '');
   const options = new URLSearchParams(location.search);
   const choice = new AgentChoice(options.getAll('agent'));
   const programs = new ProgramServer(new PageCompiler(() => worker.prepare()), worker, shelf, choice);
@@ -49,7 +69,6 @@ async function begin(worker) {
     ...scenes.parts,
     ...new ReplayServer(recordings, bodies).parts,
   });
-  options.set('token', TOKEN);
   const studio = new Studio(
     options,
     (listener) => new WorldConnection(worker, listener, choice, { programs, course, questions, recordings, scenes }),
@@ -58,6 +77,11 @@ async function begin(worker) {
   addTakeaways(() => studio.rooms.program, shelf);
   addRecordingTools(() => studio, recordings);
   studio.start();
+  if (trouble) {
+    studio.note(trouble);
+  }
+  recordings.store.full = (text) => studio.note(text);
+  addEventListener('hashchange', () => isShared(location.hash) && location.reload());
   navigator.serviceWorker?.register('service-worker.js').catch(() => {});
 }
 

@@ -1,4 +1,5 @@
 /** Texts with names, kept by the browser: closed and opened again, the page has them all. */
+import { storage } from './page-storage.js';
 
 const CHUNK = 8192;
 
@@ -24,27 +25,43 @@ export function versionOf(text) {
 }
 
 export class BrowserShelf {
-  /** @param {string} prefix of the shelf's keys in the browser's memory */
-  constructor(prefix) {
+  /** @param {string} prefix of the shelf's keys in the page's storage @param {() => import('./page-storage.js').PageStorage} [open] */
+  constructor(prefix, open = storage) {
     this.prefix = prefix;
+    this.open = open;
   }
 
   /** @returns {{path: string, version: string}[]} */
   get list() {
-    return Object.keys(localStorage)
-      .filter((key) => key.startsWith(this.prefix))
-      .map((key) => ({ path: key.slice(this.prefix.length), version: versionOf(localStorage.getItem(key) ?? '') }))
+    return this.open()
+      .keys(this.prefix)
+      .map((key) => ({ path: key.slice(this.prefix.length), version: versionOf(this.open().get(key) ?? '') }))
       .sort((one, other) => one.path.localeCompare(other.path));
   }
 
   /** @param {string} path @returns {string | null} */
   read(path) {
-    return localStorage.getItem(this.prefix + path);
+    return this.open().get(this.prefix + path);
   }
 
   /** @param {string} path @param {string} text */
   write(path, text) {
-    localStorage.setItem(this.prefix + path, text);
+    this.open().set(this.prefix + path, text);
+  }
+
+  /**
+   * Writes a text that nothing may replace: if another one of this name is there, nothing happens.
+   *
+   * @param {string} path
+   * @param {string} text
+   * @returns {boolean} whether it is there now
+   */
+  add(path, text) {
+    const there = this.read(path);
+    if (there === null) {
+      this.write(path, text);
+    }
+    return there === null || there === text;
   }
 
   /**
@@ -57,7 +74,7 @@ export class BrowserShelf {
    */
   overwrite(path, text, known) {
     const there = this.read(path);
-    if (there !== null && versionOf(there) !== known) {
+    if (there !== null && there !== text && versionOf(there) !== known) {
       const refusal = `${path} was changed in another window. Load it again, or save under another name.`;
       return new Response(refusal, { status: 409 });
     }
@@ -65,8 +82,11 @@ export class BrowserShelf {
     return new Response('', { headers: { Version: versionOf(text) } });
   }
 
-  /** @param {string} path */
-  remove(path) {
-    localStorage.removeItem(this.prefix + path);
+  /** @param {string} path @param {string} [known] only this version is removed */
+  remove(path, known) {
+    if (known !== undefined && versionOf(this.read(path) ?? '') !== known) {
+      return;
+    }
+    this.open().remove(this.prefix + path);
   }
 }

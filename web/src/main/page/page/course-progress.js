@@ -1,5 +1,6 @@
 /** How far somebody is with the exercises; the browser keeps it. */
 import { csvCell } from '../state/csv-cell.js';
+import { storage } from './page-storage.js';
 
 const KEY = 'robonewbie-page-progress';
 const MOST_POINTS = 10;
@@ -18,6 +19,9 @@ const PAUSE_MILLISECONDS = 20 * 60 * 1000;
 const NEW = { tries: 0, best: 0, passed: false, milliseconds: 0, hints: 0, seenAt: 0 };
 
 export class CourseProgress {
+  /** What the browser had no room for, as long as the page is open. @type {Record<string, State>} */
+  #open = {};
+
   /** @param {string} exercise @returns {import('../state/course.js').Standing} */
   standing(exercise) {
     const { tries, best, passed, milliseconds } = this.#of(exercise);
@@ -54,12 +58,7 @@ export class CourseProgress {
   tried(exercise, points, passed) {
     this.#change(exercise, (before) => {
       const state = worked(before);
-      return {
-        ...state,
-        tries: state.tries + 1,
-        best: Math.max(state.best, points),
-        passed: state.passed || passed,
-      };
+      return { ...state, tries: state.tries + 1, best: Math.max(state.best, points), passed: state.passed || passed };
     });
   }
 
@@ -90,7 +89,7 @@ export class CourseProgress {
 
   /** @returns {Record<string, State>} */
   get #all() {
-    return JSON.parse(localStorage.getItem(KEY) ?? '{}');
+    return { ...JSON.parse(storage().get(KEY) ?? '{}'), ...this.#open };
   }
 
   /** @param {string} exercise */
@@ -100,7 +99,13 @@ export class CourseProgress {
 
   /** @param {string} exercise @param {(state: State) => State} deed */
   #change(exercise, deed) {
-    localStorage.setItem(KEY, JSON.stringify({ ...this.#all, [exercise]: deed(this.#of(exercise)) }));
+    this.#open[exercise] = deed(this.#of(exercise));
+    try {
+      storage().set(KEY, JSON.stringify(this.#all));
+      this.#open = {};
+    } catch {
+      // Who saves a program next is told that there is no room; the next change tries it again.
+    }
   }
 }
 

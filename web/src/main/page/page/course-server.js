@@ -1,6 +1,7 @@
 /** Answers what the exercises ask their server: worksheets, the judge in the world's worker, and how far one is. */
 import { CourseProgress } from './course-progress.js';
 import { solutionOf } from './course-solutions.js';
+import { storage } from './page-storage.js';
 
 /**
  * @typedef {import('../state/course.js').Lesson} Lesson
@@ -32,7 +33,7 @@ export class CourseServer {
   #sheets = new Map();
   /** @type {Promise<import('./course-progress.js').Badge[]> | undefined} */
   #badges;
-  #language = localStorage.getItem(LANGUAGE) ?? 'en';
+  #language = storage().get(LANGUAGE) ?? 'en';
   /** @type {Attempt} */
   #attempt = NONE;
   /** @type {((refusal: string) => void) | undefined} */
@@ -119,7 +120,7 @@ export class CourseServer {
   /** @param {string} code */
   #speak(code) {
     this.#language = code;
-    localStorage.setItem(LANGUAGE, code);
+    storage().set(LANGUAGE, code);
     this.world.postMessage({ language: code });
   }
 
@@ -177,10 +178,9 @@ export class CourseServer {
 
   /** @param {Sheet} sheet @returns {string} the path of the written file */
   #handOut({ name, file, startCode }) {
-    if (this.#shelf.read('own', file) !== null) {
+    if (!this.#shelf.add(file, startCode)) {
       throw new Error(`There is a file ${file} already, and it is kept. Rename it to start over.`);
     }
-    this.#shelf.write(file, startCode);
     this.#progress.seen(name);
     return file;
   }

@@ -3,6 +3,7 @@ import { RecordingReader } from '../state/replay/recording-reader.js';
 
 const FIRST_BYTES = 1 << 16;
 const STEPS_PER_METRE = 10_000;
+const MOST_BYTES = 400_000_000;
 const MOST_PLACES = 256;
 
 /** @typedef {import('../live/state-frame.js').Player} Player */
@@ -22,6 +23,9 @@ export class OpenRecording {
 
   /** @param {Uint8Array} bytes the next ones, unpacked */
   push(bytes) {
+    if (this.length + bytes.length > MOST_BYTES) {
+      throw new Error('The recording is larger than a page can show.');
+    }
     if (this.length + bytes.length > this.#bytes.length) {
       const larger = new Uint8Array(Math.max(2 * this.#bytes.length, this.length + bytes.length));
       larger.set(this.#bytes);

@@ -2,6 +2,7 @@
 import { unpack } from '../replay/unpack.js';
 import { dateName } from './date-name.js';
 import { OpenRecording } from './open-recording.js';
+import { pack } from './pack.js';
 
 /**
  * @typedef {import('./recording-store.js').Entry} Entry
@@ -233,7 +234,8 @@ export class PageRecordings {
     }
     await this.#work;
     const entry = this.#fresh(name.replace(/\.rec$/, ''), '');
-    await this.#add(entry, { bytes: packed, isPacked: true, notes: '' });
+    const piece = { bytes: packed, isPacked: true, notes: '' };
+    await this.#add(entry, piece).catch((full) => (this.#entries.delete(entry.id), Promise.reject(full)));
     return entry.name;
   }
 
@@ -291,10 +293,4 @@ export class PageRecordings {
   async removeBookmark(name, seconds) {
     await this.#change(name, { bookmarks: this.#find(name).bookmarks.filter((each) => each.seconds !== seconds) });
   }
-}
-
-/** @param {Uint8Array<ArrayBuffer>} bytes */
-async function pack(bytes) {
-  const packed = new Blob([bytes]).stream().pipeThrough(new CompressionStream('gzip'));
-  return new Uint8Array(await new Response(packed).arrayBuffer());
 }

@@ -2,6 +2,7 @@
 import { decodeText } from '../state/decoded-text.js';
 import { versionOf } from './browser-shelf.js';
 import { insteadOfMissing } from './missing-classes.js';
+import { publicClass } from './project.js';
 
 /** @typedef {import('./program-shelf.js').ProgramShelf} ProgramShelf */
 
@@ -91,6 +92,7 @@ export class ProgramServer {
     const name = rest.map(decodeURIComponent).join('/');
     const wish = new URLSearchParams(search);
     const body = decodeText(new Uint8Array(await new Response(options.body).arrayBuffer())).content;
+    const known = new Headers(options.headers).get('Known-Version') ?? '';
     switch (`${options.method ?? 'GET'} ${kind}`) {
       case 'GET ':
         return Response.json({
@@ -98,6 +100,7 @@ export class ProgramServer {
           folder: 'this browser',
           own: this.#shelf.own,
           drafts: this.#shelf.drafts,
+          shared: this.#shelf.shared,
           examples: EXAMPLES,
         });
       case 'GET own':
@@ -108,12 +111,11 @@ export class ProgramServer {
       case 'GET new':
         return new Response(await this.#newProgram(name, wish.get('example') ?? ''));
       case 'PUT own':
-        return this.#shelf.overwrite(name, body, new Headers(options.headers).get('Known-Version') ?? '');
+        return this.#shelf.overwrite(name, body, known);
       case 'PUT draft':
-        this.#shelf.writeDraft(name, body);
-        return new Response('');
+        return this.#shelf.writeDraft(name, body, known);
       case 'DELETE draft':
-        this.#shelf.removeDraft(name);
+        this.#shelf.removeDraft(name, known);
         return new Response('');
       case 'POST check':
         return Response.json((await this.#compile(name, body)).remarks);
@@ -170,8 +172,11 @@ export class ProgramServer {
   /** The file in the editor, and those that it names. @param {string} path @param {string} text */
   #sources(path, text) {
     const sources = new Map([[path, text]]);
+    const classes = new Set([publicClass(text, path)]);
     for (const [other, saved] of this.#shelf.texts) {
-      if (other !== path && text.includes(className(other))) {
+      const name = publicClass(saved, other);
+      if (other !== path && !classes.has(name) && text.includes(name)) {
+        classes.add(name);
         sources.set(other, saved);
       }
     }

@@ -19,13 +19,38 @@ const fileName = (path) => path.split('/').at(-1) ?? '';
 export function publicClass(text, path) {
   return (
     /^\s*public\s+(?:(?:final|abstract|sealed)\s+)*(?:class|record|interface|enum)\s+(\w+)/m.exec(text)?.[1] ??
-    fileName(path).replace(/\.java$/, '')
+    fileName(path)
+      .replace(/\.java$/, '')
+      .replaceAll(/[^\p{L}\p{N}_$]/gu, '_')
   );
 }
 
 /** @param {string} text @param {string} name of the package it moves to */
 export function inPackage(text, name) {
   return `package ${name};\n\n${text.replace(/^\s*package\s+[^;]*;\s*/, '')}`;
+}
+
+/**
+ * Names the files of programs. Two with classes of the same name, as many systems compare names, get packages of their own.
+ *
+ * @param {Map<string, string>} programs texts by path
+ * @returns {Map<string, [inside: string, name: string]>} package below that of the project, and class, by path
+ */
+function classFiles(programs) {
+  const taken = new Set();
+  /** @type {Map<string, [string, string]>} */
+  const names = new Map();
+  for (const [path, text] of programs) {
+    const name = publicClass(text, path);
+    const stem = publicClass('', path).toLowerCase();
+    let inside = '';
+    for (let number = 1; taken.has(`${inside}/${name.toLowerCase()}`); number += 1) {
+      inside = number === 1 ? stem : `${stem}${number}`;
+    }
+    taken.add(`${inside}/${name.toLowerCase()}`);
+    names.set(path, [inside, name]);
+  }
+  return names;
 }
 
 /**
@@ -39,10 +64,15 @@ export function inPackage(text, name) {
 export function filled(template, programs, shown) {
   const folder = `${JAVA}${template.package.replaceAll('.', '/')}/`;
   const texts = new Map(Object.entries(template.texts));
+  const names = classFiles(programs);
   for (const [path, text] of programs) {
-    texts.set(`${folder}${publicClass(text, path)}.java`, inPackage(text, template.package));
+    const [inside, name] = names.get(path) ?? ['', ''];
+    texts.set(
+      `${folder}${inside && `${inside}/`}${name}.java`,
+      inPackage(text, [template.package, inside].filter(Boolean).join('.')),
+    );
   }
-  const main = publicClass(programs.get(shown) ?? '', programs.has(shown) ? shown : USUAL);
+  const main = programs.has(shown) ? (names.get(shown) ?? []).filter(Boolean).join('/') : USUAL;
   for (const script of ['robonewbie', 'robonewbie.cmd']) {
     texts.set(script, (texts.get(script) ?? '').replaceAll(`${folder}${USUAL}.java`, `${folder}${main}.java`));
   }

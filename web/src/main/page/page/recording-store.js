@@ -17,8 +17,13 @@
  * @property {boolean} isPacked whether they are packed with gzip
  * @property {string} notes what robots logged and drew meanwhile
  */
+import { folderOfPage, storage } from './page-storage.js';
 
-const DATABASE = 'robonewbie';
+/** What an edition kept before each folder of a host had its own part. */
+const COMMON = 'robonewbie';
+const MIGRATED = 'robonewbie-migrated-recordings';
+
+const NO_ROOM = 'This browser has no room for this recording. Delete others in the room Replay, or save them as files.';
 const ENTRIES = 'recordings';
 const PIECES = 'pieces';
 
@@ -29,9 +34,16 @@ const result = (request) =>
     request.onerror = () => fail(request.error);
   });
 
-/** @returns {Promise<IDBDatabase>} */
-function open() {
-  const request = indexedDB.open(DATABASE, 1);
+/** @param {IDBTransaction} transaction @returns {Promise<void>} what is written is there only when it has ended */
+const ended = (transaction) =>
+  new Promise((done, fail) => {
+    transaction.oncomplete = () => done();
+    transaction.onabort = () => fail(transaction.error ?? new Error('The browser has given up.'));
+  });
+
+/** @param {string} name @returns {Promise<IDBDatabase>} */
+function openDatabase(name) {
+  const request = indexedDB.open(name, 1);
   request.onupgradeneeded = () => {
     request.result.createObjectStore(ENTRIES, { keyPath: 'id' });
     request.result.createObjectStore(PIECES);
@@ -39,11 +51,39 @@ function open() {
   return result(request);
 }
 
+/** @returns {Promise<IDBDatabase>} */
+async function open() {
+  const database = await openDatabase(`${COMMON} ${folderOfPage()}`);
+  if (storage().get(MIGRATED) === null) {
+    await takeCommon(database).catch(() => {}); // without room, the next visit tries it again
+  }
+  return database;
+}
+
+/** Takes over the recordings of the whole host, once; another edition of the host may want them too. @param {IDBDatabase} database */
+async function takeCommon(database) {
+  const common = await openDatabase(COMMON);
+  const read = (/** @type {string} */ store) => common.transaction(store).objectStore(store);
+  for (const entry of await result(read(ENTRIES).getAll())) {
+    const pieces = await result(read(PIECES).getAll(piecesOf(entry.id)));
+    const into = database.transaction([ENTRIES, PIECES], 'readwrite');
+    const end = ended(into);
+    pieces.forEach((piece, index) => into.objectStore(PIECES).put(piece, [entry.id, index]));
+    into.objectStore(ENTRIES).put(entry);
+    await end;
+  }
+  common.close();
+  storage().set(MIGRATED, 'yes');
+}
+
 /** The keys of all pieces of a recording. @param {number} id */
 const piecesOf = (id) => IDBKeyRange.bound([id, 0], [id, Infinity]);
 
 export class RecordingStore {
   #database = open().catch(() => undefined);
+  #isFull = false;
+  /** Told once that the browser has no room for recordings. */
+  full = (/** @type {string} */ _text) => {};
 
   /** @returns {Promise<Entry[]>} */
   async entries() {
@@ -86,8 +126,26 @@ export class RecordingStore {
       return undefined;
     }
     const transaction = database.transaction(names, mode);
+    const end = ended(transaction);
     const request = deed((name) => transaction.objectStore(name));
     transaction.commit();
-    return result(request);
+    try {
+      await end;
+    } catch (failure) {
+      throw this.#inWords(/** @type {Error} */ (failure));
+    }
+    return request.result;
+  }
+
+  /** @param {Error} failure @returns {Error} meant for people, if they can do something about it */
+  #inWords(failure) {
+    if (failure.name !== 'QuotaExceededError') {
+      return failure;
+    }
+    if (!this.#isFull) {
+      this.#isFull = true;
+      this.full(NO_ROOM);
+    }
+    return new Error(NO_ROOM, { cause: failure });
   }
 }

@@ -1,42 +1,75 @@
 /** A link that holds a program: its name and text, packed, behind the sign # of the page's address. Nothing is sent to any server. */
 
 const MARK = 'shared=';
+const MOST_BYTES = 1_000_000;
 
-/** @param {ReadableStream<any>} stream */
-const bytesOf = async (stream) => new Uint8Array(await new Response(stream).arrayBuffer());
+const DAMAGED = 'The program of this link cannot be read: the link is cut off or damaged. Ask for it again as a whole.';
+const TOO_LARGE = `The program of this link has more than ${MOST_BYTES / 1_000_000} MB, which is more than a program may have.`;
+
+/** @param {ReadableStream<any>} stream @returns {Promise<Uint8Array>} */
+async function bytesOf(stream) {
+  const parts = [];
+  let length = 0;
+  for (const reader = stream.getReader(); ;) {
+    const { done, value } = await reader.read();
+    if (done) {
+      return new Uint8Array(await new Blob(parts).arrayBuffer());
+    }
+    length += value.length;
+    if (length > MOST_BYTES) {
+      await reader.cancel();
+      throw new Error(TOO_LARGE);
+    }
+    parts.push(value);
+  }
+}
 
 /** @param {string} text */
 async function packed(text) {
   const bytes = await bytesOf(new Blob([text]).stream().pipeThrough(new CompressionStream('deflate-raw')));
-  return btoa(String.fromCharCode(...bytes))
-    .replaceAll('+', '-')
-    .replaceAll('/', '_')
-    .replace(/=+$/, '');
+  const letters = Array.from(bytes, (byte) => String.fromCharCode(byte)).join('');
+  return btoa(letters).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
 }
 
 /** @param {string} text */
 async function unpacked(text) {
   const bytes = Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (letter) => letter.charCodeAt(0));
-  return new TextDecoder().decode(
-    await bytesOf(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw'))),
-  );
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
+  return new TextDecoder('utf-8', { fatal: true }).decode(await bytesOf(stream));
+}
+
+/** @param {string} path @param {string} text @returns {Promise<string>} what stands behind # in a link */
+export async function sharedHash(path, text) {
+  return `program?${MARK}${await packed(`${path}\n${text}`)}`;
 }
 
 /** @param {string} path @param {string} text @returns {Promise<string>} the link */
 export async function linkOf(path, text) {
   const address = new URL(location.href);
   address.search = '';
-  address.hash = `program?${MARK}${await packed(`${path}\n${text}`)}`;
+  address.hash = await sharedHash(path, text);
   return address.href;
 }
 
-/** Reads the program out of the page's address, if it holds one, and takes it away from there. @returns {Promise<{path: string, text: string} | undefined>} */
-export async function sharedProgram() {
-  const [, content] = location.hash.split(`?${MARK}`);
-  if (!content) {
-    return undefined;
+/** @param {string} hash the end of an address @returns {boolean} whether it holds a program */
+export const isShared = (hash) => hash.includes(`?${MARK}`);
+
+/**
+ * Reads a program out of the end of an address.
+ *
+ * @param {string} hash
+ * @returns {Promise<{path: string, text: string}>} its path is whatever somebody has written there
+ * @throws {Error} if it cannot be read; the message is meant for people
+ */
+export async function sharedProgram(hash) {
+  const [, content] = hash.split(`?${MARK}`);
+  try {
+    const [path, ...lines] = (await unpacked(decodeURIComponent(content))).split('\n');
+    if (lines.length > 0) {
+      return { path, text: lines.join('\n') };
+    }
+  } catch (failure) {
+    throw /** @type {Error} */ (failure).message === TOO_LARGE ? failure : new Error(DAMAGED, { cause: failure });
   }
-  history.replaceState(undefined, '', '#program');
-  const [path, ...lines] = (await unpacked(content)).split('\n');
-  return { path, text: lines.join('\n') };
+  throw new Error(DAMAGED);
 }

@@ -8,6 +8,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
+import org.robonewbie.studio.StudioCookie;
 import org.robonewbie.studio.board.NewsBoard;
 
 /** A page that watches a board of the studio, without a browser. */
@@ -26,10 +27,11 @@ public final class BoardPage implements WebSocket.Listener, AutoCloseable {
      * @param board the last word of the address at which it listens
      */
     public BoardPage(URI page, String board) {
-        URI feed = URI.create("ws://" + page.getAuthority() + NewsBoard.PATHS + board + "?" + page.getQuery());
+        URI feed = URI.create("ws://" + page.getAuthority() + NewsBoard.PATHS + board);
         this.socket = HttpClient.newHttpClient()
                 .newWebSocketBuilder()
                 .header("Origin", "http://" + page.getAuthority())
+                .header("Cookie", StudioCookie.of(page))
                 .buildAsync(feed, this)
                 .join();
     }

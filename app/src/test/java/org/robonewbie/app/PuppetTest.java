@@ -34,6 +34,7 @@ import org.robonewbie.simulator.file.RecordingShelf;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.studio.AccessToken;
+import org.robonewbie.studio.StudioCookie;
 import org.robonewbie.studio.StudioFolders;
 import org.robonewbie.studio.StudioServer;
 
@@ -51,6 +52,7 @@ class PuppetTest {
     private Simulator simulator;
     private StudioServer studio;
     private WebSocket page;
+    private String cookie = "";
 
     @BeforeEach
     void open() throws IOException {
@@ -72,12 +74,12 @@ class PuppetTest {
         RecordingShelf shelf = new RecordingShelf(folder, 1_000_000_000);
         StudioFolders folders = new StudioFolders(folder.resolve("motions"), Optional.of(shelf));
         studio = StudioServer.start(simulator.control(), 0, AccessToken.random(), folders);
+        cookie = StudioCookie.of(studio.oneTimeAddress());
         page = browser.newWebSocketBuilder()
                 .header("Origin", origin())
+                .header("Cookie", cookie)
                 .buildAsync(
-                        URI.create("ws://" + studio.address().getAuthority() + "/live?"
-                                + studio.address().getQuery()),
-                        new WebSocket.Listener() {})
+                        URI.create("ws://" + studio.address().getAuthority() + "/live"), new WebSocket.Listener() {})
                 .join();
     }
 
@@ -97,9 +99,8 @@ class PuppetTest {
     }
 
     private HttpResponse<String> ask(String method, String path) throws IOException, InterruptedException {
-        String joint = path.contains("?") ? "&" : "?";
-        HttpRequest request = HttpRequest.newBuilder(
-                        URI.create(origin() + path + joint + studio.address().getQuery()))
+        HttpRequest request = HttpRequest.newBuilder(URI.create(origin() + path))
+                .header("Cookie", cookie)
                 .header("Origin", origin())
                 .method(method, HttpRequest.BodyPublishers.noBody())
                 .build();

@@ -29,8 +29,8 @@ class HelpPageTest {
     void pageHasNoViolationInLightAndDark(String page) throws IOException {
         try (FurnishedStudio studio = new FurnishedStudio(folder)) {
             for (String theme : new String[] {"light", "dark"}) {
-                browser.visit(studio.address() + "&theme=" + theme);
-                browser.visit(studio.address().replaceFirst("/\\?.*", "/docs/" + page));
+                browser.visit(studio.oneTimeAddress() + "&theme=" + theme);
+                browser.visit(studio.oneTimeAddress().replaceFirst("/\\?.*", "/docs/" + page));
                 browser.await("document.querySelector('main, article, h1')");
 
                 assertThat(axe.violations(browser)).as(theme).isEmpty();

@@ -94,7 +94,7 @@ class ProgramPageTest {
     }
 
     private void visit() {
-        browser.visit(studio.address() + "&theme=light&quality=lowest#program");
+        browser.visit(studio.oneTimeAddress() + "&theme=light&quality=lowest#program");
         browser.await("studio.rooms.program?.files?.file !== undefined");
     }
 
@@ -130,7 +130,7 @@ class ProgramPageTest {
         browser.drawSharply();
         for (String theme : new String[] {"light", "dark"}) {
             browser.resize(1366, 768);
-            browser.visit(studio.address() + "&quality=high&theme=" + theme + "#program");
+            browser.visit(studio.oneTimeAddress() + "&quality=high&theme=" + theme + "#program");
             browser.await("studio.rooms.program?.files?.file !== undefined");
             write(RAISE.replace("DEGREES", "60").replace("double angle", "nao.plot(\"x\", 3);\n        double angle"));
             if (theme.equals("light")) {
@@ -272,7 +272,7 @@ class ProgramPageTest {
 
     @Test
     void panelOfExercisesLeadsToTheProgramBesideTheRobot() {
-        browser.visit(studio.address() + "&theme=light&quality=lowest#field/exercises");
+        browser.visit(studio.oneTimeAddress() + "&theme=light&quality=lowest#field/exercises");
         browser.await("document.querySelector('[data-exercise=raise-arms]')");
         browser.click("[data-exercise=raise-arms]");
         browser.await("document.querySelector('#course-here').checkVisibility()");

@@ -83,6 +83,7 @@ class ProgramRoomMeasurement {
     private final HttpClient page = HttpClient.newHttpClient();
     private final Chromium browser;
     private String version = "";
+    private String cookie = "";
 
     ProgramRoomMeasurement(Chromium browser) {
         this.browser = browser;
@@ -143,6 +144,7 @@ class ProgramRoomMeasurement {
             try (CourseDesk course = new CourseDesk(folder, simulator.control(), shown, Coach.ofUser());
                     StudioServer studio =
                             StudioServer.start(shown, 0, AccessToken.random(), folders, course, workshop)) {
+                cookie = StudioCookie.of(studio.oneTimeAddress());
                 use.of(studio.address());
             }
         }
@@ -172,7 +174,7 @@ class ProgramRoomMeasurement {
 
     private HttpResponse<String> ask(URI studio, String method, String path, String body) {
         HttpRequest request = HttpRequest.newBuilder(studio.resolve("/api/" + path))
-                .header("Studio-Token", studio.getQuery().replace("token=", ""))
+                .header("Cookie", cookie)
                 .header("Origin", "http://" + studio.getAuthority())
                 .header("Known-Version", version)
                 .method(method, HttpRequest.BodyPublishers.ofString(body))

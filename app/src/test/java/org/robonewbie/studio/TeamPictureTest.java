@@ -82,7 +82,7 @@ class TeamPictureTest {
         try (StudioServer studio = StudioServer.start(match, 0, AccessToken.random());
                 Trial trial = match.begin(studio.telemetry())) {
             Pass pass = firstPass(trial);
-            browser.visit(studio.address() + "&quality=medium&theme=light");
+            browser.visit(studio.oneTimeAddress() + "&quality=medium&theme=light");
             browser.await("studio.state.scene.robots.length === " + 2 * PLAYERS + " && studio.state.frame");
             trial.step();
             browser.press("1");

@@ -1,6 +1,8 @@
 package org.robonewbie.studio;
 
+import java.util.Arrays;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.eclipse.jetty.http.HttpHeader;
 import org.eclipse.jetty.http.HttpStatus;
 import org.eclipse.jetty.io.Content;
@@ -10,46 +12,88 @@ import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
 import org.jspecify.annotations.Nullable;
 
-/** Stands before everything else in the server and turns away what {@link AccessRule} refuses. */
+/** Stands before everything else in the server: signs browsers in and turns away what {@link AccessRule} refuses. */
 final class AccessGuard extends Handler.Wrapper {
 
+    private static final String USED_UP = """
+            <!doctype html>
+            <html lang="en"><meta charset="utf-8"><title>RoboNewbie Studio</title>
+            <h1>This address has been used</h1>
+            <p>An address of the studio opens it once, within ten minutes.
+            Press <kbd>Enter</kbd> in the terminal where RoboNewbie runs for a new one, or start RoboNewbie again.</p>
+            <p>In this browser the studio may be <a href="/">open already</a>.</p>
+            """;
+
     private final AccessRule rule;
+    private final SignIn signIn;
     private final String contentSecurityPolicy;
 
-    AccessGuard(AccessRule rule, String contentSecurityPolicy, Handler protectedHandler) {
+    AccessGuard(AccessRule rule, SignIn signIn, String contentSecurityPolicy, Handler protectedHandler) {
         super(protectedHandler);
         this.rule = rule;
+        this.signIn = signIn;
         this.contentSecurityPolicy = contentSecurityPolicy;
     }
 
     @Override
     public boolean handle(Request request, Response response, Callback callback) throws Exception {
+        boolean isSignedIn = isSignedIn(request);
         Optional<String> refusal = rule.refusal(
                 request.getMethod(),
                 header(request, HttpHeader.HOST),
                 header(request, HttpHeader.ORIGIN),
+                orEmpty(request.getHeaders().get("Sec-Fetch-Site")),
                 Request.getPathInContext(request),
-                token(request));
-        if (refusal.isPresent()) {
-            response.setStatus(HttpStatus.FORBIDDEN_403);
-            response.getHeaders().put(HttpHeader.CONTENT_TYPE, "text/plain;charset=utf-8");
-            Content.Sink.write(response, true, refusal.get(), callback);
-            return true;
-        }
+                isSignedIn);
         response.getHeaders()
                 .put("Content-Security-Policy", contentSecurityPolicy)
                 .put("Referrer-Policy", "no-referrer")
                 .put("X-Content-Type-Options", "nosniff")
                 .put("Cross-Origin-Resource-Policy", "same-origin");
+        if (refusal.isPresent()) {
+            answer(response, HttpStatus.FORBIDDEN_403, "text/plain;charset=utf-8", refusal.get(), callback);
+            return true;
+        }
+        String code = request.getMethod().equals("GET")
+                ? Request.extractQueryParameters(request).getValue(SignIn.CODE)
+                : null;
+        if (code != null) {
+            exchange(request, response, code, isSignedIn, callback);
+            return true;
+        }
         return super.handle(request, response, callback);
     }
 
-    /** The token comes in the address, or in a header where addresses might be noted down. */
-    private static String token(Request request) {
-        String header = orEmpty(request.getHeaders().get("Studio-Token"));
-        return header.isEmpty()
-                ? orEmpty(Request.extractQueryParameters(request).getValue("token"))
-                : header;
+    /** Answers an address that holds a code by the way to the same page without it. */
+    private void exchange(Request request, Response response, String code, boolean isSignedIn, Callback callback) {
+        response.getHeaders().put(HttpHeader.CACHE_CONTROL, "no-store");
+        boolean isNew = signIn.redeem(code);
+        if (!isNew && !isSignedIn) {
+            answer(response, HttpStatus.FORBIDDEN_403, "text/html;charset=utf-8", USED_UP, callback);
+            return;
+        }
+        String query = Arrays.stream(orEmpty(request.getHttpURI().getQuery()).split("&"))
+                .filter(option -> !option.startsWith(SignIn.CODE + "="))
+                .collect(Collectors.joining("&"));
+        String page = "http://" + header(request, HttpHeader.HOST)
+                + request.getHttpURI().getPath();
+        response.setStatus(HttpStatus.SEE_OTHER_303);
+        response.getHeaders()
+                .put(HttpHeader.LOCATION, page + (query.isEmpty() ? "" : "?" + query))
+                .put(HttpHeader.SET_COOKIE, signIn.cookie());
+        Content.Sink.write(response, true, "", callback);
+    }
+
+    private boolean isSignedIn(Request request) {
+        return Request.getCookies(request).stream()
+                .filter(cookie -> cookie.getName().equals(signIn.cookieName()))
+                .anyMatch(cookie -> signIn.admits(cookie.getValue()));
+    }
+
+    private static void answer(Response response, int status, String type, String text, Callback callback) {
+        response.setStatus(status);
+        response.getHeaders().put(HttpHeader.CONTENT_TYPE, type);
+        Content.Sink.write(response, true, text, callback);
     }
 
     private static String header(Request request, HttpHeader name) {

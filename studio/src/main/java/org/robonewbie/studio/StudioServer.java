@@ -4,10 +4,14 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.URI;
 import java.time.Duration;
+import java.time.InstantSource;
 import java.util.Optional;
+import java.util.function.IntFunction;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import org.eclipse.jetty.server.Handler;
+import org.eclipse.jetty.server.HttpConfiguration;
+import org.eclipse.jetty.server.HttpConnectionFactory;
 import org.eclipse.jetty.server.Server;
 import org.eclipse.jetty.server.ServerConnector;
 import org.eclipse.jetty.util.thread.QueuedThreadPool;
@@ -34,7 +38,7 @@ import org.robonewbie.studio.scene.SceneApi;
  *
  * <pre>{@code
  * try (StudioServer studio = StudioServer.start(simulation, 0, AccessToken.random())) {
- *     System.out.println(studio.address());
+ *     System.out.println(studio.oneTimeAddress());
  * }
  * }</pre>
  */
@@ -45,18 +49,24 @@ public final class StudioServer implements Viewer.View {
 
     private static final Duration QUIET_LIMIT = Duration.ofMinutes(10);
     private static final int MAX_COMMAND_BYTES = 4096;
+
+    /** A browser sends the cookies of all ports of this computer. */
+    private static final int MAX_HEADER_BYTES = 32_768;
+
     private static final int MAX_THREADS = 12;
 
     private final Server server;
     private final LiveFeed feed;
     private final ProgramApi programs;
+    private final SignIn signIn;
     private final URI address;
 
-    private StudioServer(Server server, LiveFeed feed, ProgramApi programs, URI address) {
+    private StudioServer(Server server, LiveFeed feed, ProgramApi programs, SignIn signIn, int port) {
         this.server = server;
         this.feed = feed;
         this.programs = programs;
-        this.address = address;
+        this.signIn = signIn;
+        this.address = URI.create("http://127.0.0.1:" + port + "/");
     }
 
     /**
@@ -64,7 +74,7 @@ public final class StudioServer implements Viewer.View {
      *
      * @param simulation what to show and steer
      * @param port TCP port on 127.0.0.1, 0 for any free one
-     * @param token the secret of the pages
+     * @param token the secret of the user
      * @return the running studio
      * @throws IOException if the port cannot be opened; the message says what to do
      */
@@ -77,7 +87,7 @@ public final class StudioServer implements Viewer.View {
      *
      * @param simulation what to show and steer
      * @param port TCP port on 127.0.0.1, 0 for any free one
-     * @param token the secret of the pages
+     * @param token the secret of the user
      * @param folders what of the disk the pages may use
      * @return the running studio
      * @throws IOException if the port cannot be opened; the message says what to do
@@ -91,15 +101,32 @@ public final class StudioServer implements Viewer.View {
     static StudioServer start(
             SimulationControl simulation, int port, AccessToken token, StudioFolders folders, Optional<NewsBoard> board)
             throws IOException {
-        return start(simulation, port, token, folders, board, Lessons.NONE);
+        return start(simulation, port, signIn(token), folders, board, Lessons.NONE);
+    }
+
+    /**
+     * Starts another studio at any free port; a browser that is signed in at the first one is so there too.
+     *
+     * @param simulation what to show and steer
+     * @param first the studio that lets browsers in
+     * @return the running studio
+     * @throws IOException if no port can be opened; the message says what to do
+     */
+    public static StudioServer startBeside(SimulationControl simulation, StudioServer first) throws IOException {
+        StudioFolders folders = StudioFolders.ofWorkingDirectory();
+        return start(simulation, 0, port -> first.signIn, folders, Optional.empty(), Lessons.NONE);
+    }
+
+    private static IntFunction<SignIn> signIn(AccessToken token) {
+        return port -> new SignIn(token, port, InstantSource.system());
     }
 
     /** Starts the studio, also with exercises. */
     static StudioServer start(
             SimulationControl simulation, int port, AccessToken token, StudioFolders folders, Course course)
             throws IOException {
-        return start(
-                simulation, port, token, folders, Optional.empty(), new Lessons(Optional.of(course), Optional.empty()));
+        Lessons lessons = new Lessons(Optional.of(course), Optional.empty());
+        return start(simulation, port, signIn(token), folders, Optional.empty(), lessons);
     }
 
     /** Starts the studio, also with exercises and programs. */
@@ -112,7 +139,7 @@ public final class StudioServer implements Viewer.View {
             Workshop workshop)
             throws IOException {
         Lessons lessons = new Lessons(Optional.of(course), Optional.of(workshop));
-        return start(simulation, port, token, folders, Optional.empty(), lessons);
+        return start(simulation, port, signIn(token), folders, Optional.empty(), lessons);
     }
 
     /** What a studio offers to students, if it does. */
@@ -124,7 +151,7 @@ public final class StudioServer implements Viewer.View {
     private static StudioServer start(
             SimulationControl simulation,
             int port,
-            AccessToken token,
+            IntFunction<SignIn> signInAtPort,
             StudioFolders folders,
             Optional<NewsBoard> board,
             Lessons lessons)
@@ -134,7 +161,9 @@ public final class StudioServer implements Viewer.View {
         threads.setName("studio");
         threads.setDaemon(true);
         Server server = new Server(threads);
-        ServerConnector connector = new ServerConnector(server, 1, 1);
+        HttpConfiguration http = new HttpConfiguration();
+        http.setRequestHeaderSize(MAX_HEADER_BYTES);
+        ServerConnector connector = new ServerConnector(server, 1, 1, new HttpConnectionFactory(http));
         connector.setHost(InetAddress.getByAddress(new byte[] {127, 0, 0, 1}).getHostAddress());
         connector.setPort(port);
         server.addConnector(connector);
@@ -142,17 +171,17 @@ public final class StudioServer implements Viewer.View {
 
         int openPort = connector.getLocalPort();
         LiveFeed feed = new LiveFeed(simulation, new RunNotes(folders.recordings())::keep);
-        AccessRule rule = new AccessRule(openPort, token);
+        SignIn signIn = signInAtPort.apply(openPort);
+        AccessRule rule = new AccessRule(openPort);
         String policy = WebFiles.contentSecurityPolicy(openPort);
         WebFiles files = new WebFiles();
         ProgramApi programs = new ProgramApi(lessons.workshop(), new ProgramGround(feed));
         Handler rooms = rooms(feed, folders, new CourseApi(lessons.course()), programs, files);
-        server.setHandler(new AccessGuard(rule, policy, live(server, feed, board, rooms)));
+        server.setHandler(new AccessGuard(rule, signIn, policy, live(server, feed, board, rooms)));
         run(server);
         feed.start();
         FirstVisit.start(files, openPort);
-        return new StudioServer(
-                server, feed, programs, URI.create("http://127.0.0.1:" + openPort + "/?token=" + token.text()));
+        return new StudioServer(server, feed, programs, signIn, openPort);
     }
 
     private static void silenceServerTalk() {
@@ -206,6 +235,11 @@ public final class StudioServer implements Viewer.View {
     @Override
     public URI address() {
         return address;
+    }
+
+    @Override
+    public URI oneTimeAddress() {
+        return signIn.newAddress(address);
     }
 
     @Override

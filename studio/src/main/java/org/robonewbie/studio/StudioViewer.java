@@ -46,7 +46,7 @@ public final class StudioViewer implements Viewer {
      * @return the open view
      * @throws IOException if the port cannot be opened
      */
-    public static View open(SimulationControl simulation, int port, StudioFolders folders, NewsBoard board)
+    public static StudioServer open(SimulationControl simulation, int port, StudioFolders folders, NewsBoard board)
             throws IOException {
         return open(simulation, port, folders, Optional.of(board));
     }
@@ -76,7 +76,8 @@ public final class StudioViewer implements Viewer {
         }
     }
 
-    private static View open(SimulationControl simulation, int port, StudioFolders folders, Optional<NewsBoard> board)
+    private static StudioServer open(
+            SimulationControl simulation, int port, StudioFolders folders, Optional<NewsBoard> board)
             throws IOException {
         return port == 0
                 ? openAtUsual(USUAL_PORT, simulation, folders, board)
@@ -84,7 +85,8 @@ public final class StudioViewer implements Viewer {
     }
 
     /** Takes a port if it is free, and any other if it is not. */
-    static View openAtUsual(int port, SimulationControl simulation, StudioFolders folders, Optional<NewsBoard> board)
+    static StudioServer openAtUsual(
+            int port, SimulationControl simulation, StudioFolders folders, Optional<NewsBoard> board)
             throws IOException {
         AccessToken token = AccessToken.ofUser();
         try {

@@ -8,6 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFileAttributeView;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Duration;
+import java.time.Instant;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -22,9 +24,9 @@ class AccessTokenTest {
     void keptTokenIsTheSameInTheNextRun(@TempDir Path folder) throws IOException {
         Path file = folder.resolve("new").resolve("token");
 
-        AccessToken first = AccessToken.keptIn(file);
+        AccessToken first = AccessToken.keptIn(file, Instant.now());
 
-        assertThat(AccessToken.keptIn(file)).isEqualTo(first);
+        assertThat(AccessToken.keptIn(file, Instant.now())).isEqualTo(first);
         assertThat(folder.resolve("new")).isDirectoryContaining(file::equals);
         assertThat(folder.resolve("new").toFile().list()).hasSize(1);
     }
@@ -33,7 +35,7 @@ class AccessTokenTest {
     void keptTokenIsForItsOwnerOnly(@TempDir Path folder) throws IOException {
         Path file = folder.resolve("token");
 
-        AccessToken.keptIn(file);
+        AccessToken.keptIn(file, Instant.now());
 
         if (Files.getFileAttributeView(file, PosixFileAttributeView.class) != null) {
             assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(file)))
@@ -45,7 +47,7 @@ class AccessTokenTest {
     void damagedTokenIsReplaced(@TempDir Path folder) throws IOException {
         Path file = Files.writeString(folder.resolve("token"), "no token");
 
-        AccessToken token = AccessToken.keptIn(file);
+        AccessToken token = AccessToken.keptIn(file, Instant.now());
 
         assertThat(Files.readString(file)).isEqualTo(token.text() + "\n");
     }
@@ -57,11 +59,23 @@ class AccessTokenTest {
     }
 
     @Test
-    void onlyTheSameTextMatches() {
+    void keptTokenLastsADay(@TempDir Path folder) throws IOException {
+        Path file = folder.resolve("token");
+        AccessToken today = AccessToken.keptIn(file, Instant.now());
+
+        assertThat(AccessToken.keptIn(file, Instant.now().plus(Duration.ofHours(23))))
+                .isEqualTo(today);
+        assertThat(AccessToken.keptIn(file, Instant.now().plus(Duration.ofHours(25))))
+                .isNotEqualTo(today);
+    }
+
+    @Test
+    void eachPortHasItsOwnSecretWhichDoesNotShowTheToken() {
         AccessToken token = AccessToken.random();
 
-        assertThat(token.matches(token.text())).isTrue();
-        assertThat(token.matches(token.text() + "0")).isFalse();
-        assertThat(token.matches("")).isFalse();
+        assertThat(token.secretOf(3400)).isEqualTo(token.secretOf(3400)).isNotEqualTo(token.secretOf(3401));
+        assertThat(token.secretOf(3400))
+                .isNotEqualTo(AccessToken.random().secretOf(3400))
+                .doesNotContain(token.text());
     }
 }

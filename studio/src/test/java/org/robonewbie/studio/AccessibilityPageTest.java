@@ -76,7 +76,7 @@ class AccessibilityPageTest {
         StudioFolders folders = new StudioFolders(folder, Optional.empty());
         try (StudioServer other =
                 StudioServer.start(studio.simulation(), 0, AccessToken.random(), folders, Optional.of(board))) {
-            browser.visit(board.page(other.address()) + "&theme=" + theme);
+            browser.visit(board.page(other.oneTimeAddress()) + "&theme=" + theme);
             browser.await("search.state.task !== undefined");
 
             assertClean("Search");
@@ -166,7 +166,7 @@ class AccessibilityPageTest {
     }
 
     private void visit(String theme, String room, String isThere) {
-        browser.visit(studio.address() + "&quality=lowest&theme=" + theme + room);
+        browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=" + theme + room);
         browser.await("studio.state.scene.robots.length === 1");
         browser.await(isThere);
     }

@@ -16,13 +16,12 @@ import org.robonewbie.simulator.file.RecordingShelf;
 /** Each address below {@code /api/} answers pages of the studio only, and no name leads out of its folder. */
 class ApiAccessTest {
 
-    private static final AccessToken TOKEN = AccessToken.random();
-
     @TempDir
     private static Path place;
 
     private static final SmallSimulation simulation = new SmallSimulation();
     private static StudioServer studio;
+    private static String cookie = "";
 
     @BeforeAll
     static void start() throws IOException {
@@ -34,7 +33,8 @@ class ApiAccessTest {
         }
         RecordingShelf shelf = new RecordingShelf(runs, 1_000_000_000);
         StudioFolders folders = new StudioFolders(place.resolve("motions"), Optional.of(shelf));
-        studio = StudioServer.start(simulation.start(), 0, TOKEN, folders);
+        studio = StudioServer.start(simulation.start(), 0, AccessToken.random(), folders);
+        cookie = "Cookie: " + StudioCookie.of(studio.oneTimeAddress());
     }
 
     @AfterAll
@@ -61,17 +61,22 @@ class ApiAccessTest {
                 "GET /api/programs",
             })
     void onlyPagesOfTheStudioAreAnswered(String order) throws IOException {
-        String token = "Studio-Token: " + TOKEN.text();
-
-        assertThat(ask(order, host(), token)).startsWith("HTTP/1.1 200");
-        assertThat(ask(order, "evil.example", token)).startsWith("HTTP/1.1 403").contains("not to \"evil.example\"");
-        assertThat(ask(order, host(), token, "Origin: http://evil.example"))
+        assertThat(ask(order, host(), cookie)).startsWith("HTTP/1.1 200");
+        assertThat(ask(order, "evil.example", cookie))
+                .startsWith("HTTP/1.1 403")
+                .contains("not to \"evil.example\"");
+        assertThat(ask(order, host(), cookie, "Origin: http://evil.example"))
                 .startsWith("HTTP/1.1 403")
                 .contains("Pages of \"http://evil.example\" may not talk to the studio.");
-        assertThat(ask(order, host())).startsWith("HTTP/1.1 403").contains("The access token is missing or wrong.");
-        assertThat(ask(order, host(), "Studio-Token: " + AccessToken.random().text()))
+        for (String site : new String[] {"cross-site", "same-site"}) {
+            assertThat(ask(order, host(), cookie, "Sec-Fetch-Site: " + site))
+                    .startsWith("HTTP/1.1 403")
+                    .contains("Pages of other addresses may not talk to the studio.");
+        }
+        assertThat(ask(order, host())).startsWith("HTTP/1.1 403").contains("This browser has not been let in yet");
+        assertThat(ask(order, host(), cookie + "0"))
                 .startsWith("HTTP/1.1 403")
-                .contains("The access token is missing or wrong.");
+                .contains("This browser has not been let in yet");
     }
 
     @ParameterizedTest
@@ -98,12 +103,12 @@ class ApiAccessTest {
                 "DELETE /api/programs/run",
             })
     void nothingIsChangedForAProgramThatNamesNoOrigin(String order) throws IOException {
-        assertThat(ask(order, host(), "Studio-Token: " + TOKEN.text(), "Content-Length: 0"))
+        assertThat(ask(order, host(), cookie, "Content-Length: 0"))
                 .startsWith("HTTP/1.1 403")
                 .contains("Only a page of the studio may change files; this request names no origin.");
         assertThat(ask(order, host(), "Origin: http://" + host(), "Content-Length: 0"))
                 .startsWith("HTTP/1.1 403")
-                .contains("The access token is missing or wrong.");
+                .contains("This browser has not been let in yet");
     }
 
     @ParameterizedTest
@@ -111,12 +116,12 @@ class ApiAccessTest {
             strings = {"..%2fsecret", "%2e%2e%2fsecret", "..%5csecret", "../secret", "..", "%00", "%2fetc%2fpasswd"})
     void namesOfRunsThatLeadElsewhereAreNotFound(String name) throws IOException {
         for (String shelf : new String[] {"notes", "index", "cards", "pieces", "log"}) {
-            assertThat(ask("GET /api/" + shelf + "/" + name, host(), "Studio-Token: " + TOKEN.text()))
+            assertThat(ask("GET /api/" + shelf + "/" + name, host(), cookie))
                     .containsPattern("^HTTP/1.1 40[0-9]")
                     .doesNotContain("hush");
         }
         String start = "POST /api/start/" + name + "?moment=1";
-        assertThat(ask(start, host(), "Studio-Token: " + TOKEN.text(), "Origin: http://" + host(), "Content-Length: 0"))
+        assertThat(ask(start, host(), cookie, "Origin: http://" + host(), "Content-Length: 0"))
                 .containsPattern("^HTTP/1.1 40[0-9]");
     }
 

@@ -38,7 +38,7 @@ class AttachedStudioTest {
                 MonitoredSimulation watched = MonitoredSimulation.connect(
                         "127.0.0.1", robot.simulator().monitorPort().orElseThrow());
                 StudioServer studio = StudioServer.start(watched, 0, AccessToken.random(), folders)) {
-            browser.visit(studio.address() + "&quality=lowest&theme=light");
+            browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light");
             browser.await(
                     "studio.state.scene?.robots.length === 1 && studio.view.crowd.meshes.some(mesh => mesh.visible)");
             browser.await("document.querySelector('.team.left').textContent === 'Stars'");
@@ -71,7 +71,7 @@ class AttachedStudioTest {
         StudioFolders folders = new StudioFolders(folder.resolve("motions"), Optional.empty()).withRecording(file);
         try (SmallSimulation simulation = new SmallSimulation();
                 StudioServer studio = StudioServer.start(simulation.start(), 0, AccessToken.random(), folders)) {
-            browser.visit(studio.address() + "&quality=lowest&theme=light#replay/my%20game");
+            browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light#replay/my%20game");
 
             browser.await("studio.replay?.file?.name === 'my game' && studio.replay.file.isWhole");
             browser.await("studio.view.crowd.poses.length === 1 && studio.view.drawCalls > 0");

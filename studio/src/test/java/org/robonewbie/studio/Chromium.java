@@ -16,7 +16,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.regex.Pattern;
 
 /** A real browser without a window, steered by the Chrome DevTools protocol. */
-final class Chromium implements AutoCloseable {
+final class Chromium implements AnyBrowser, AutoCloseable {
 
     private static final long PATIENCE_SECONDS = 120;
 
@@ -130,7 +130,8 @@ final class Chromium implements AutoCloseable {
     }
 
     /** Opens an address and waits until the page before it has gone and this one is there. */
-    void visit(String address) {
+    @Override
+    public void visit(String address) {
         JsonObject place = new JsonObject();
         place.addProperty("url", address);
         evaluate("window.isLeft = true");
@@ -140,7 +141,8 @@ final class Chromium implements AutoCloseable {
     }
 
     /** Computes a JavaScript expression in the page. */
-    JsonElement evaluate(String expression) {
+    @Override
+    public JsonElement evaluate(String expression) {
         JsonObject parameters = new JsonObject();
         parameters.addProperty("expression", expression);
         parameters.addProperty("returnByValue", true);
@@ -154,7 +156,8 @@ final class Chromium implements AutoCloseable {
     }
 
     /** Waits until a JavaScript condition holds in the page, which looks by itself and answers when it does. */
-    void await(String condition) {
+    @Override
+    public void await(String condition) {
         String guarded = "(() => { try { return Boolean(" + condition + "); } catch { return false; } })()";
         String promise = "new Promise((answer) => { const look = () => " + guarded
                 + " ? answer(true) : setTimeout(look, 15); look(); })";
@@ -226,7 +229,8 @@ final class Chromium implements AutoCloseable {
     }
 
     /** Clicks as soon as the element is there and can be used, as a person would; a disabled one swallows the click. */
-    void click(String selector) {
+    @Override
+    public void click(String selector) {
         clickElement("document.querySelector(" + quoted(selector) + ")");
     }
 

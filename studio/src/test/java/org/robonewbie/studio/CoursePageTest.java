@@ -51,7 +51,7 @@ class CoursePageTest {
     }
 
     private void visit(String quality) {
-        browser.visit(studio.address() + "&theme=light&quality=" + quality);
+        browser.visit(studio.oneTimeAddress() + "&theme=light&quality=" + quality);
         browser.await("studio.state.frame && studio.view.drawCalls > 0");
         browser.await("document.querySelector(\"#rooms a[href='#field/exercises']\")?.hidden === false");
         browser.click("#rooms a[href='#field/exercises']");
@@ -183,7 +183,7 @@ class CoursePageTest {
     @Test
     void studioWithoutExercisesDoesNotOfferThem() throws IOException {
         try (StudioServer other = StudioServer.start(freePitch, 0, AccessToken.random())) {
-            browser.visit(other.address() + "&quality=lowest");
+            browser.visit(other.oneTimeAddress() + "&quality=lowest");
             browser.await("studio.state.frame && studio.view.drawCalls > 0");
 
             browser.await("document.querySelector(\"#rooms a[href='#field/exercises']\").hidden");

@@ -23,7 +23,6 @@ import org.robonewbie.simulator.file.RecordingShelf;
 /** Whatever lies in the folders of recordings and scenes, a page gets data or a sentence. */
 class DamagedFilesTest {
 
-    private static final AccessToken TOKEN = AccessToken.random();
     private static final int DAMAGED = 60;
 
     @TempDir
@@ -33,6 +32,7 @@ class DamagedFilesTest {
     private static Path runs;
     private static byte[] whole;
     private static StudioServer studio;
+    private static String cookie = "";
 
     @BeforeAll
     static void start() throws IOException {
@@ -42,7 +42,8 @@ class DamagedFilesTest {
         whole = Files.readAllBytes(recording);
         StudioFolders folders =
                 new StudioFolders(place.resolve("motions"), Optional.of(new RecordingShelf(runs, 1_000_000_000)));
-        studio = StudioServer.start(simulation.start(), 0, TOKEN, folders);
+        studio = StudioServer.start(simulation.start(), 0, AccessToken.random(), folders);
+        cookie = StudioCookie.of(studio.oneTimeAddress());
     }
 
     @AfterAll
@@ -129,7 +130,7 @@ class DamagedFilesTest {
                         studio.address(),
                         method + " /api/" + address + " HTTP/1.1",
                         "Host: " + host,
-                        "Studio-Token: " + TOKEN.text(),
+                        "Cookie: " + cookie,
                         "Origin: http://" + host,
                         "Content-Length: 0")
                 .strip();

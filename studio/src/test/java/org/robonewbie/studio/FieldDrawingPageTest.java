@@ -52,7 +52,7 @@ class FieldDrawingPageTest {
     }
 
     private void visit() {
-        browser.visit(studio.address() + "&theme=light&quality=lowest");
+        browser.visit(studio.oneTimeAddress() + "&theme=light&quality=lowest");
         browser.await("studio.state.scene?.robots.length === 2 && studio.view.crowd.poses[1]?.[2] > 0");
     }
 

@@ -36,7 +36,7 @@ class FieldHandPageTest {
                 .withRobot(RobotType.TYPE_0, TeamSide.LEFT, 1, -1, 0.5, 0, Posture.STANDING)
                 .withRobot(RobotType.TYPE_0, TeamSide.RIGHT, 7, 2, 1, 180, Posture.STANDING);
         studio = StudioServer.start(simulation.start(), 0, AccessToken.random());
-        browser.visit(studio.address() + "&theme=light&quality=lowest");
+        browser.visit(studio.oneTimeAddress() + "&theme=light&quality=lowest");
         browser.await("studio.state.scene?.robots.length === 2 && studio.view.crowd.poses[1]?.[2] > 0"
                 + " && studio.view.covered.bottom > 0");
         browser.await("studio.desk.isStill && !document.querySelector('#scenes').hidden");
@@ -81,7 +81,7 @@ class FieldHandPageTest {
 
         browser.click("#names");
         browser.await("!document.querySelector('.name-tag').checkVisibility()");
-        browser.visit(studio.address() + "&theme=light&quality=lowest");
+        browser.visit(studio.oneTimeAddress() + "&theme=light&quality=lowest");
 
         browser.await("document.querySelector('#names') && !document.querySelector('#names').checked");
     }

@@ -48,7 +48,7 @@ class FieldPicturePageTest {
     }
 
     private void open(String options) {
-        browser.visit(studio.address() + "&theme=light" + options);
+        browser.visit(studio.oneTimeAddress() + "&theme=light" + options);
         browser.await("studio.state.frame && studio.desk.scene && studio.view.drawCalls > 0");
     }
 
@@ -106,7 +106,7 @@ class FieldPicturePageTest {
     void pageBeforeTheFirstPictureIsNotBlack() {
         String script = browser.runBeforePages("window.requestAnimationFrame = () => 0");
         try {
-            browser.visit(studio.address() + "&theme=light" + CHEAP);
+            browser.visit(studio.oneTimeAddress() + "&theme=light" + CHEAP);
 
             browser.await("window.studio && document.querySelector('#stage-opening').checkVisibility()");
             browser.await("document.querySelector('#stage canvas')"

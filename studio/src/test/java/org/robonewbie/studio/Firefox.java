@@ -18,7 +18,7 @@ import java.util.concurrent.CompletionException;
 import java.util.concurrent.TimeUnit;
 
 /** A real Firefox without a window, steered by WebDriver BiDi. A profile can be used again by the next one. */
-final class Firefox implements AutoCloseable {
+final class Firefox implements AnyBrowser, AutoCloseable {
 
     static final Tool TOOL = new Tool("Firefox", List.of("firefox-esr", "firefox"));
 
@@ -118,7 +118,8 @@ final class Firefox implements AutoCloseable {
     }
 
     /** Opens an address and waits until the page is there. */
-    void visit(String address) {
+    @Override
+    public void visit(String address) {
         JsonObject place = new JsonObject();
         place.addProperty("context", context);
         place.addProperty("url", address);
@@ -127,7 +128,8 @@ final class Firefox implements AutoCloseable {
     }
 
     /** Computes a JavaScript expression in the page. */
-    JsonElement evaluate(String expression) {
+    @Override
+    public JsonElement evaluate(String expression) {
         JsonObject target = new JsonObject();
         target.addProperty("context", context);
         JsonObject parameters = new JsonObject();
@@ -144,7 +146,8 @@ final class Firefox implements AutoCloseable {
     }
 
     /** Waits until a JavaScript condition holds in the page, which looks by itself and answers when it does. */
-    void await(String condition) {
+    @Override
+    public void await(String condition) {
         try {
             evaluate("new Promise((answer) => { const look = () => { let holds = false; try { holds = " + condition
                     + "; } catch { holds = false; } if (holds) { answer(true); } else { setTimeout(look, 15); } };"
@@ -158,7 +161,8 @@ final class Firefox implements AutoCloseable {
     }
 
     /** Clicks as soon as the element is there and can be used. */
-    void click(String selector) {
+    @Override
+    public void click(String selector) {
         await("(() => { const found = document.querySelector(" + new JsonPrimitive(selector)
                 + "); const ready = found && !found.disabled; if (ready) { found.click(); } return ready; })()");
     }

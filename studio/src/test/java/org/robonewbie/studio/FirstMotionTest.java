@@ -54,7 +54,7 @@ class FirstMotionTest {
         try (SmallSimulation simulation = new SmallSimulation().withRobot().start();
                 StudioServer studio = StudioServer.start(
                         simulation, 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()))) {
-            browser.visit(studio.address() + "&quality=lowest");
+            browser.visit(studio.oneTimeAddress() + "&quality=lowest");
             press("Motion");
             browser.await("studio.motion && " + STATE + ".name === 'wave' && !studio.motion.stale");
             press("+ New");

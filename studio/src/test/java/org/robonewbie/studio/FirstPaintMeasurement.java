@@ -36,7 +36,7 @@ class FirstPaintMeasurement {
 
     private static void report(String occasion, Chromium browser, StudioServer studio) {
         browser.visit("about:blank");
-        browser.visit(studio.address().toString());
+        browser.visit(studio.oneTimeAddress().toString());
         browser.await("window.firstPicture && " + FIRST_PAINT);
         System.out.printf(
                 Locale.ROOT,

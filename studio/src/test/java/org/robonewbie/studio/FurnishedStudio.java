@@ -34,9 +34,9 @@ final class FurnishedStudio implements AutoCloseable {
         return this;
     }
 
-    /** The page's address, to which options and the room can be added. */
-    String address() {
-        return studio.address().toString();
+    /** A new address of the page, to which options and the room can be added. */
+    String oneTimeAddress() {
+        return studio.oneTimeAddress().toString();
     }
 
     SmallSimulation simulation() {

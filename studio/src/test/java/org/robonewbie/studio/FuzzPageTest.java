@@ -71,7 +71,7 @@ class FuzzPageTest {
     }
 
     private void fuzz(String room, int steps) throws IOException {
-        browser.visit(studio.address() + "&quality=lowest&theme=light" + room);
+        browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light" + room);
         browser.await("studio.state.scene.robots.length === 1 && document.querySelector('" + isThere(room) + "')");
         Random random = new Random(SEED);
         for (int i = 0; i < REAL_STEPS; i++) {

@@ -27,12 +27,11 @@ class HangingBrowserTest {
     void othersDoNotNoticeAndItCatchesUp() throws Exception {
         try (SmallSimulation simulation = new SmallSimulation().withRobot().start();
                 StudioServer studio = StudioServer.start(simulation, 0, AccessToken.random());
-                TestPage third = new TestPage(studio.address())) {
-            String address = studio.address() + "&quality=lowest";
-            hanging.visit(address);
+                TestPage third = new TestPage(studio.oneTimeAddress())) {
+            hanging.visit(studio.oneTimeAddress() + "&quality=lowest");
             hanging.await(SEES);
             try (Chromium vanishing = Chromium.open(640, 360)) {
-                vanishing.visit(address);
+                vanishing.visit(studio.oneTimeAddress() + "&quality=lowest");
                 vanishing.await(SEES);
                 simulation.awaitTrue(() -> studio.spectators() == 3);
             }

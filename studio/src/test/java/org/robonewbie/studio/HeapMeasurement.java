@@ -33,7 +33,7 @@ class HeapMeasurement {
         try (SmallSimulation simulation = StudioSpeedMeasurement.match(22);
                 StudioServer studio = StudioServer.start(simulation.start(), 0, AccessToken.random(), folders);
                 Chromium browser = Chromium.open(1366, 768)) {
-            browser.visit(studio.address() + "&theme=light&quality=lowest");
+            browser.visit(studio.oneTimeAddress() + "&theme=light&quality=lowest");
             browser.await("studio.state.scene?.robots.length === 22 && studio.view.drawCalls > 0");
             System.out.printf(Locale.ROOT, "at the beginning: %.1f MB%n", browser.heapBytes() / 1e6);
             for (int visit = 0; visit * SECONDS_IN_A_ROOM < seconds; visit++) {

@@ -174,9 +174,11 @@ class JavaScriptTest {
                         0,
                         AccessToken.random(),
                         new StudioFolders(folder.resolve("none"), Optional.empty()))) {
-            String request = "GET /api/robot?" + studio.address().getQuery() + " HTTP/1.1";
             String answer = RawHttp.send(
-                    studio.address(), request, "Host: " + studio.address().getAuthority());
+                    studio.address(),
+                    "GET /api/robot HTTP/1.1",
+                    "Host: " + studio.address().getAuthority(),
+                    "Cookie: " + StudioCookie.of(studio.oneTimeAddress()));
             Files.writeString(folder.resolve("robot.json"), answer.substring(answer.indexOf("\r\n\r\n") + 4));
         }
     }

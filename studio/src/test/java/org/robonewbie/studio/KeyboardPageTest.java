@@ -135,7 +135,7 @@ class KeyboardPageTest {
         StudioFolders folders = new StudioFolders(folder, Optional.empty());
         try (StudioServer other =
                 StudioServer.start(studio.simulation(), 0, AccessToken.random(), folders, Optional.of(board))) {
-            browser.visit(board.page(other.address()).toString());
+            browser.visit(board.page(other.oneTimeAddress()).toString());
             browser.await("search.state.task !== undefined");
 
             walkThrough();
@@ -143,7 +143,7 @@ class KeyboardPageTest {
     }
 
     private void visit(String room, String isThere) {
-        browser.visit(studio.address() + "&quality=lowest&theme=light" + room);
+        browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light" + room);
         browser.await("studio.state.scene.robots.length === 1 && studio.state.frame.paused"
                 + " && !document.querySelector('#toggle').disabled && document.querySelector('#toast').hidden");
         browser.await(isThere);

@@ -64,7 +64,7 @@ class LandscapePictureTest {
             simulation.afterCycles(100);
             simulation.order(new Order.Pause());
             try (StudioServer studio = StudioServer.start(simulation.start(), 0, AccessToken.random())) {
-                browser.visit(studio.address() + "&quality=high&shadows=on&theme=light");
+                browser.visit(studio.oneTimeAddress() + "&quality=high&shadows=on&theme=light");
                 browser.await("studio.view.things.group.children.length === "
                         + landscape.things().size() + " && studio.state.frame");
                 browser.press("1");

@@ -50,7 +50,7 @@ class LiveFeedTest {
 
     @Test
     void newPageLearnsWhoPlaysBeforeTheFirstFrame() throws InterruptedException {
-        try (TestPage page = new TestPage(studio.address())) {
+        try (TestPage page = new TestPage(studio.oneTimeAddress())) {
             JsonObject scene =
                     page.awaitScene(any -> !any.getAsJsonArray("robots").isEmpty());
 
@@ -69,7 +69,7 @@ class LiveFeedTest {
 
     @Test
     void framesFollowTheWorld() throws InterruptedException {
-        try (TestPage page = new TestPage(studio.address())) {
+        try (TestPage page = new TestPage(studio.oneTimeAddress())) {
             long first = TestPage.cycleOf(page.nextFrame());
             page.seen();
             long second = TestPage.cycleOf(page.nextFrame());
@@ -82,7 +82,7 @@ class LiveFeedTest {
     void notMoreThanAboutTwentyFiveFramesComePerSecond() throws InterruptedException {
         simulation.order(new Order.SetSpeed(SimulationControl.AS_FAST_AS_POSSIBLE));
         long start = System.nanoTime();
-        try (TestPage page = new TestPage(studio.address())) {
+        try (TestPage page = new TestPage(studio.oneTimeAddress())) {
             page.nextFrame();
             for (int frame = 0; frame < 21; frame++) {
                 page.seen();
@@ -95,7 +95,7 @@ class LiveFeedTest {
 
     @Test
     void pageThatDoesNotAnswerGetsNoSecondFrame() throws InterruptedException {
-        try (TestPage frozen = new TestPage(studio.address())) {
+        try (TestPage frozen = new TestPage(studio.oneTimeAddress())) {
             frozen.nextFrame();
 
             assertThat(frozen.framesWithin(1500)).isFalse();
@@ -104,7 +104,7 @@ class LiveFeedTest {
 
     @Test
     void pageThatAnswersLateGetsTheNewestFrame() throws InterruptedException {
-        try (TestPage slow = new TestPage(studio.address())) {
+        try (TestPage slow = new TestPage(studio.oneTimeAddress())) {
             slow.nextFrame();
             long before = simulation.latest().cycle();
             awaitCycle(before + 20);
@@ -117,8 +117,8 @@ class LiveFeedTest {
 
     @Test
     void frozenPageDisturbsNeitherTheSimulationNorOthers() throws InterruptedException {
-        try (TestPage frozen = new TestPage(studio.address());
-                TestPage lively = new TestPage(studio.address())) {
+        try (TestPage frozen = new TestPage(studio.oneTimeAddress());
+                TestPage lively = new TestPage(studio.oneTimeAddress())) {
             frozen.nextFrame();
             simulation.order(new Order.SetSpeed(SimulationControl.AS_FAST_AS_POSSIBLE));
             long start = simulation.latest().cycle();
@@ -154,7 +154,7 @@ class LiveFeedTest {
     @Test
     void unchangedWorldIsRepeatedOncePerSecond() throws InterruptedException {
         simulation.order(new Order.Pause());
-        try (TestPage page = new TestPage(studio.address())) {
+        try (TestPage page = new TestPage(studio.oneTimeAddress())) {
             long paused = page.nextPausedCycle();
             page.nextFrame();
             long start = System.nanoTime();
@@ -167,7 +167,7 @@ class LiveFeedTest {
 
     @Test
     void robotThatComesLaterChangesTheScene() throws InterruptedException {
-        try (TestPage page = new TestPage(studio.address())) {
+        try (TestPage page = new TestPage(studio.oneTimeAddress())) {
             page.nextFrame();
             simulation.withRobot(RobotType.TYPE_4, TeamSide.RIGHT, 7, 2, 1, 180, Posture.STANDING);
             page.seen();
@@ -189,7 +189,7 @@ class LiveFeedTest {
             TeamSide side = i < 11 ? TeamSide.LEFT : TeamSide.RIGHT;
             simulation.withRobot(RobotType.TYPE_0, side, i % 11 + 1, -5.5 + 0.5 * i, 2, 0, Posture.STANDING);
         }
-        try (TestPage page = new TestPage(studio.address())) {
+        try (TestPage page = new TestPage(studio.oneTimeAddress())) {
             page.nextFrame();
             page.seen();
             robotsAtLeast(page, 22);
@@ -205,7 +205,7 @@ class LiveFeedTest {
 
     @Test
     void pauseStopsAndResumeContinues() {
-        try (TestPage page = new TestPage(studio.address())) {
+        try (TestPage page = new TestPage(studio.oneTimeAddress())) {
             page.send("{\"do\":\"pause\"}");
             await(() -> simulation.latest().paused());
             page.send("{\"do\":\"resume\"}");
@@ -218,7 +218,7 @@ class LiveFeedTest {
         simulation.order(new Order.Pause());
         await(() -> simulation.latest().paused());
         long before = simulation.latest().cycle();
-        try (TestPage page = new TestPage(studio.address())) {
+        try (TestPage page = new TestPage(studio.oneTimeAddress())) {
             page.send("{\"do\":\"step\",\"cycles\":3}");
 
             await(() -> simulation.latest().cycle() == before + 3);
@@ -227,7 +227,7 @@ class LiveFeedTest {
 
     @Test
     void speedIsSet() {
-        try (TestPage page = new TestPage(studio.address())) {
+        try (TestPage page = new TestPage(studio.oneTimeAddress())) {
             page.send("{\"do\":\"speed\",\"factor\":0.25}");
             await(() -> simulation.latest().speed() == 0.25);
             page.send("{\"do\":\"speed\",\"factor\":\"fastest\"}");
@@ -237,7 +237,7 @@ class LiveFeedTest {
 
     @Test
     void ballIsPlacedAndResetBringsItBack() {
-        try (TestPage page = new TestPage(studio.address())) {
+        try (TestPage page = new TestPage(studio.oneTimeAddress())) {
             page.send("{\"do\":\"placeBall\",\"x\":2,\"y\":-1.5,\"z\":0.042}");
             await(() -> simulation.latest().ballPosition().x() > 1.9);
             page.send("{\"do\":\"reset\"}");
@@ -247,7 +247,7 @@ class LiveFeedTest {
 
     @Test
     void robotIsPlaced() {
-        try (TestPage page = new TestPage(studio.address())) {
+        try (TestPage page = new TestPage(studio.oneTimeAddress())) {
             page.send("{\"do\":\"placeRobot\",\"side\":\"left\",\"number\":1,\"x\":3,\"y\":2,\"z\":0.4,"
                     + "\"headingDegrees\":90}");
 
@@ -274,7 +274,7 @@ class LiveFeedTest {
     }
 
     private void refereeSays(String command, PlayMode mode) {
-        try (TestPage page = new TestPage(studio.address())) {
+        try (TestPage page = new TestPage(studio.oneTimeAddress())) {
             page.send(command.replace('\'', '"'));
 
             await(() -> simulation.latest().playMode() == mode);
@@ -283,7 +283,7 @@ class LiveFeedTest {
 
     @Test
     void nonsenseIsAnsweredAndDoesNoHarm() throws InterruptedException {
-        try (TestPage page = new TestPage(studio.address())) {
+        try (TestPage page = new TestPage(studio.oneTimeAddress())) {
             page.nextFrame();
             page.nextMessage();
             page.send("{\"do\":\"speed\",\"factor\":-1}");
@@ -303,7 +303,7 @@ class LiveFeedTest {
 
     @Test
     void closedPageIsForgotten() {
-        try (TestPage page = new TestPage(studio.address())) {
+        try (TestPage page = new TestPage(studio.oneTimeAddress())) {
             await(() -> studio.spectators() == 1);
             page.seen();
         }
@@ -313,7 +313,7 @@ class LiveFeedTest {
 
     @Test
     void pagesAreToldWhenTheSimulatorEnds() throws Exception {
-        try (TestPage page = new TestPage(studio.address())) {
+        try (TestPage page = new TestPage(studio.oneTimeAddress())) {
             page.nextFrame();
 
             studio.close();

@@ -25,20 +25,20 @@ import org.robonewbie.nao.motion.file.MotionFiles;
 /** Files are read and written below one folder only, and only for pages of the studio. */
 class MotionAccessTest {
 
-    private static final AccessToken TOKEN = AccessToken.random();
-
     @TempDir
     private Path place;
 
     private final SmallSimulation simulation = new SmallSimulation();
     private Path folder = Path.of(".");
     private StudioServer studio;
+    private String cookie = "";
 
     @BeforeEach
     void start() throws IOException {
         folder = Files.createDirectory(place.resolve("motions"));
         Files.writeString(place.resolve("secret.txt"), "secret");
-        studio = StudioServer.start(simulation, 0, TOKEN, new StudioFolders(folder, Optional.empty()));
+        studio = StudioServer.start(simulation, 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()));
+        cookie = "Cookie: " + StudioCookie.of(studio.oneTimeAddress());
     }
 
     @AfterEach
@@ -61,8 +61,7 @@ class MotionAccessTest {
 
     private String asPage(String order, String body, String... headers) throws IOException {
         String[] all = Stream.concat(
-                        Stream.of("Origin: http://" + studio.address().getAuthority(), "Studio-Token: " + TOKEN.text()),
-                        Stream.of(headers))
+                        Stream.of("Origin: http://" + studio.address().getAuthority(), cookie), Stream.of(headers))
                 .toArray(String[]::new);
         return send(order, body, all);
     }
@@ -211,15 +210,19 @@ class MotionAccessTest {
     @Test
     void pagesOfOthersMayNotChangeFiles() throws IOException {
         String put = "PUT /api/motions/evil";
-        String token = "Studio-Token: " + TOKEN.text();
         String own = "Origin: http://" + studio.address().getAuthority();
 
-        assertThat(send(put, "x", token, "Origin: http://evil.example")).startsWith("HTTP/1.1 403");
-        assertThat(send(put, "x", token))
+        assertThat(send(put, "x", cookie, "Origin: http://evil.example")).startsWith("HTTP/1.1 403");
+        assertThat(send(put, "x", cookie))
                 .startsWith("HTTP/1.1 403")
                 .contains("Only a page of the studio may change files; this request names no origin.");
-        assertThat(send(put, "x", own)).startsWith("HTTP/1.1 403").contains("token is missing or wrong");
-        assertThat(send(put, "x", own, "Studio-Token: wrong")).startsWith("HTTP/1.1 403");
+        assertThat(send(put, "x", own)).startsWith("HTTP/1.1 403").contains("not been let in yet");
+        assertThat(send(
+                        put,
+                        "x",
+                        own,
+                        "Cookie: robonewbie-studio-" + studio.address().getPort() + "=wrong"))
+                .startsWith("HTTP/1.1 403");
         assertThat(send("GET /api/motions", "")).startsWith("HTTP/1.1 403");
         assertThat(folder).isEmptyDirectory();
     }
@@ -244,7 +247,7 @@ class MotionAccessTest {
                         "PUT /api/motions/mine",
                         "",
                         "Origin: http://" + studio.address().getAuthority(),
-                        "Studio-Token: " + TOKEN.text(),
+                        cookie,
                         "Transfer-Encoding: chunked"))
                 .containsPattern("^HTTP/1.1 4[0-9][0-9]");
         assertThat(folder).isEmptyDirectory();

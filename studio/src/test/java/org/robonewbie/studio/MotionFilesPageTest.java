@@ -54,7 +54,7 @@ class MotionFilesPageTest {
     }
 
     private void visitMotion(Chromium page) {
-        page.visit(studio.address() + "&quality=lowest&theme=light#motion/mine");
+        page.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light#motion/mine");
         page.await("studio.motion && " + STATE + ".name === 'mine' && " + FRAMES + ".length === 2");
         page.await("!studio.motion.stale");
     }
@@ -105,7 +105,7 @@ class MotionFilesPageTest {
 
     @Test
     void postureOfARecordedMomentBecomesAKeyframe() {
-        browser.visit(studio.address() + "&quality=lowest&theme=light#replay/game");
+        browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light#replay/game");
         browser.await("studio.replay?.file?.isWhole && studio.cursor.recorded && !studio.replay.stale");
         browser.evaluate("studio.replay.deeds.find(deed => deed.shown === 'End').act()");
         browser.await("studio.replay.state.index === studio.replay.state.count - 1 && !studio.replay.stale");

@@ -43,7 +43,7 @@ class MotionImportPageTest {
     }
 
     private void visit(String motion) {
-        browser.visit(studio.address() + "&quality=lowest&theme=light#motion/" + motion);
+        browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light#motion/" + motion);
         browser.await("studio.motion && " + LINES + ".length > 0 && !studio.motion.stale");
     }
 

@@ -55,7 +55,7 @@ class MotionPageTest {
     }
 
     private void open(String motion) {
-        browser.visit(studio.address() + "&quality=lowest&theme=light#motion/" + motion);
+        browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light#motion/" + motion);
         browser.await("studio.motion && " + STATE + ".name === " + Chromium.quoted(motion));
         browser.await("!studio.motion.stale");
     }
@@ -246,7 +246,7 @@ class MotionPageTest {
                         + " if (String(request[0]).endsWith('library/wave')) { await new Promise(go => { window.answer = go; }); }"
                         + " return ask(...request); }; })()");
         try {
-            browser.visit(studio.address() + "&quality=lowest#motion/wave");
+            browser.visit(studio.oneTimeAddress() + "&quality=lowest#motion/wave");
             browser.await("window.answer");
             browser.click("#new-motion");
             browser.await("window.answer() ?? studio.motion");

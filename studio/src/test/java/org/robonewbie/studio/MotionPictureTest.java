@@ -34,7 +34,7 @@ class MotionPictureTest {
                 StudioServer studio = StudioServer.start(
                         simulation, 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()));
                 Chromium browser = Chromium.open(1366, 768)) {
-            browser.visit(studio.address() + "&quality=high&theme=light#motion/wave");
+            browser.visit(studio.oneTimeAddress() + "&quality=high&theme=light#motion/wave");
             browser.await("studio.motion && " + STATE + ".name === 'wave' && studio.motion.editor.marks");
             show(browser, 2);
             save(browser, "studio-motion.png");

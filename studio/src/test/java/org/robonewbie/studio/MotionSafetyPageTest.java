@@ -50,7 +50,7 @@ class MotionSafetyPageTest {
     }
 
     private void open() {
-        browser.visit(studio.address() + "&quality=lowest#motion/mine");
+        browser.visit(studio.oneTimeAddress() + "&quality=lowest#motion/mine");
         browser.await("studio.motion && " + EDITOR + ".state.name === 'mine' && !studio.motion.stale");
     }
 
@@ -124,7 +124,7 @@ class MotionSafetyPageTest {
     void hugeNumbersOfAFileAreDrawnWithFewLines() throws IOException {
         Files.writeString(folder.resolve("huge.txt"), "999999999 1e9" + STANDING.substring(1) + "\n");
         browser.visit("about:blank");
-        browser.visit(studio.address() + "&quality=lowest#motion/huge");
+        browser.visit(studio.oneTimeAddress() + "&quality=lowest#motion/huge");
         browser.await("studio.motion && " + EDITOR + ".state.name === 'huge' && !studio.motion.stale");
 
         browser.click("#timeline-curves");

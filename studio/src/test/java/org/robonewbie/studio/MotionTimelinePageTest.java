@@ -52,7 +52,7 @@ class MotionTimelinePageTest {
         Files.writeString(folder.resolve("mine.txt"), text);
         studio = StudioServer.start(
                 simulation.start(), 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()));
-        browser.visit(studio.address() + "&quality=lowest&theme=light#motion/mine");
+        browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light#motion/mine");
         browser.await("studio.motion && " + STATE + ".name === 'mine' && !studio.motion.stale"
                 + " && studio.motion.editor.marks.length > 0 && document.querySelector('.mark')");
     }

@@ -73,7 +73,7 @@ class PresetPictureTest {
 
     private void take(String preset, String room, String theme, int width, String isThere) throws IOException {
         browser.visit("about:blank");
-        browser.visit(studio.address() + "&quality=low&theme=" + theme + room);
+        browser.visit(studio.oneTimeAddress() + "&quality=low&theme=" + theme + room);
         browser.await("studio.state.scene.robots.length === 1 && (" + isThere + ")");
         browser.evaluate("studio.workspace.markMore()");
 

@@ -29,7 +29,7 @@ class ProgramEncodingInFirefoxTest {
 
         try (Firefox browser = Firefox.start(profile);
                 FurnishedStudio studio = new FurnishedStudio(folder)) {
-            browser.visit(studio.address() + "&theme=light&quality=lowest#program/Lat.java");
+            browser.visit(studio.oneTimeAddress() + "&theme=light&quality=lowest#program/Lat.java");
             browser.await(FILE + "?.path === 'Lat.java'");
             browser.evaluate(
                     "(({ view }) => { view.focus();"

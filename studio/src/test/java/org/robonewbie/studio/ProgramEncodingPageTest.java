@@ -55,7 +55,7 @@ class ProgramEncodingPageTest {
 
     private Path visit(byte[] bytes) throws IOException {
         Path file = Files.write(folder.resolve("Lat.java"), bytes);
-        browser.visit(studio.address() + "&theme=light&quality=lowest#program/Lat.java");
+        browser.visit(studio.oneTimeAddress() + "&theme=light&quality=lowest#program/Lat.java");
         browser.await(FILE + "?.path === 'Lat.java'");
         return file;
     }

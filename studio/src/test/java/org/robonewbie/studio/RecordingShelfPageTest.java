@@ -59,7 +59,7 @@ class RecordingShelfPageTest {
                 List.of(project),
                 Optional.empty());
         studio = StudioServer.start(simulation.start(), 0, AccessToken.random(), folders);
-        browser.visit(studio.address() + "&quality=lowest&theme=light#replay");
+        browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light#replay");
         browser.await("document.querySelector('" + GAME + " .way.ball')");
     }
 
@@ -152,7 +152,7 @@ class RecordingShelfPageTest {
         browser.await("document.querySelector('.bookmark-go')");
 
         browser.visit("about:blank");
-        browser.visit(studio.address() + "&quality=lowest#replay/game@1.5");
+        browser.visit(studio.oneTimeAddress() + "&quality=lowest#replay/game@1.5");
         browser.await("studio.replay?.state.index === 75 && studio.cursor.recorded?.frame.cycle > 70");
         browser.evaluate("location.hash = '#replay/game@2'");
         browser.await("studio.replay.state.index === 100");
@@ -166,7 +166,7 @@ class RecordingShelfPageTest {
         browser.await("document.querySelector('#recordings [data-recording=mine]')");
 
         browser.evaluate("import('./replay/recording-api.js').then(({ renameRecording }) =>"
-                + " renameRecording(studio.token, 'game', 'mine')).catch((error) => studio.note(error.message))");
+                + " renameRecording('game', 'mine')).catch((error) => studio.note(error.message))");
 
         browser.await("document.querySelector('#toast').textContent"
                 + " === 'There is a recording \"mine\" already. Choose another name.'");

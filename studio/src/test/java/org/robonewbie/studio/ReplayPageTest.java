@@ -67,7 +67,7 @@ class ReplayPageTest {
     }
 
     private void visit() {
-        browser.visit(studio.address() + "&quality=lowest&theme=light#replay/game");
+        browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light#replay/game");
         browser.await("studio.replay?.file?.isWhole && studio.cursor.recorded && !studio.replay.stale");
     }
 
@@ -275,7 +275,7 @@ class ReplayPageTest {
     @Tag("slow")
     @Test
     void openingTheRoomTakesNothingOverUntilARecordingIsChosen() {
-        browser.visit(studio.address() + "&quality=lowest&theme=light#replay");
+        browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light#replay");
         browser.await("document.querySelector('#recordings [data-recording=game]')");
 
         browser.evaluate("location.hash = '#field'");
@@ -290,7 +290,7 @@ class ReplayPageTest {
     @Test
     void recordingsAreCardsThatAreSearchedAndChosen() throws IOException {
         Files.copy(place.resolve("game.rec"), place.resolve("other.rec"));
-        browser.visit(studio.address() + "&quality=lowest&theme=light#replay");
+        browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light#replay");
         String card = "document.querySelector('#recordings [data-recording=game]')";
         browser.await(card + "?.innerText.includes('Ada')");
         assertThat(browser.evaluate(card + ".innerText").getAsString())
@@ -341,7 +341,7 @@ class ReplayPageTest {
     void roomWithoutRecordingsSaysSo() throws IOException {
         try (StudioServer empty =
                 StudioServer.start(simulation, 0, AccessToken.random(), new StudioFolders(place, Optional.empty()))) {
-            browser.visit(empty.address() + "&quality=lowest#replay");
+            browser.visit(empty.oneTimeAddress() + "&quality=lowest#replay");
 
             browser.await("document.querySelector('#replay').textContent.includes('Nothing is recorded yet.')");
         }
@@ -351,7 +351,7 @@ class ReplayPageTest {
     @Test
     void replayIsWorthAPicture() throws IOException {
         browser.drawSharply();
-        browser.visit(studio.address() + "&quality=high&theme=light#replay/game");
+        browser.visit(studio.oneTimeAddress() + "&quality=high&theme=light#replay/game");
         browser.await("studio.replay?.file?.isWhole");
         browser.evaluate("studio.replay.deeds.find(deed => deed.shown === 'End').act()");
         browser.await("studio.desk.isStill && " + STATE + ".index === " + STATE + ".count - 1"

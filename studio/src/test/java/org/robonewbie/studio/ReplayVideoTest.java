@@ -42,7 +42,7 @@ class ReplayVideoTest {
         StudioFolders folders = new StudioFolders(place, Optional.of(new RecordingShelf(place, 1_000_000)));
         studio = StudioServer.start(simulation.start(), 0, AccessToken.random(), folders);
         browser.drawSharply();
-        browser.visit(studio.address() + "&quality=lowest&theme=light#replay/game");
+        browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light#replay/game");
         browser.await("studio.replay?.file?.isWhole && studio.cursor.recorded");
         browser.evaluate(CATCH_FILES);
     }

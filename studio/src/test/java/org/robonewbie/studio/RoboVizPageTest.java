@@ -31,7 +31,7 @@ class RoboVizPageTest {
     void open() throws IOException {
         studio = StudioServer.start(simulation.withRobot().start(), 0, AccessToken.random());
         port = RoboVizPort.open(0, studio.drawings());
-        browser.visit(studio.address() + "&quality=lowest&theme=light");
+        browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light");
         browser.await("studio.state.scene?.robots.length === 1 && studio.view.drawCalls > 0");
     }
 

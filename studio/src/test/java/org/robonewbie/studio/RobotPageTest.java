@@ -40,7 +40,7 @@ class RobotPageTest {
     @BeforeEach
     void open() throws IOException {
         studio = StudioServer.start(simulation.start(), 0, AccessToken.random());
-        browser.visit(studio.address() + "&quality=lowest&theme=light#robot");
+        browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light#robot");
         browser.await("document.querySelector('#robot-choice')?.options.length === 2");
         browser.await("studio.robot.watch.watched !== '' && document.querySelectorAll('.joint-row').length === 22");
     }
@@ -206,7 +206,7 @@ class RobotPageTest {
         browser.drawSharply();
         try (PlayingRobot robot = PlayingRobot.start();
                 StudioServer other = StudioServer.start(robot.simulator().control(), 0, AccessToken.random())) {
-            browser.visit(other.address() + "&quality=lowest&theme=light#robot");
+            browser.visit(other.oneTimeAddress() + "&quality=lowest&theme=light#robot");
             browser.await("document.querySelectorAll('.plot canvas').length === 3");
             browser.await(
                     "document.querySelectorAll('.camera .post').length + document.querySelectorAll('.field-line').length > 3");

@@ -132,9 +132,10 @@ class SearchPageTest {
 
     @Test
     void strangersSeeNothing() {
-        browser.visit(studio.address().resolve("optimise.html?token=0").toString());
+        browser.visit("http://localhost:" + studio.address().getPort() + "/optimise.html");
 
-        browser.await("document.querySelector('#outcome').textContent.includes('token is missing or wrong')");
+        browser.await(
+                "document.querySelector('#outcome').textContent.includes('This browser has not been let in yet')");
         assertThat(browser.evaluate("search.state.rounds.length").getAsInt()).isZero();
         browser.forgetComplaints();
     }
@@ -157,7 +158,7 @@ class SearchPageTest {
     }
 
     private void visit(String options) {
-        browser.visit(board.page(studio.address()) + options);
+        browser.visit(board.page(studio.oneTimeAddress()) + options);
     }
 
     /** A search that climbs and settles. */

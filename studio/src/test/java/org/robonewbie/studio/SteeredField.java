@@ -41,7 +41,7 @@ final class SteeredField implements AutoCloseable {
     }
 
     void visit() {
-        browser.visit(studio.address() + "&quality=lowest&theme=light");
+        browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light");
         browser.await("studio.state.frame && studio.view.drawCalls > 0");
     }
 

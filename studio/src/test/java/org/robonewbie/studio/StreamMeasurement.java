@@ -58,9 +58,9 @@ class StreamMeasurement {
                 new Thread(player(simulator, number), "player-" + number).start();
             }
             for (String extension : new String[] {PACKED, ""}) {
-                double frames = measure(studio.address(), extension, "");
-                double withMessages =
-                        measure(studio.address(), extension, "{\"do\":\"watch\",\"team\":\"Left\",\"number\":1}");
+                double frames = measure(studio.oneTimeAddress(), extension, "");
+                double withMessages = measure(
+                        studio.oneTimeAddress(), extension, "{\"do\":\"watch\",\"team\":\"Left\",\"number\":1}");
                 System.out.printf(
                         Locale.ROOT,
                         "%s: %.1f KiB/s, with the messages of one robot %.1f KiB/s%n",
@@ -114,10 +114,11 @@ class StreamMeasurement {
     private static double measure(URI studio, String extension, String command) throws IOException {
         try (Socket socket = new Socket(studio.getHost(), studio.getPort())) {
             String address = "127.0.0.1:" + studio.getPort();
+            String cookie = StudioCookie.of(studio);
             write(
                     socket,
-                    ("GET /live?" + studio.getQuery() + " HTTP/1.1\r\nHost: " + address + "\r\nOrigin: http://"
-                                    + address
+                    ("GET /live HTTP/1.1\r\nHost: " + address + "\r\nOrigin: http://" + address + "\r\nCookie: "
+                                    + cookie
                                     + "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
                                     + extension + "Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n\r\n")
                             .getBytes(StandardCharsets.US_ASCII));

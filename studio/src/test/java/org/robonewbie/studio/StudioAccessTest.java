@@ -44,9 +44,104 @@ class StudioAccessTest {
     }
 
     @Test
-    void addressNamesThisComputerAndCarriesTheToken() {
-        assertThat(studio.address().toString())
-                .isEqualTo("http://127.0.0.1:" + studio.address().getPort() + "/?token=" + TOKEN.text());
+    void printedAddressNamesThisComputerAndHoldsNoSecretThatLasts() {
+        assertThat(studio.oneTimeAddress().toString())
+                .matches("http://127\\.0\\.0\\.1:" + studio.address().getPort() + "/\\?code=[0-9a-f]{32}")
+                .doesNotContain(TOKEN.text(), TOKEN.secretOf(studio.address().getPort()));
+    }
+
+    @Test
+    void addressIsExchangedForACookieOnceAndReplaced() throws IOException {
+        String address = "/wall.html?theme=dark&" + studio.oneTimeAddress().getQuery() + "&quality=low";
+
+        assertThat(get(address, host()))
+                .startsWith("HTTP/1.1 303")
+                .contains("Location: http://" + host() + "/wall.html?theme=dark&quality=low\r\n")
+                .contains("Set-Cookie: robonewbie-studio-" + studio.address().getPort() + "=")
+                .contains("Cache-Control: no-store")
+                .contains("Referrer-Policy: no-referrer");
+        assertThat(get(address, host()))
+                .startsWith("HTTP/1.1 403")
+                .contains("This address has been used", "Press <kbd>Enter</kbd>", "Cache-Control: no-store")
+                .doesNotContain("Set-Cookie", studio.oneTimeAddress().getQuery());
+    }
+
+    @Test
+    void usedAddressOfABrowserThatIsInLeadsToThePage() throws IOException {
+        URI address = studio.oneTimeAddress();
+        String cookie = StudioCookie.of(address);
+
+        assertThat(RawHttp.send(
+                        studio.address(),
+                        "GET /?" + address.getQuery() + " HTTP/1.1",
+                        "Host: " + host(),
+                        "Cookie: other=1; " + cookie))
+                .startsWith("HTTP/1.1 303")
+                .contains("Location: http://" + host() + "/\r\n");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"HEAD", "POST"})
+    void onlyAVisitUsesAnAddressUp(String method) throws IOException {
+        URI address = studio.oneTimeAddress();
+
+        RawHttp.send(
+                studio.address(),
+                method + " /?" + address.getQuery() + " HTTP/1.1",
+                "Host: " + host(),
+                "Content-Length: 0");
+
+        assertThat(StudioCookie.of(address)).startsWith("robonewbie-studio-");
+    }
+
+    @Test
+    void addressUnderAForeignNameIsRefusedAndNotUsedUp() throws IOException {
+        URI address = studio.oneTimeAddress();
+
+        assertThat(get("/?" + address.getQuery(), "evil.example"))
+                .startsWith("HTTP/1.1 403")
+                .doesNotContain("Set-Cookie");
+        assertThat(StudioCookie.of(address)).startsWith("robonewbie-studio-");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"//evil.example/", "/%5cevil.example/", "/%0d%0aSet-Cookie:%20a=b"})
+    void exchangeLeadsNowhereElse(String path) throws IOException {
+        String answer = get(path + "?" + studio.oneTimeAddress().getQuery(), host());
+
+        assertThat(answer.lines())
+                .noneMatch(
+                        line -> line.startsWith("Location: ") && !line.startsWith("Location: http://" + host() + "/"))
+                .noneMatch(line -> line.startsWith("Set-Cookie: a=b"));
+    }
+
+    @Test
+    void studioBesideAnotherOneLetsItsBrowsersIn() throws IOException {
+        String cookie = StudioCookie.of(studio.oneTimeAddress());
+
+        try (StudioServer beside = StudioServer.startBeside(simulation, studio);
+                StudioServer stranger = StudioServer.start(simulation, 0, TOKEN)) {
+            assertThat(robotOf(beside, cookie)).startsWith("HTTP/1.1 200");
+            assertThat(robotOf(stranger, cookie)).startsWith("HTTP/1.1 403");
+            assertThat(robotOf(stranger, cookie + "; " + StudioCookie.of(stranger.oneTimeAddress())))
+                    .startsWith("HTTP/1.1 200");
+        }
+    }
+
+    @Test
+    void cookiesOfManyOtherPortsDoNotLockABrowserOut() throws IOException {
+        String others = ("robonewbie-studio-12345=" + TOKEN.text() + "; ").repeat(180);
+
+        assertThat(robotOf(studio, others + StudioCookie.of(studio.oneTimeAddress())))
+                .startsWith("HTTP/1.1 200");
+    }
+
+    private static String robotOf(StudioServer server, String cookie) throws IOException {
+        return RawHttp.send(
+                server.address(),
+                "GET /api/robot HTTP/1.1",
+                "Host: " + server.address().getAuthority(),
+                "Cookie: " + cookie);
     }
 
     @Test
@@ -147,29 +242,34 @@ class StudioAccessTest {
     }
 
     @Test
-    void liveFeedIsRefusedWithoutToken() throws IOException {
-        assertThat(upgrade("/live", "http://" + host()))
+    void liveFeedIsRefusedWithoutCookie() throws IOException {
+        assertThat(upgrade("/live", "http://" + host(), ""))
                 .startsWith("HTTP/1.1 403")
-                .contains("The access token is missing or wrong. Open the address that the simulator has printed.");
+                .contains("This browser has not been let in yet", "Press Enter in the terminal");
     }
 
     @Test
-    void liveFeedIsRefusedWithAWrongToken() throws IOException {
-        assertThat(upgrade("/live?token=" + AccessToken.random().text(), "http://" + host()))
-                .startsWith("HTTP/1.1 403")
-                .contains("token is missing or wrong");
+    void liveFeedIsRefusedWithAWrongCookieAndWithACode() throws IOException {
+        String cookie = StudioCookie.of(studio.oneTimeAddress());
+        String wrong = cookie.substring(0, cookie.indexOf('=') + 1) + TOKEN.text();
+
+        assertThat(upgrade("/live", "http://" + host(), wrong)).startsWith("HTTP/1.1 403");
+        assertThat(upgrade("/live?" + studio.oneTimeAddress().getQuery(), "http://" + host(), ""))
+                .startsWith("HTTP/1.1 403");
     }
 
     @Test
     void liveFeedIsRefusedToForeignPages() throws IOException {
-        assertThat(upgrade("/live?token=" + TOKEN.text(), "http://evil.example"))
+        String cookie = StudioCookie.of(studio.oneTimeAddress());
+
+        assertThat(upgrade("/live", "http://evil.example", cookie))
                 .startsWith("HTTP/1.1 403")
                 .contains("Pages of \"http://evil.example\" may not talk to the studio.");
     }
 
     @Test
     void liveFeedIsRefusedWithoutOrigin() throws IOException {
-        String answer = RawHttp.send(studio.address(), upgradeLines("/live?token=" + TOKEN.text()));
+        String answer = RawHttp.send(studio.address(), upgradeLines("/live"));
 
         assertThat(answer).startsWith("HTTP/1.1 403").contains("Only a page of the studio may watch the simulation");
     }
@@ -207,9 +307,9 @@ class StudioAccessTest {
         return RawHttp.send(studio.address(), "GET " + path + " HTTP/1.1", "Host: " + host);
     }
 
-    private static String upgrade(String path, String origin) throws IOException {
+    private static String upgrade(String path, String origin, String cookie) throws IOException {
         String[] lines = upgradeLines(path);
-        lines[lines.length - 1] += "\r\nOrigin: " + origin;
+        lines[lines.length - 1] += "\r\nOrigin: " + origin + (cookie.isEmpty() ? "" : "\r\nCookie: " + cookie);
         return RawHttp.send(studio.address(), lines);
     }
 

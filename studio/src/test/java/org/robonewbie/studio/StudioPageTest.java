@@ -51,7 +51,7 @@ class StudioPageTest {
 
     private void openStudio() {
         simulation.start();
-        browser.visit(studio.address() + CHEAP);
+        browser.visit(studio.oneTimeAddress() + CHEAP);
         browser.await("studio.state.frame && studio.view.drawCalls > 0");
     }
 
@@ -83,25 +83,10 @@ class StudioPageTest {
     }
 
     @Test
-    void addressWithoutTokenSaysWhatToOpen() {
-        browser.visit("http://127.0.0.1:" + studio.address().getPort() + "/");
-
-        browser.await("document.querySelector('#banner').innerText.includes('Open the address that the simulator')");
-    }
-
-    @Test
-    void addressWithAWrongTokenSaysWhatToOpen() {
-        browser.visit("http://127.0.0.1:" + studio.address().getPort() + "/?token=wrong");
-
-        browser.await("document.querySelector('#banner').innerText.includes('The access token is missing or wrong. "
-                + "Open the address that the simulator has printed.')");
-    }
-
-    @Test
     void browserWithoutThreeDimensionsIsToldWhatToDo() {
         String script = browser.runBeforePages("HTMLCanvasElement.prototype.getContext = () => null");
         try {
-            browser.visit(studio.address().toString());
+            browser.visit(studio.oneTimeAddress().toString());
 
             browser.await("document.querySelector('#banner').innerText.includes('Switch on WebGL')");
         } finally {

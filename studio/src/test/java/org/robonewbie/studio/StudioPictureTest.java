@@ -55,7 +55,7 @@ class StudioPictureTest {
             simulation.order(new Order.DropBall());
             simulation.order(new Order.Pause());
             try (StudioServer studio = StudioServer.start(simulation.start(), 0, AccessToken.random())) {
-                browser.visit(studio.address() + "&quality=high&shadows=on&theme=light");
+                browser.visit(studio.oneTimeAddress() + "&quality=high&shadows=on&theme=light");
                 browser.await("studio.state.scene.robots.length === 2 && studio.state.frame");
                 browser.press("1");
                 browser.evaluate(VIEW);

@@ -29,7 +29,7 @@ class StudioSpeedMeasurement {
         try (SmallSimulation simulation = match(robots);
                 StudioServer studio = StudioServer.start(simulation.start(), 0, AccessToken.random());
                 Chromium browser = Chromium.open(1280, 720)) {
-            browser.visit(studio.address() + "&theme=light" + (quality.isEmpty() ? "" : "&quality=" + quality));
+            browser.visit(studio.oneTimeAddress() + "&theme=light" + (quality.isEmpty() ? "" : "&quality=" + quality));
             browser.await("studio.state.scene?.robots.length === " + robots
                     + " && studio.state.frame && studio.view.drawCalls > 0");
             browser.evaluate("studio.desk.setMode('free')");

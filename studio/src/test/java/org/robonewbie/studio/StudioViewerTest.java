@@ -79,7 +79,7 @@ class StudioViewerTest {
         try (Simulator simulator = Simulator.start(settings, Console.standard());
                 Viewer.View view = viewer.open(simulator.control(), 0);
                 AgentLink agent = simulator.connect();
-                TestPage page = new TestPage(view.address())) {
+                TestPage page = new TestPage(view.oneTimeAddress())) {
             Thread robot = new Thread(() -> live(agent), "robot");
             robot.setDaemon(true);
             robot.start();

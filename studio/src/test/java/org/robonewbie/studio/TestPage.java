@@ -32,7 +32,8 @@ final class TestPage implements AutoCloseable, WebSocket.Listener {
         socket = HttpClient.newHttpClient()
                 .newWebSocketBuilder()
                 .header("Origin", "http://" + studio.getAuthority())
-                .buildAsync(URI.create("ws://" + studio.getAuthority() + "/live?" + studio.getQuery()), this)
+                .header("Cookie", StudioCookie.of(studio))
+                .buildAsync(URI.create("ws://" + studio.getAuthority() + "/live"), this)
                 .join();
     }
 

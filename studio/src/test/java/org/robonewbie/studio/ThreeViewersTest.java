@@ -27,9 +27,9 @@ class ThreeViewersTest {
     void neitherTheSimulationNorTheThirdIsDisturbed() throws Exception {
         try (SmallSimulation simulation = new SmallSimulation().withRobot();
                 StudioServer studio = StudioServer.start(simulation.start(), 0, AccessToken.random());
-                TestPage frozen = new TestPage(studio.address());
-                TestPage lively = new TestPage(studio.address());
-                ClosedLid closed = new ClosedLid(studio.address())) {
+                TestPage frozen = new TestPage(studio.oneTimeAddress());
+                TestPage lively = new TestPage(studio.oneTimeAddress());
+                ClosedLid closed = new ClosedLid(studio.oneTimeAddress())) {
             frozen.nextFrame();
             simulation.awaitTrue(() -> studio.spectators() == 3);
             long start = TestPage.cycleOf(lively.nextFrame());
@@ -67,7 +67,8 @@ class ThreeViewersTest {
             socket = HttpClient.newHttpClient()
                     .newWebSocketBuilder()
                     .header("Origin", "http://" + studio.getAuthority())
-                    .buildAsync(URI.create("ws://" + studio.getAuthority() + "/live?" + studio.getQuery()), this)
+                    .header("Cookie", StudioCookie.of(studio))
+                    .buildAsync(URI.create("ws://" + studio.getAuthority() + "/live"), this)
                     .join();
         }
 

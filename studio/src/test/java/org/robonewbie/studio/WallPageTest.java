@@ -26,7 +26,7 @@ import org.robonewbie.studio.wall.WallTable;
 @InBrowser
 class WallPageTest {
 
-    private static final URI ALONE = URI.create("http://127.0.0.1:3999/?token=1");
+    private static final URI ALONE = URI.create("http://127.0.0.1:3999/");
 
     @TempDir
     private Path folder;
@@ -116,9 +116,10 @@ class WallPageTest {
 
     @Test
     void strangersSeeNothing() {
-        browser.visit(studio.address().resolve("wall.html?token=0").toString());
+        browser.visit("http://localhost:" + studio.address().getPort() + "/wall.html");
 
-        browser.await("document.querySelector('#wall-state').textContent.includes('token is missing or wrong')");
+        browser.await(
+                "document.querySelector('#wall-state').textContent.includes('This browser has not been let in yet')");
         assertThat(browser.evaluate("wall.state.tiles.length").getAsInt()).isZero();
         browser.forgetComplaints();
     }
@@ -151,7 +152,7 @@ class WallPageTest {
     }
 
     private void visit(String options) {
-        browser.visit(wall.page(studio.address()) + options);
+        browser.visit(wall.page(studio.oneTimeAddress()) + options);
     }
 
     private void awaitBall(String trial, double x) {

@@ -40,7 +40,7 @@ class WorkspacePageTest {
     }
 
     private void open(String room) {
-        browser.visit(studio.address() + "&theme=light&quality=lowest" + room);
+        browser.visit(studio.oneTimeAddress() + "&theme=light&quality=lowest" + room);
         browser.await("studio.state.frame && studio.view.drawCalls > 0");
     }
 

@@ -154,7 +154,7 @@ class ExercisesInThePageTest {
     void badgesAreThoseOfTheCommandLine() {
         open("");
         browser.evaluate(
-                "localStorage.setItem('robonewbie-page-progress', JSON.stringify(Object.fromEntries("
+                "localStorage.setItem(new URL('.', location.href).pathname + 'robonewbie-page-progress', JSON.stringify(Object.fromEntries("
                         + "["
                         + exercises().stream()
                                 .map(each -> Chromium.quoted(each.name()))
@@ -182,7 +182,7 @@ class ExercisesInThePageTest {
 
         assertThat(help(first)).contains("\"solution\":true", "\"triesLeft\":3");
         browser.evaluate(
-                "localStorage.setItem('robonewbie-page-progress', JSON.stringify({ " + Chromium.quoted(first.name())
+                "localStorage.setItem(new URL('.', location.href).pathname + 'robonewbie-page-progress', JSON.stringify({ " + Chromium.quoted(first.name())
                         + ": { tries: 3, best: 4, passed: false, milliseconds: 0, hints: 0, seenAt: 0 } }))");
         browser.clickElement("document.querySelector('#course [data-exercise=\"" + first.name() + "\"]')");
         browser.click("#course-show-solution");

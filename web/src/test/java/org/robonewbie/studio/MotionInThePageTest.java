@@ -62,7 +62,7 @@ class MotionInThePageTest {
                 .isTrue();
         enter("mine");
         browser.fill("[data-joint='NECK_PITCH']", "7.5");
-        browser.await("Object.keys(localStorage).some((key) => key === 'robonewbie-page-motion-draft:mine')");
+        browser.await("Object.keys(localStorage).some((key) => key.endsWith('robonewbie-page-motion-draft:mine'))");
 
         browser.visit("about:blank");
         browser.visit(server.address());

@@ -7,17 +7,24 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 
-/** The scripts of the static page have the types that they say, together with those of the studio. */
+/** The scripts of the static page do what they say, and have the types that they say, together with those of the studio. */
 class PageScriptsTest {
 
     @Test
     void scriptsHaveTheTypesThatTheySay() throws IOException, InterruptedException {
         Path compiler = NodeTool.require("typescript/bin/tsc");
 
-        Process process = new ProcessBuilder(
-                        Tool.NODE.orSkip().toString(), compiler.toString(), "--project", "jsconfig.json")
-                .redirectErrorStream(true)
-                .start();
+        run(Tool.NODE.orSkip().toString(), compiler.toString(), "--project", "jsconfig.json");
+    }
+
+    @Test
+    void scriptsDoWhatTheySay() throws IOException, InterruptedException {
+        run(Tool.NODE.orSkip().toString(), "--test", "src/test/javascript/");
+    }
+
+    private static void run(String... command) throws IOException, InterruptedException {
+        Process process =
+                new ProcessBuilder(command).redirectErrorStream(true).start();
         String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
 
         assertThat(process.waitFor()).as(said).isZero();

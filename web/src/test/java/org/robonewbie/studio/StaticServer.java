@@ -47,7 +47,7 @@ final class StaticServer implements AutoCloseable {
         try (exchange) {
             String name = exchange.getRequestURI().getPath().substring(PLACE.length());
             Optional<Path> file = folders.stream()
-                    .map(folder -> find(folder, name.isEmpty() ? "index.html" : name))
+                    .map(folder -> find(folder, name.isEmpty() || name.endsWith("/") ? name + "index.html" : name))
                     .flatMap(Optional::stream)
                     .findFirst();
             if (file.isEmpty()) {

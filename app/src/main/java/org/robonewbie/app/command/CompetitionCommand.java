@@ -169,7 +169,7 @@ final class CompetitionCommand implements Callable<Integer> {
             return hold(new Competition(contest, teams, settings(folder, Spectators.NOBODY), System.out), folder);
         }
         try (ContestStudio studio = ContestStudio.open(contest, folder)) {
-            System.out.println("Watch at " + studio.address());
+            System.out.println("Watch at " + studio.invitation());
             if (!withoutBrowser) {
                 studio.showBrowser();
             }

@@ -207,7 +207,7 @@ final class OptimiseCommand implements Callable<Integer> {
             return search(optimisation, subject, console, file);
         }
         try (SearchStudio pages = SearchStudio.open(studio, subject, wanted, plan, optimisation, file)) {
-            System.out.println("Studio: " + pages.address());
+            System.out.println("Studio: " + pages.invitation());
             pages.showBrowser();
             OptimisationResult result = search(optimisation, subject, pages.and(console), file);
             pages.awaitUnwatched();

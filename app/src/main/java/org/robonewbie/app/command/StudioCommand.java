@@ -13,6 +13,7 @@ import org.robonewbie.protocol.tcp.TelemetryServer;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.embedded.Browser;
+import org.robonewbie.simulator.embedded.EnterKey;
 import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.simulator.file.RecordingShelf;
 import org.robonewbie.simulator.server.Simulator;
@@ -103,9 +104,9 @@ final class StudioCommand implements Callable<Integer> {
         ProgramWorkshop workshop = new ProgramWorkshop(opened.programs());
         Runtime.getRuntime().addShutdownHook(new Thread(workshop::close, "end-of-programs"));
         StudioServer view = StudioViewer.open(shown, port, opened.folders(), course, workshop);
-        URI address = URI.create(view.address() + opened.place());
+        URI address = URI.create(view.oneTimeAddress() + opened.place());
         Runtime.getRuntime().addShutdownHook(new Thread(view::close, "end-of-studio"));
-        System.out.println("Studio: " + address);
+        System.out.println("Studio: " + address + EnterKey.listen(view));
         System.out.println(monitor.map(server -> "It watches the server at " + server + ". Control-C ends it.")
                 .orElse("Agents can join at port " + agentPort + ". Control-C ends it."));
         hearRobots(view);
@@ -113,7 +114,7 @@ final class StudioCommand implements Callable<Integer> {
             RoboVizPort drawings = RoboVizPort.open(drawingPort.get(), view.drawings());
             System.out.println("Drawings for RoboViz are shown from UDP port " + drawings.number() + ".");
         }
-        show(view, address);
+        show(view, opened.place());
         Thread.currentThread().join();
         return ExitCode.OK;
     }
@@ -128,12 +129,12 @@ final class StudioCommand implements Callable<Integer> {
         }
     }
 
-    private void show(Viewer.View view, URI address) {
+    private void show(Viewer.View view, String place) {
         if (withoutBrowser) {
             return;
         }
         if (file.isPresent()) {
-            Browser.open(address, Console.standard());
+            Browser.open(URI.create(view.oneTimeAddress() + place), Console.standard());
         } else {
             Browser.openUnlessWatched(view, Console.standard());
         }

@@ -4,10 +4,12 @@ import java.io.IOException;
 import java.net.URI;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.embedded.Browser;
+import org.robonewbie.simulator.embedded.EnterKey;
 import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.studio.StudioFolders;
+import org.robonewbie.studio.StudioServer;
 import org.robonewbie.studio.StudioViewer;
 import org.robonewbie.studio.board.NewsBoard;
 
@@ -16,9 +18,9 @@ final class BoardStudio implements Viewer.View {
 
     private final NewsBoard board;
     private final Simulator world;
-    private final Viewer.View view;
+    private final StudioServer view;
 
-    private BoardStudio(NewsBoard board, Simulator world, Viewer.View view) {
+    private BoardStudio(NewsBoard board, Simulator world, StudioServer view) {
         this.board = board;
         this.world = world;
         this.view = view;
@@ -51,6 +53,21 @@ final class BoardStudio implements Viewer.View {
     @Override
     public URI address() {
         return board.page(view.address());
+    }
+
+    @Override
+    public URI oneTimeAddress() {
+        return board.page(view.oneTimeAddress());
+    }
+
+    /** Returns what to print: an address that lets one browser in, and how to get another one. */
+    String invitation() {
+        return oneTimeAddress() + EnterKey.listen(this);
+    }
+
+    /** Returns the studio itself. */
+    StudioServer server() {
+        return view;
     }
 
     @Override

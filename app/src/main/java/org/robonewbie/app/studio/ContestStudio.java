@@ -2,7 +2,6 @@ package org.robonewbie.app.studio;
 
 import java.io.IOException;
 import java.io.InterruptedIOException;
-import java.net.URI;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -13,8 +12,6 @@ import org.robonewbie.competition.contest.Table;
 import org.robonewbie.competition.trial.ContestProgress;
 import org.robonewbie.competition.trial.Spectators;
 import org.robonewbie.simulator.SimulationControl;
-import org.robonewbie.simulator.embedded.Viewer;
-import org.robonewbie.studio.AccessToken;
 import org.robonewbie.studio.StudioFolders;
 import org.robonewbie.studio.StudioServer;
 import org.robonewbie.studio.wall.TrialWall;
@@ -63,9 +60,9 @@ public final class ContestStudio implements Spectators, AutoCloseable {
         }
     }
 
-    /** {@return the address of the page with the wall} */
-    public URI address() {
-        return studio.address();
+    /** {@return what to print: an address that lets one browser in, and how to get another one} */
+    public String invitation() {
+        return studio.invitation();
     }
 
     /** Opens the wall in the browser. */
@@ -85,7 +82,7 @@ public final class ContestStudio implements Spectators, AutoCloseable {
 
     @Override
     public Runnable watch(SimulationControl simulation, ContestTrial trial) throws IOException {
-        Viewer.View alone = StudioServer.start(simulation, 0, AccessToken.ofUser());
+        StudioServer alone = StudioServer.startBeside(simulation, studio.server());
         List<String> teams = trial.entrants().stream().map(Entrant::team).toList();
         wall.begins(trial.id(), teams, simulation, alone.address());
         awaitEyes();

@@ -1,7 +1,6 @@
 package org.robonewbie.app.studio;
 
 import java.io.IOException;
-import java.net.URI;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -82,9 +81,9 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
         return new SearchStudio(subject, board, optimisation.fileSoFar(), file, options);
     }
 
-    /** {@return the address of the page that shows the search} */
-    public URI address() {
-        return studio.address();
+    /** {@return what to print: an address that lets one browser in, and how to get another one} */
+    public String invitation() {
+        return studio.invitation();
     }
 
     /** Opens the page in the browser, unless the options ask for no browser. */

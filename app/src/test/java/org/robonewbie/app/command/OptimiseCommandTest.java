@@ -3,6 +3,7 @@ package org.robonewbie.app.command;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -135,7 +136,7 @@ class OptimiseCommandTest {
                     new Cloud(0.1, middle, spread),
                     new Generation.Pace(8, 30)));
 
-            try (BoardPage page = new BoardPage(studio.address(), "search")) {
+            try (BoardPage page = new BoardPage(URI.create(studio.invitation()), "search")) {
                 assertThat(page.next())
                         .contains(
                                 "\"subject\":\"kick-right\"",

@@ -2,6 +2,7 @@ package org.robonewbie.app.studio;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.net.URI;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -29,7 +30,7 @@ class ContestStudioTest {
         List<TeamEntry> teams = TeamList.parse(List.of("Red=Agent_Wave", "Blue=Agent_Wave"));
         Contest contest = Contests.scoring(Conditions.of(1), 1);
         try (ContestStudio studio = ContestStudio.open(contest, folder);
-                BoardPage page = new BoardPage(studio.address(), "wall")) {
+                BoardPage page = new BoardPage(URI.create(studio.invitation()), "wall")) {
             CompetitionSettings settings = new CompetitionSettings(
                     1,
                     folder,

@@ -137,7 +137,7 @@ final class GymConnection {
         if (open.isEmpty()) {
             shows.add(show);
         }
-        return show.address().toString().getBytes(StandardCharsets.UTF_8);
+        return show.addresses().getBytes(StandardCharsets.UTF_8);
     }
 
     private GymEnvironment environment(ByteBuffer request) {

@@ -2,6 +2,7 @@ package org.robonewbie.learning.gym;
 
 import java.io.IOException;
 import java.net.URI;
+import org.robonewbie.simulator.embedded.RedirectPage;
 import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.trial.watch.WatchedTrial;
 
@@ -29,8 +30,13 @@ final class GymShow implements AutoCloseable {
         return environment == other;
     }
 
-    URI address() {
-        return view.address();
+    /**
+     * Returns two addresses, one in each line: of a page for people, which opens once, and of a file that opens the same page and
+     * may stand on a command line.
+     */
+    String addresses() throws IOException {
+        URI file = RedirectPage.write(view.oneTimeAddress()).toUri();
+        return view.oneTimeAddress() + "\n" + file;
     }
 
     @Override

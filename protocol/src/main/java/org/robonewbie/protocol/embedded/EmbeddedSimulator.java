@@ -17,7 +17,7 @@ public interface EmbeddedSimulator extends AutoCloseable {
     /** {@return the TCP port on 127.0.0.1 at which agents of other processes can join} */
     int agentPort();
 
-    /** {@return the address of the studio for a browser, or empty when headless} */
+    /** {@return what to print about the studio: an address that opens it once, and a hint; or empty when headless} */
     Optional<String> studioAddress();
 
     /**

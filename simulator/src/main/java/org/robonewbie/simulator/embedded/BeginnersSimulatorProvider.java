@@ -32,10 +32,11 @@ public final class BeginnersSimulatorProvider implements SimulatorProvider {
         Simulator simulator = Simulator.start(settings(request), console);
         try {
             Optional<Viewer.View> view = request.headless() ? Optional.empty() : openView(simulator);
+            String hint = view.map(EnterKey::listen).orElse("");
             if (request.openBrowser()) {
                 view.ifPresent(opened -> Browser.openUnlessWatched(opened, console));
             }
-            return new ViewedSimulator(simulator, view);
+            return new ViewedSimulator(simulator, view, hint);
         } catch (IOException e) {
             simulator.close();
             throw e;

@@ -2,13 +2,17 @@ package org.robonewbie.simulator.embedded;
 
 import java.io.IOException;
 import java.net.URI;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.robonewbie.simulator.Console;
 
-/** Opens the user's browser with the command of the operating system; where that fails, people open it themselves. */
+/**
+ * Opens the user's browser with the command of the operating system; where that fails, people open it themselves. The command names
+ * a {@link RedirectPage} and never an address, since every account of a computer can read the command lines of all others.
+ */
 public final class Browser {
 
     private static final long PATIENCE_MILLISECONDS = 1200;
@@ -26,7 +30,7 @@ public final class Browser {
         Thread opener = new Thread(
                 () -> {
                     if (!comesBack(view)) {
-                        open(view.address(), console);
+                        open(view.oneTimeAddress(), console);
                     }
                 },
                 "browser-opener");
@@ -44,12 +48,12 @@ public final class Browser {
     /**
      * Opens an address in the browser.
      *
-     * @param address the address
+     * @param address the address, which other users of this computer must not see
      * @param console prints the address if the browser cannot be opened
      */
     public static void open(URI address, Console console) {
         try {
-            new ProcessBuilder(command(System.getProperty("os.name", ""), address))
+            new ProcessBuilder(command(System.getProperty("os.name", ""), RedirectPage.write(address)))
                     .redirectErrorStream(true)
                     .redirectOutput(ProcessBuilder.Redirect.DISCARD)
                     .start();
@@ -58,11 +62,11 @@ public final class Browser {
         }
     }
 
-    static List<String> command(String operatingSystem, URI address) {
+    static List<String> command(String operatingSystem, Path page) {
         String system = operatingSystem.toLowerCase(Locale.ROOT);
         if (system.contains("win")) {
-            return List.of("rundll32", "url.dll,FileProtocolHandler", address.toString());
+            return List.of("rundll32", "url.dll,FileProtocolHandler", page.toString());
         }
-        return List.of(system.contains("mac") ? "open" : "xdg-open", address.toString());
+        return List.of(system.contains("mac") ? "open" : "xdg-open", page.toString());
     }
 }

@@ -1,7 +1,6 @@
 package org.robonewbie.simulator.embedded;
 
 import java.io.IOException;
-import java.net.URI;
 import java.util.Optional;
 import org.robonewbie.protocol.embedded.EmbeddedSimulator;
 import org.robonewbie.protocol.frame.AgentLink;
@@ -14,11 +13,18 @@ final class ViewedSimulator implements EmbeddedSimulator {
 
     private final Simulator simulator;
     private final Optional<Viewer.View> view;
+    private final String hint;
     private final Optional<TelemetryServer> telemetryServer;
 
-    ViewedSimulator(Simulator simulator, Optional<Viewer.View> view) {
+    /**
+     * Joins simulator and view.
+     *
+     * @param hint what to print after an address of the view
+     */
+    ViewedSimulator(Simulator simulator, Optional<Viewer.View> view, String hint) {
         this.simulator = simulator;
         this.view = view;
+        this.hint = hint;
         this.telemetryServer = view.flatMap(opened -> listen(simulator.agentPort(), opened.telemetry()));
     }
 
@@ -43,7 +49,7 @@ final class ViewedSimulator implements EmbeddedSimulator {
 
     @Override
     public Optional<String> studioAddress() {
-        return view.map(Viewer.View::address).map(URI::toString);
+        return view.map(opened -> opened.oneTimeAddress() + hint);
     }
 
     @Override

@@ -21,8 +21,16 @@ public interface Viewer {
     /** A view that is open. */
     interface View extends AutoCloseable {
 
-        /** {@return the address of the view for a browser, with the token that it needs} */
+        /** {@return the address of the view for a browser that has been let in} */
         URI address();
+
+        /**
+         * Returns an address that lets a browser in: it holds a code that works once and for ten minutes. Print it for people;
+         * {@link Browser} opens it without showing the code to other users of the computer.
+         *
+         * @return a new address in each call
+         */
+        URI oneTimeAddress();
 
         /** {@return whether a page is connected} */
         boolean isWatched();

@@ -29,7 +29,7 @@ public abstract class NewsBoard {
      */
     protected NewsBoard(String name, String page) {
         this.path = PATHS + name;
-        this.page = page + "?";
+        this.page = page;
     }
 
     /** {@return where pages listen} */
@@ -41,10 +41,11 @@ public abstract class NewsBoard {
      * Returns the address of the board.
      *
      * @param studio the address of the studio that shows it
-     * @return the address of the page, with its token
+     * @return the address of the page, with the code that the studio's address holds, if it holds one
      */
     public final URI page(URI studio) {
-        return studio.resolve(page + studio.getRawQuery());
+        String query = studio.getRawQuery();
+        return studio.resolve(query == null ? page : page + "?" + query);
     }
 
     /** {@return whether a page is open} */

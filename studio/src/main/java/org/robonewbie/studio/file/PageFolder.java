@@ -3,13 +3,13 @@ package org.robonewbie.studio.file;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.UUID;
 import java.util.stream.Stream;
+import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.file.RegularFile;
+import org.robonewbie.nao.file.UnreadableFileException;
 
 /**
  * A folder with files of one kind that pages may read and write, and nothing else of this computer. Files are replaced
@@ -80,11 +80,16 @@ public abstract class PageFolder {
      *
      * @param path what pages call it
      * @return its content; empty if there is no such file
-     * @throws IOException if it cannot be read, is no regular file, or too large
+     * @throws RefusedException if it is no regular file, too large, or cannot be read
+     * @throws IOException if its place cannot be looked up
      */
     public Optional<byte[]> read(String path) throws IOException {
         Path file = file(path);
-        return Files.exists(file) ? Optional.of(RegularFile.read(file, maxBytes)) : Optional.empty();
+        try {
+            return Files.exists(file) ? Optional.of(RegularFile.read(file, maxBytes)) : Optional.empty();
+        } catch (UnreadableFileException unreadable) {
+            throw new RefusedException(409, String.valueOf(unreadable.getMessage()));
+        }
     }
 
     /**
@@ -101,15 +106,36 @@ public abstract class PageFolder {
         String present = read(path).map(FileVersion::of).orElse("");
         String next = FileVersion.of(content);
         if (!present.equals(knownVersion) && !present.equals(next)) {
-            throw new RefusedException(
-                    409,
-                    knownVersion.isEmpty()
-                            ? "There is a " + kind() + " \"" + path + "\" already. Choose another name."
-                            : "\"" + path + "\" was changed by another program since it was opened here. "
-                                    + "Load it again, or save under another name.");
+            throw new RefusedException(409, conflict(path, knownVersion, present));
         }
         overwrite(path, content);
         return next;
+    }
+
+    private String conflict(String path, String knownVersion, String present) {
+        String file = "\"" + path + "\"";
+        if (knownVersion.isEmpty()) {
+            return "There is a " + kind() + " " + file + " already. Choose another name.";
+        }
+        return present.isEmpty()
+                ? file
+                        + " was deleted by another program since it was opened here. Keep what is here, or save it under another name."
+                : file
+                        + " was changed by another program since it was opened here. Load it again, or save under another name.";
+    }
+
+    /**
+     * Writes a file, unless it has become another one than the writer knows; one that is gone meanwhile is written again.
+     *
+     * @param path what pages call it
+     * @param content its new content
+     * @param knownVersion the version that the writer has seen; empty if it has seen none
+     * @return the new version
+     * @throws RefusedException if the file has been changed meanwhile
+     * @throws IOException if it cannot be written
+     */
+    public synchronized String writeIfKnown(String path, byte[] content, String knownVersion) throws IOException {
+        return write(path, content, read(path).isPresent() ? knownVersion : "");
     }
 
     /**
@@ -123,22 +149,35 @@ public abstract class PageFolder {
         Path file = file(path);
         Path place = Objects.requireNonNull(file.getParent());
         Files.createDirectories(place);
-        Path unfinished = place.resolve("." + UUID.randomUUID() + ".tmp");
+        Path unfinished = AtomicFile.part(file);
         try {
             Files.write(unfinished, content);
-            Files.move(unfinished, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
+            AtomicFile.moveIntoPlace(file);
         } finally {
             Files.deleteIfExists(unfinished);
         }
     }
 
     /**
-     * Takes a file away; nothing happens if there is none.
+     * Deletes a file; nothing happens if there is none.
      *
      * @param path what pages call it
-     * @throws IOException if it cannot be taken away
+     * @throws IOException if it cannot be deleted
      */
     public synchronized void remove(String path) throws IOException {
         Files.deleteIfExists(file(path));
+    }
+
+    /**
+     * Deletes a file of which only this version is not needed any more.
+     *
+     * @param path what pages call it
+     * @param version the version; nothing happens if the file has another one, or if there is none
+     * @throws IOException if it cannot be deleted
+     */
+    public synchronized void remove(String path, String version) throws IOException {
+        if (read(path).map(FileVersion::of).filter(version::equals).isPresent()) {
+            remove(path);
+        }
     }
 }

@@ -119,18 +119,13 @@ public final class ProgramApi extends Handler.Abstract {
             case "GET own" -> Answer.file(found(folder.read(path), path));
             case "GET draft" -> Answer.file(found(drafts.read(path), path));
             case "PUT own" -> {
-                String known = Optional.ofNullable(request.getHeaders().get("Known-Version"))
-                        .orElse("");
-                String version = folder.write(path, body(request), known);
-                drafts.remove(path);
+                String version = folder.write(path, body(request), known(request));
+                drafts.remove(path, version); // another window may have other unsaved work on it
                 yield Answer.written(version);
             }
-            case "PUT draft" -> {
-                drafts.overwrite(path, body(request));
-                yield Answer.done();
-            }
+            case "PUT draft" -> Answer.written(drafts.writeIfKnown(path, body(request), known(request)));
             case "DELETE draft" -> {
-                drafts.remove(path);
+                drafts.remove(path, known(request));
                 yield Answer.done();
             }
             default -> throw unknown(request, path);
@@ -171,6 +166,10 @@ public final class ProgramApi extends Handler.Abstract {
 
     private static <T> T found(Optional<T> content, String name) {
         return content.orElseThrow(() -> new RefusedException(404, "There is no program \"" + name + "\"."));
+    }
+
+    private static String known(Request request) {
+        return Optional.ofNullable(request.getHeaders().get("Known-Version")).orElse("");
     }
 
     private static String parameter(Request request, String name) {

@@ -39,14 +39,13 @@ export class Studio {
 
   /**
    * @param {URLSearchParams} options of the page's address
-   * @param {(listener: import('./live/connection.js').Listener, token: string) => import('./live/connection.js').Line} [connect]
+   * @param {(listener: import('./live/connection.js').Listener) => import('./live/connection.js').Line} [connect]
    */
   constructor(options, connect = overSocket) {
     this.options = options;
-    this.token = options.get('token') ?? '';
     this.note = notes();
     reportMistakes(this.note);
-    this.session = new Session(this.token !== '', {
+    this.session = new Session({
       begun: () => (this.rooms?.forget(), this.field?.board.clear()),
       telemetry: (news) => this.rooms.hear(news),
       happened: (event, teams) => this.happenings?.add(event, teams),
@@ -60,7 +59,7 @@ export class Studio {
       isSteered: () => ['field', 'robot', 'program'].includes(this.room()) && this.session.shown.tense === 'live',
       send: this.send,
     });
-    this.connection = connect(this.session, this.token);
+    this.connection = connect(this.session);
     this.time = timeActions(() => this.state, this.send);
     this.rooms = this.#makeRooms();
     this.drawTimeLine = timeLinePanel(this.cursor, this.touch);
@@ -77,9 +76,7 @@ export class Studio {
       this.#drawPanels(performance.now());
       this.workspace.markMore();
     }, LOOK_MILLISECONDS);
-    if (this.token !== '') {
-      this.connection.open();
-    }
+    this.connection.open();
     requestAnimationFrame(this.#turn);
   }
 
@@ -155,7 +152,6 @@ export class Studio {
 
   #makeRooms() {
     return new RoomDesk({
-      token: this.token,
       note: this.note,
       quality: () => this.chooser.quality,
       robotOfRun: () => this.session.robot(this.desk.chosen),
@@ -184,7 +180,7 @@ export class Studio {
       transportPanel(this.time),
       cameraPanel(this.desk, { choose: this.field.chooseCamera, shadows, setShadows, show: this.field.showBeside }),
       trainerPanel(this.send),
-      scenePanel(this.token, this.note, this.goLive),
+      scenePanel(this.note, this.goLive),
       banner(),
       (shown) => puppet.draw(shown),
     ];
@@ -192,7 +188,7 @@ export class Studio {
     this.commentary = new Commentary(this.session, (text) => this.happenings?.tell(text));
     this.mistakes = new Mistakes(this.#lookInside);
     this.puppet = puppet;
-    this.course = new CoursePanel(this.token, this.note, this.goLive, this.field.showGhost);
+    this.course = new CoursePanel(this.note, this.goLive, this.field.showGhost);
     setShadows(shadows);
   }
 

@@ -23,16 +23,17 @@ const MOST_SILENT_LOOKS = 10;
  * The line to the simulator that has served this page.
  *
  * @param {Listener} listener
- * @param {string} token
  * @returns {Line}
  */
-export function overSocket(listener, token) {
-  return new Connection(`ws://${location.host}/live?token=${encodeURIComponent(token)}`, listener);
+export function overSocket(listener) {
+  return new Connection(`ws://${location.host}/live`, listener);
 }
 
 export class Connection {
+  #wasRefused = false;
+
   /**
-   * @param {string} address of the live feed, with the token
+   * @param {string} address of the live feed
    * @param {Listener} listener
    */
   constructor(address, listener) {
@@ -52,6 +53,9 @@ export class Connection {
     let wasOpen = false;
     socket.binaryType = 'arraybuffer';
     socket.onopen = () => {
+      if (this.#wasRefused) {
+        location.reload(); // another page of this browser was let in; what this one had asked for before was refused
+      }
       wasOpen = true;
       this.silentLooks = 0;
       this.listener.opened();
@@ -107,6 +111,7 @@ export class Connection {
     try {
       const answer = await fetch(this.address.replace(/^ws/, 'http'), { method: 'POST' });
       if (answer.status === 403) {
+        this.#wasRefused = true;
         this.listener.refused(await answer.text());
       }
     } catch {

@@ -14,10 +14,9 @@ export class ReportPage {
    */
   constructor(board, known, { told, lost }, draw) {
     this.options = new URLSearchParams(location.search);
-    this.token = this.options.get('token') ?? '';
     this.known = known;
     this.#draw = draw;
-    this.line = new Connection(`ws://${location.host}/${board}?token=${encodeURIComponent(this.token)}`, {
+    this.line = new Connection(`ws://${location.host}/${board}`, {
       opened() {},
       lost: () => this.#become(lost(this.known)),
       refused: (reason) => this.#become({ ...this.known, phase: 'refused', refusal: reason }),

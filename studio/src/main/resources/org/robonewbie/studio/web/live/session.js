@@ -28,14 +28,13 @@ export class Session {
   #lastBytes = new Uint8Array();
 
   /**
-   * @param {boolean} hasToken
    * @param {Audience} audience
    * @param {() => number} clock milliseconds
    */
-  constructor(hasToken, audience, clock = () => performance.now()) {
+  constructor(audience, clock = () => performance.now()) {
     this.audience = audience;
     this.clock = clock;
-    this.state = initialState(hasToken);
+    this.state = initialState();
     this.cursor = new TimeCursor();
     this.smoothing = new Smoothing();
     this.ghost = new TrialGhost();

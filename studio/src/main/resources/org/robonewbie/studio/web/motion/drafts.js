@@ -12,8 +12,8 @@ const NAMELESS = 'new motion';
 
 export class Drafts {
   #timer = 0;
-  /** Drafts are written one after the other: two at once would give one motion two names. @type {Promise<void>} */
-  #last = Promise.resolve();
+  /** Drafts are written one after the other: two at once would give one motion two names. @type {Promise<boolean>} */
+  #last = Promise.resolve(true);
 
   /**
    * @param {MotionFiles} files
@@ -41,14 +41,18 @@ export class Drafts {
     this.#timer = window.setTimeout(() => this.keep(), DRAFT_MILLISECONDS);
   }
 
-  /** Keeps what is there now. @returns {Promise<void>} */
+  /** Keeps what is there now. @returns {Promise<boolean>} whether that was possible, so that another motion may be shown */
   keep() {
     clearTimeout(this.#timer);
-    this.#last = this.#last
-      .then(() => this.#keep())
-      .catch(() =>
-        this.editor.note('Unsaved work cannot be kept on the disk just now. It stays in this page; save it soon.'),
-      );
+    this.#last = this.#last.then(async () => {
+      try {
+        await this.#keep();
+        return true;
+      } catch {
+        this.editor.note('Unsaved work cannot be kept just now. It stays in this page; save it soon.');
+        return false;
+      }
+    });
     return this.#last;
   }
 

@@ -1,4 +1,5 @@
 /** The motion editor without its picture: keeps the state, and brings files, drafts and trials together with it. */
+import { keepText, recallText } from '../panels/memory.js';
 import { Drafts, namelessDrafts } from './drafts.js';
 import { judgeDisk } from '../state/motion/disk.js';
 import { bodyMarks, jointMarks } from '../state/motion/checks.js';
@@ -112,7 +113,7 @@ export class Editor {
     if (this.wishes > 0) {
       return;
     }
-    const last = composedName(wanted ?? localStorage.getItem(LAST_FILE) ?? '');
+    const last = composedName(wanted ?? recallText(LAST_FILE) ?? '');
     const isOwn = this.list.own.some(({ name }) => name === last);
     const drafts = namelessDrafts(this.list);
     if (drafts.length > 0 && !isOwn) {
@@ -185,7 +186,9 @@ export class Editor {
    */
   async open(shelf, name) {
     const wish = ++this.wishes;
-    await this.drafts.keep();
+    if (!(await this.drafts.keep())) {
+      return;
+    }
     const { document, version } = await this.files.read(shelf, name);
     const isOwn = shelf === 'motions';
     const draft = this.list.drafts.some((each) => each.name === name)
@@ -200,7 +203,7 @@ export class Editor {
     const recovered = isNew ? draft : undefined;
     this.drafts.kept = recovered;
     this.set(withFile(this.state, { name, version: isOwn ? version : '', document, recovered }));
-    localStorage.setItem(LAST_FILE, name);
+    keepText(LAST_FILE, name);
     if (isNew) {
       this.listener.note(`Unsaved work on “${name}” was recovered. Undo takes it back.`);
     }
@@ -275,7 +278,7 @@ export class Editor {
       if (wish === this.wishes) {
         this.conflict = false;
         this.set(withSaved(this.state, name, version, document));
-        localStorage.setItem(LAST_FILE, name);
+        keepText(LAST_FILE, name);
       }
     } finally {
       this.saving = false;
@@ -308,8 +311,7 @@ export class Editor {
    */
   async #begin(document, draft = '') {
     const wish = ++this.wishes;
-    await this.drafts.keep();
-    if (wish === this.wishes) {
+    if ((await this.drafts.keep()) && wish === this.wishes) {
       this.isOriginal = false;
       this.set(withFile(this.state, { name: '', draft, version: '', document }));
     }
@@ -318,14 +320,14 @@ export class Editor {
   /** Goes on with a motion that was never saved. @param {string} draft */
   async openDraft(draft) {
     const wish = ++this.wishes;
-    await this.drafts.keep();
+    const isKept = await this.drafts.keep();
     const { document } = await this.files.read('drafts', draft);
-    if (wish === this.wishes) {
+    if (isKept && wish === this.wishes) {
       this.conflict = false;
       this.isOriginal = false;
       this.drafts.kept = document;
       this.set(withFile(this.state, { name: '', draft, version: '', document }));
-      localStorage.setItem(LAST_FILE, draft);
+      keepText(LAST_FILE, draft);
     }
   }
 

@@ -15,11 +15,6 @@ import { pathPart } from '../state/path-part.js';
  */
 
 export class MotionFiles {
-  /** @param {string} token */
-  constructor(token) {
-    this.token = token;
-  }
-
   /** @returns {Promise<any>} the robot's description */
   async robot() {
     return (await this.#ask('GET', 'robot')).json();
@@ -97,11 +92,7 @@ export class MotionFiles {
    */
   async #ask(method, path, body, headers = {}) {
     const content = /** @type {BodyInit | undefined} */ (body);
-    const answer = await fetch(`api/${path}`, {
-      method,
-      body: content,
-      headers: { ...headers, 'Studio-Token': this.token },
-    });
+    const answer = await fetch(`api/${path}`, { method, body: content, headers });
     if (!answer.ok) {
       throw Object.assign(new Error(await answer.text()), { status: answer.status });
     }

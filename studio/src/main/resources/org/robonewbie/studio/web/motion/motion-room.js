@@ -25,7 +25,6 @@ const DISK_MILLISECONDS = 2000;
 
 /**
  * @typedef {object} Surroundings
- * @property {string} token
  * @property {(text: string) => void} note
  * @property {import('../state/quality.js').Quality} quality
  * @property {() => {name: string, degrees: ArrayLike<number>} | undefined} robotOfRun the robot that is followed in the field
@@ -34,7 +33,7 @@ const DISK_MILLISECONDS = 2000;
 
 /** @param {Surroundings} surroundings */
 export async function openMotionRoom(surroundings) {
-  const files = new MotionFiles(surroundings.token);
+  const files = new MotionFiles();
   const room = new MotionRoom(surroundings, files, bodyOf(await files.robot()));
   await room.editor.begin(surroundings.wanted);
   return room;

@@ -8,17 +8,31 @@
  */
 export function recall(key, otherwise) {
   try {
-    return JSON.parse(localStorage.getItem(key) ?? 'null') ?? otherwise;
+    return JSON.parse(recallText(key) ?? 'null') ?? otherwise;
   } catch {
     return otherwise;
   }
 }
 
-/** @param {string} key @param {unknown} value */
-export function keep(key, value) {
+/** @param {string} key @returns {string | null} a text as it was remembered */
+export function recallText(key) {
   try {
-    localStorage.setItem(key, JSON.stringify(value));
+    return localStorage.getItem(key);
+  } catch {
+    return null;
+  }
+}
+
+/** @param {string} key @param {string} text */
+export function keepText(key, text) {
+  try {
+    localStorage.setItem(key, text);
   } catch {
     // The choice holds until the page is closed.
   }
+}
+
+/** @param {string} key @param {unknown} value */
+export function keep(key, value) {
+  keepText(key, JSON.stringify(value));
 }

@@ -44,7 +44,6 @@ const ROBOT_STYLES = ['vendor/uplot/uplot.min.css', 'robot.css', 'robot-sheets.c
 export class RoomDesk {
   /**
    * @param {object} surroundings
-   * @param {string} surroundings.token
    * @param {(text: string) => void} surroundings.note
    * @param {() => import('../state/quality.js').Quality} surroundings.quality
    * @param {(command: object) => void} surroundings.send
@@ -80,7 +79,7 @@ export class RoomDesk {
     }
     this.here = room;
     const isOpen = room === 'field' || this[room] !== undefined || this.opening.has(room);
-    if (isOpen || this.surroundings.token === '') {
+    if (isOpen) {
       return;
     }
     this.opening.add(room);

@@ -2,9 +2,9 @@
 import { pathPart } from '../state/path-part.js';
 import { button, byId, element, setEntries } from './elements.js';
 
-/** @param {string} token @param {string} path @param {RequestInit} [options] */
-async function ask(token, path, options = {}) {
-  const answer = await fetch(`api/${path}`, { ...options, headers: { 'Studio-Token': token, ...options.headers } });
+/** @param {string} path @param {RequestInit} [options] */
+async function ask(path, options) {
+  const answer = await fetch(`api/${path}`, options);
   if (!answer.ok) {
     throw new Error(await answer.text());
   }
@@ -27,23 +27,21 @@ export function restoredText({ exact, agents }) {
 /**
  * Lets the simulation go on from a moment of a recording.
  *
- * @param {string} token
  * @param {string} recording
  * @param {number} moment
  * @returns {Promise<{exact: boolean, agents: number}>}
  */
-export function startFrom(token, recording, moment) {
-  return ask(token, `start/${pathPart(recording)}?moment=${moment}`, { method: 'POST' });
+export function startFrom(recording, moment) {
+  return ask(`start/${pathPart(recording)}?moment=${moment}`, { method: 'POST' });
 }
 
 /**
- * @param {string} token
  * @param {(text: string) => void} note
  * @param {() => void} goLive shows what happens now
  * @returns {(state: import('../state/studio-state.js').StudioState) => void} draws the scenes
  */
-export function scenePanel(token, note, goLive) {
-  const panel = new ScenePanel(token, note, goLive);
+export function scenePanel(note, goLive) {
+  const panel = new ScenePanel(note, goLive);
   return ({ scene, frame, deeds }) =>
     panel.show(
       scene !== undefined && frame !== undefined && scene.clock !== false && scene.trial === undefined,
@@ -57,9 +55,8 @@ class ScenePanel {
   /** What could be undone when the list was read: a scene may have come back or gone since. */
   #known = '';
 
-  /** @param {string} token @param {(text: string) => void} note @param {() => void} goLive */
-  constructor(token, note, goLive) {
-    this.token = token;
+  /** @param {(text: string) => void} note @param {() => void} goLive */
+  constructor(note, goLive) {
     this.note = note;
     this.goLive = goLive;
     const words = { placeholder: 'Name', 'aria-label': 'Name of the scene', maxlength: '60' };
@@ -108,7 +105,7 @@ class ScenePanel {
 
   async #refresh(chosen = this.list.value) {
     /** @type {{scenes: string[]}} */
-    const { scenes } = await ask(this.token, 'scenes');
+    const { scenes } = await ask('scenes');
     setEntries(
       this.list,
       scenes.map((each) => [each, each]),
@@ -158,7 +155,7 @@ class ScenePanel {
 
   /** @param {string} scene @param {string} how @param {string} method */
   #ask(scene, how, method) {
-    return ask(this.token, `scenes/${pathPart(scene)}${how}`, { method });
+    return ask(`scenes/${pathPart(scene)}${how}`, { method });
   }
 
   /** Empties the field, unless another name was written meanwhile. @param {string} used */

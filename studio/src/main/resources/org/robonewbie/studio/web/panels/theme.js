@@ -1,4 +1,5 @@
 /** Light and dark: as the computer is set, until the person chooses. */
+import { keepText, recallText } from './memory.js';
 import { byId } from './elements.js';
 
 /** @typedef {'light' | 'dark'} Theme */
@@ -12,7 +13,7 @@ const KEY = 'robonewbie-theme';
 export function themeSwitch(forced, changed) {
   const system = window.matchMedia('(prefers-color-scheme: dark)');
   const button = byId('theme-button');
-  let choice = forced ?? localStorage.getItem(KEY);
+  let choice = forced ?? recallText(KEY);
   const apply = () => {
     /** @type {Theme} */
     const theme = choice === 'light' || choice === 'dark' ? choice : system.matches ? 'dark' : 'light';
@@ -23,7 +24,7 @@ export function themeSwitch(forced, changed) {
   };
   button.addEventListener('click', () => {
     choice = document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark';
-    localStorage.setItem(KEY, choice);
+    keepText(KEY, choice);
     apply();
   });
   system.addEventListener('change', apply);

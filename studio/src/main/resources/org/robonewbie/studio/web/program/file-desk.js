@@ -7,15 +7,17 @@ import {
   folderOfNew,
   isOpenToChange,
   isUnsaved,
+  LAST_PROGRAM,
   newText,
   normal,
   opened,
   written,
 } from '../state/program/documents.js';
 import { fileName } from '../state/program/remarks.js';
+import { DraftKeeper } from './draft-keeper.js';
 import { EncodingNote } from './encoding-note.js';
 import { fillChoice } from './file-choice.js';
-import { askPath, freePath } from './new-program.js';
+import { makeProgram } from './new-program.js';
 import { note } from './program-room.js';
 
 /**
@@ -23,20 +25,24 @@ import { note } from './program-room.js';
  * @typedef {import('../state/program/documents.js').OpenFile} OpenFile
  */
 
-const KEY = 'robonewbie-program';
-const DRAFT_MILLISECONDS = 400;
 const LOOK_MILLISECONDS = 1000;
 
 export class FileDesk {
-  #draftTimer = 0;
-  #isDraftKept = true;
   #looking = false;
+  /** The shared program that was opened last, as it came. */
+  #asShared = '';
+  #sharedVersion = '';
 
   /** @param {any} room */
   constructor(room) {
     this.room = room;
     this.service = room.service;
     this.editor = room.editor;
+    this.drafts = new DraftKeeper(
+      this,
+      (deed) => room.attempt(deed),
+      () => this.#sayTaken(),
+    );
     /** @type {ProgramList} */
     this.list = { open: true, folder: '', own: [], drafts: [], examples: [] };
     /** @type {OpenFile | undefined} */
@@ -46,7 +52,7 @@ export class FileDesk {
     );
     this.change = element('div', {});
     this.encoding = new EncodingNote((file) => room.attempt(() => this.#toUtf8(file)));
-    const make = button('New…', 'Makes another program', () => room.attempt(() => this.#make('')), {
+    const make = button('New…', 'Makes another program', () => room.attempt(() => makeProgram(this, '')), {
       id: 'program-new',
     });
     this.saveButton = button('Save', 'Saves the program (Ctrl+S)', () => room.attempt(() => room.save()), {
@@ -58,13 +64,13 @@ export class FileDesk {
 
   /** @returns {boolean} whether something is lost if the page is closed now */
   get isAtRisk() {
-    return !this.#isDraftKept;
+    return this.drafts.isAtRisk;
   }
 
   /** @param {ProgramList} list */
   async open(list) {
     this.list = list;
-    const last = recall(KEY, '');
+    const last = recall(LAST_PROGRAM, '');
     const wanted = [last, list.drafts[0]?.path, list.own[0]?.path].find(
       (path) => path && [...list.own, ...list.drafts].some((each) => each.path === path),
     );
@@ -85,10 +91,19 @@ export class FileDesk {
     const isSaved = this.list.own.some((each) => each.path === path);
     const isDraft = this.list.drafts.some((each) => each.path === path);
     const file = opened('own', path, isSaved ? await this.service.read('own', path) : newText(''));
-    const draft = isDraft ? (await this.service.read('draft', path)).text.content : undefined;
-    keep(KEY, path);
-    this.#show(file, normal(file.problem === '' ? (draft ?? '') : ''));
-    if (file.problem === '' && draft !== undefined && normal(draft) !== file.saved) {
+    const draft = isDraft && file.problem === '' ? await this.service.read('draft', path) : newText('');
+    keep(LAST_PROGRAM, path);
+    this.#show(file, normal(draft.text.content));
+    this.drafts.begin(draft.version);
+    const shared = this.list.shared?.find((each) => each.path === path);
+    if (shared) {
+      this.#asShared = this.editor.text;
+      this.#sharedVersion = draft.version;
+      this.#say('A program that was shared with you. Your own programs are as they were.', [
+        ['Keep a copy', () => this.room.save()],
+        ['Back to mine', () => this.#giveBack(shared)],
+      ]);
+    } else if (isSaved && draft.version !== '' && normal(draft.text.content) !== file.saved) {
       this.#say('This is what you had not saved.', [
         ['Take the saved one', () => this.#takeSaved()],
         ['Keep this', async () => this.#say('', [])],
@@ -102,14 +117,17 @@ export class FileDesk {
     if (!file || !isOpenToChange(file)) {
       return false;
     }
-    await this.#keepDraft();
+    await this.drafts.keep().catch(() => false); // what cannot be kept may be saved all the same
     const content = written(file, this.editor.text);
     const encoding = encodingFor(file.source, content);
     try {
       const version = await this.service.write(file.path, encodeText(file.source, content), file.version);
       const text = { ...file.source, encoding, content };
       this.file = opened('own', file.path, { text, version, problem: '' });
-      this.#isDraftKept = true;
+      this.drafts.saved();
+      if (file.version === '') {
+        this.#say('', []);
+      }
       this.encoding.show(this.file, file.source.encoding);
       await this.refresh();
       return true;
@@ -124,33 +142,15 @@ export class FileDesk {
 
   /** Something was typed. */
   changed() {
-    const isWork = isUnsaved(this.file, this.editor.text);
-    this.saveButton.disabled = !isWork;
+    this.saveButton.disabled = !isUnsaved(this.file, this.editor.text);
     if (isOpenToChange(this.file)) {
-      this.#isDraftKept = !isWork;
-      clearTimeout(this.#draftTimer);
-      this.#draftTimer = window.setTimeout(() => this.room.attempt(() => this.#keepDraft()), DRAFT_MILLISECONDS);
+      this.drafts.keepSoon();
     }
   }
 
   async refresh() {
     this.list = await this.service.list();
     this.#draw();
-  }
-
-  async #keepDraft() {
-    clearTimeout(this.#draftTimer);
-    const { file } = this;
-    const text = this.editor.text;
-    if (!file || !isOpenToChange(file)) {
-      return;
-    }
-    if (isUnsaved(file, text)) {
-      await this.service.writeDraft(file.path, written(file, text));
-    } else if (this.list.drafts.some(({ path }) => path === file.path)) {
-      await this.service.removeDraft(file.path);
-    }
-    this.#isDraftKept = text === this.editor.text;
   }
 
   /** @param {OpenFile} file @param {string} text of the editor, if it is another one than that of the file */
@@ -161,11 +161,11 @@ export class FileDesk {
     const shelf = isReadOnly ? `${file.shelf}, to read` : file.shelf;
     this.editor.open(`${shelf} ${file.path}`, text || file.saved, isReadOnly);
     this.encoding.show(file, file.source.encoding);
-    this.#isDraftKept = true;
+    this.drafts.begin('');
     this.#say('', []);
     if (isExample) {
       this.#say('An example, which can only be read. Run makes a copy of your own.', [
-        ['Make my own copy', () => this.#make(file.path)],
+        ['Make my own copy', () => makeProgram(this, file.path)],
       ]);
     }
     this.#draw();
@@ -185,7 +185,10 @@ export class FileDesk {
   async choose(value) {
     const [shelf, ...words] = value.split(' ');
     const path = words.join(' ');
-    await this.#keepDraft();
+    if (!(await this.drafts.keep())) {
+      this.#draw();
+      return;
+    }
     await this.refresh();
     if (shelf === 'example') {
       this.#show(opened('example', path, await this.service.read('example', path)), '');
@@ -194,29 +197,6 @@ export class FileDesk {
     } else {
       await this.openOwn(path);
     }
-  }
-
-  /** @param {string} example what to begin with, or nothing */
-  async #make(example) {
-    const path = await askPath(example, this.list.own);
-    if (path) {
-      await this.#create(path, example);
-    }
-  }
-
-  /** Makes a copy of the example that is shown, which can be changed and run. */
-  async copyExample() {
-    if (this.file?.shelf === 'example') {
-      await this.#create(freePath(this.file.path, this.list.own), this.file.path);
-    }
-  }
-
-  /** @param {string} path @param {string} example */
-  async #create(path, example) {
-    await this.#keepDraft();
-    await this.service.write(path, encodeText(UTF_8, await this.service.newProgram(path, example)), '');
-    await this.refresh();
-    await this.openOwn(path);
   }
 
   async #takeSaved() {
@@ -231,7 +211,7 @@ export class FileDesk {
       this.editor.replace(now.saved);
       this.encoding.show(now, now.source.encoding);
       this.#say('', []);
-      await this.#keepDraft();
+      await this.drafts.keep();
       this.#draw();
     }
   }
@@ -240,6 +220,43 @@ export class FileDesk {
   async #toUtf8(file) {
     this.file = { ...file, source: UTF_8 };
     await this.room.save();
+  }
+
+  /** The shared program goes, unless it was changed, and the one before it is shown. @param {{path: string, before: string}} shared */
+  async #giveBack({ path, before }) {
+    if (this.editor.text === this.#asShared) {
+      await this.service.removeDraft(path, this.#sharedVersion);
+    } else {
+      await this.drafts.keep();
+    }
+    keep(LAST_PROGRAM, before);
+    this.drafts.begin('');
+    await this.open(await this.service.list());
+  }
+
+  /** Another window has unsaved work on the open file, too. */
+  #sayTaken() {
+    const { path = '' } = this.file ?? {};
+    this.#say(`Another window has unsaved work on ${fileName(path)}, too.`, [
+      ['Take the other one', () => this.#takeDraft(path)],
+      ['Keep mine', () => this.#replaceDraft(path)],
+    ]);
+  }
+
+  /** @param {string} path */
+  async #takeDraft(path) {
+    const { text, version } = await this.service.read('draft', path);
+    this.drafts.replace(version);
+    this.editor.replace(normal(text.content));
+    this.#say('', []);
+    await this.drafts.keep();
+  }
+
+  /** @param {string} path */
+  async #replaceDraft(path) {
+    this.drafts.replace((await this.service.read('draft', path)).version);
+    this.#say('', []);
+    await this.drafts.keep();
   }
 
   /** @param {string} text */
@@ -253,7 +270,8 @@ export class FileDesk {
   async #keepMine() {
     const { file } = this;
     if (file) {
-      const { version } = await this.service.read('own', file.path);
+      const gone = { version: '' };
+      const { version } = await this.service.read('own', file.path).catch(() => gone);
       this.file = { ...file, version };
       this.#say('', []);
       await this.room.save();

@@ -1,27 +1,52 @@
-/** What a new program is called. */
+/** Makes programs: the shortest one, and copies of examples. None takes the place of one that is there, saved or not. */
 import { ask } from '../motion/questions.js';
+import { encodeText, UTF_8 } from '../state/decoded-text.js';
 import { classNameProblem, FIRST_NAME, folderOfNew, freeName, javaName } from '../state/program/documents.js';
+import { fileName } from '../state/program/remarks.js';
 
-/** @typedef {ReadonlyArray<{path: string}>} Files */
+/** @typedef {import('./file-desk.js').FileDesk} FileDesk */
 
-/** @param {string} example what to begin with, or nothing @param {Files} own @returns {Promise<string | undefined>} nothing if the person wants none */
-export async function askPath(example, own) {
-  const folder = folderOfNew(own);
+/** Asks for a name. @param {FileDesk} files @param {string} example what to begin with, or nothing */
+export async function makeProgram(files, example) {
+  const folder = folderOfNew(files.list.own);
   const name = await ask({
     title: example ? 'Make my own copy' : 'New program',
     label: 'Name',
-    value: freePath(example, own)
+    value: nameFor(files, example)
       .slice(folder.length)
       .replace(/\.java$/, ''),
     action: 'Make it',
     problem: classNameProblem,
     hint: 'The name of a class: letters and digits, a capital letter first.',
   });
-  return name && folder + javaName(name);
+  if (name) {
+    await create(files, folder + javaName(name), example);
+  }
 }
 
-/** @param {string} example @param {Files} own @returns {string} a free path for a program that begins with it */
-export function freePath(example, own) {
+/** Makes a copy of the example that is shown, which can be changed and run. @param {FileDesk} files */
+export async function copyExample(files) {
+  if (files.file?.shelf === 'example') {
+    await create(files, nameFor(files, files.file.path), files.file.path);
+  }
+}
+
+/** @param {FileDesk} files @param {string} example @returns {string} a free path for a program that begins with it */
+function nameFor({ list, file }, example) {
   const wanted = example ? `My${example.replace(/^Agent_/, '')}.java` : FIRST_NAME;
-  return freeName(folderOfNew(own) + wanted, own);
+  return freeName(folderOfNew(list.own) + wanted, [...list.own, ...list.drafts, ...(file ? [file] : [])]);
+}
+
+/** @param {FileDesk} files @param {string} path @param {string} example */
+async function create(files, path, example) {
+  if (!(await files.drafts.keep())) {
+    return;
+  }
+  await files.refresh();
+  if (files.list.drafts.some((each) => each.path === path)) {
+    throw new Error(`There is a program ${fileName(path)} already, which is not saved yet. Choose another name.`);
+  }
+  await files.service.write(path, encodeText(UTF_8, await files.service.newProgram(path, example)), '');
+  await files.refresh();
+  await files.openOwn(path);
 }

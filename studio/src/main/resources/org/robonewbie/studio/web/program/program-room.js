@@ -12,7 +12,6 @@ import { SaidPanel } from './said-panel.js';
 
 /**
  * @typedef {object} Surroundings
- * @property {string} token
  * @property {(text: string) => void} note
  * @property {() => void} goLive
  * @property {(command: object) => void} send
@@ -36,7 +35,7 @@ class ProgramRoom {
   /** @param {Surroundings} surroundings */
   constructor(surroundings) {
     this.surroundings = surroundings;
-    this.service = new ProgramService(surroundings.token);
+    this.service = new ProgramService();
     const code = this.#panel('code');
     const said = this.#panel('said');
     this.bar = element('div', { class: 'program-bar' });

@@ -10,6 +10,7 @@ import { decodeText, legibleText, UTF_8 } from '../state/decoded-text.js';
  * @property {ListedFile[]} own
  * @property {ListedFile[]} drafts
  * @property {string[]} examples
+ * @property {Array<{path: string, before: string}>} [shared] drafts that came with a link, and what was open before
  *
  * @typedef {import('../state/program/remarks.js').Remark} Remark
  * @typedef {import('../state/program/run.js').ProgramRun} ProgramRun
@@ -20,11 +21,6 @@ import { decodeText, legibleText, UTF_8 } from '../state/decoded-text.js';
  */
 
 export class ProgramService {
-  /** @param {string} token */
-  constructor(token) {
-    this.token = token;
-  }
-
   /** @returns {Promise<ProgramList>} */
   async list() {
     return (await this.#ask('GET', 'programs')).json();
@@ -61,14 +57,15 @@ export class ProgramService {
     return answer.headers.get('Version') ?? '';
   }
 
-  /** @param {string} path @param {string} text */
-  async writeDraft(path, text) {
-    await this.#ask('PUT', `programs/draft/${escaped(path)}`, text);
+  /** @param {string} path @param {string} text @param {string} known version of the draft that is replaced @returns {Promise<string>} the new version */
+  async writeDraft(path, text, known) {
+    const answer = await this.#ask('PUT', `programs/draft/${escaped(path)}`, text, { 'Known-Version': known });
+    return answer.headers.get('Version') ?? '';
   }
 
-  /** @param {string} path */
-  async removeDraft(path) {
-    await this.#ask('DELETE', `programs/draft/${escaped(path)}`);
+  /** @param {string} path @param {string} known another version stays */
+  async removeDraft(path, known) {
+    await this.#ask('DELETE', `programs/draft/${escaped(path)}`, undefined, { 'Known-Version': known });
   }
 
   /** @param {string} path @param {string} text @returns {Promise<Remark[]>} */
@@ -124,7 +121,7 @@ export class ProgramService {
 
   /** @param {string} method @param {string} path @param {BodyInit} [body] @param {Record<string, string>} [headers] */
   async #ask(method, path, body, headers = {}) {
-    const answer = await fetch(`api/${path}`, { method, body, headers: { ...headers, 'Studio-Token': this.token } });
+    const answer = await fetch(`api/${path}`, { method, body, headers });
     if (!answer.ok) {
       throw Object.assign(new Error(await answer.text()), { status: answer.status });
     }

@@ -5,6 +5,7 @@ import { lineOf, withMistake } from '../state/program/remarks.js';
 import { isUnderWay, NO_RUN, ownRobot, runText } from '../state/program/run.js';
 import { valuesAtLines } from '../state/program/values.js';
 import { readTelemetry, robotKey } from '../state/robot/telemetry.js';
+import { copyExample } from './new-program.js';
 import { SliderDesk } from './slider-desk.js';
 
 /** @typedef {import('../state/program/run.js').ProgramRun} ProgramRun */
@@ -71,7 +72,7 @@ export class RunDesk {
 
   /** Saves the program and runs it. */
   async run() {
-    await this.room.files.copyExample();
+    await copyExample(this.room.files);
     if (await this.room.files.save()) {
       await this.#start(isUnderWay(this.now) ? this.#chosenWorld : 'fresh');
     }

@@ -30,9 +30,8 @@ export class BookmarkList {
   /** The bookmarks that were deleted, the last one at the end. @type {Bookmark[]} */
   #deleted = [];
 
-  /** @param {string} token @param {Deeds} deeds */
-  constructor(token, deeds) {
-    this.token = token;
+  /** @param {Deeds} deeds */
+  constructor(deeds) {
     this.deeds = deeds;
     this.recording = '';
     const form = element('form', { class: 'bookmark-form' }, this.#field, this.#undo);
@@ -89,21 +88,21 @@ export class BookmarkList {
     const seconds = Math.round(this.deeds.now()) / MOMENTS_PER_SECOND;
     const note = this.#field.value.trim();
     this.#field.value = '';
-    this.#act(() => addBookmark(this.token, this.recording, { seconds, note }));
+    this.#act(() => addBookmark(this.recording, { seconds, note }));
   }
 
   /** @param {Bookmark} bookmark */
   #remove(bookmark) {
     this.#deleted.push(bookmark);
     this.#undo.hidden = false;
-    this.#act(() => deleteBookmark(this.token, this.recording, bookmark.seconds));
+    this.#act(() => deleteBookmark(this.recording, bookmark.seconds));
   }
 
   #bringBack() {
     const bookmark = this.#deleted.pop();
     this.#undo.hidden = this.#deleted.length === 0;
     if (bookmark) {
-      this.#act(() => addBookmark(this.token, this.recording, bookmark));
+      this.#act(() => addBookmark(this.recording, bookmark));
     }
   }
 

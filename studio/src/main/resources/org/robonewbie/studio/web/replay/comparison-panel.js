@@ -15,12 +15,10 @@ const SVG = 'http://www.w3.org/2000/svg';
 
 export class ComparisonPanel {
   /**
-   * @param {string} token
    * @param {Record<string, import('../state/kinematics.js').RobotModel>} models
    * @param {{changed: () => void, note: (text: string) => void}} listener
    */
-  constructor(token, models, listener) {
-    this.token = token;
+  constructor(models, listener) {
     this.models = models;
     this.listener = listener;
     /** @type {RecordingFile | undefined} */
@@ -68,7 +66,7 @@ export class ComparisonPanel {
     this.file = undefined;
     this.last = undefined;
     if (name) {
-      const file = new RecordingFile(this.token, name, this.models, this.listener.changed);
+      const file = new RecordingFile(name, this.models, this.listener.changed);
       this.file = file;
       file.load(false).catch((error) => this.listener.note(error.message));
     }

@@ -9,7 +9,6 @@ import { loadLog } from './recording-api.js';
  * @typedef {import('./exports.js').Progress} Progress
  *
  * @typedef {object} Source
- * @property {string} token
  * @property {Record<string, import('../state/kinematics.js').RobotModel>} models
  * @property {(text: string) => void} note
  * @property {() => RecordingFile | undefined} file
@@ -63,10 +62,9 @@ export class ExportDesk {
 
   /** What the buttons do. */
   get deeds() {
-    const { token } = this.source;
     return {
       csv: () => this.#save('csv', tableOf),
-      log: () => this.#save('log.gz', ({ name }) => loadLog(token, name)),
+      log: () => this.#save('log.gz', ({ name }) => loadLog(name)),
       html: () => this.#save('html', pageOf),
       video: () => this.#save('webm', (...given) => this.#video(...given)),
     };

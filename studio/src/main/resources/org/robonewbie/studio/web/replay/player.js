@@ -34,7 +34,7 @@ view.setQuality(chooser.quality);
 view.setTheme(document.documentElement.dataset.theme === 'dark' ? 'dark' : 'light');
 const desk = new CameraDesk(view.camera, () => view.free);
 let replay = { ...BEGINNING, count: moments.length, playing: true };
-let state = withConnection(initialState(true));
+let state = withConnection(initialState());
 let revision = 0;
 let stale = true;
 let last = 0;

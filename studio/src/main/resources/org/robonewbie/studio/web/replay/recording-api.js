@@ -28,68 +28,65 @@
  */
 import { pathPart } from '../state/path-part.js';
 
-/** @param {string} token @param {string} path @param {string} [method] */
-async function ask(token, path, method = 'GET') {
-  const answer = await fetch(`api/${path}`, { method, headers: { 'Studio-Token': token } });
+/** @param {string} path @param {string} [method] */
+async function ask(path, method = 'GET') {
+  const answer = await fetch(`api/${path}`, { method });
   if (!answer.ok) {
     throw new Error(await answer.text());
   }
   return answer;
 }
 
-/** @param {string} token @returns {Promise<{folder?: string, recordings: RecordingEntry[]}>} */
-export const listRecordings = async (token) => (await ask(token, 'recordings')).json();
+/** @returns {Promise<{folder?: string, recordings: RecordingEntry[]}>} */
+export const listRecordings = async () => (await ask('recordings')).json();
 
-/** @param {string} token @param {string} name @returns {Promise<RecordingCard>} */
-export const loadCard = async (token, name) => (await ask(token, `cards/${pathPart(name)}`)).json();
+/** @param {string} name @returns {Promise<RecordingCard>} */
+export const loadCard = async (name) => (await ask(`cards/${pathPart(name)}`)).json();
 
-/** @param {string} token @param {string} name @returns {Promise<Growth & Summary>} */
-export const loadIndex = async (token, name) => (await ask(token, `index/${pathPart(name)}`)).json();
+/** @param {string} name @returns {Promise<Growth & Summary>} */
+export const loadIndex = async (name) => (await ask(`index/${pathPart(name)}`)).json();
 
-/** @param {string} token @param {string} name @param {number} events @param {number} pieces known already @returns {Promise<Growth>} */
-export const loadGrowth = async (token, name, events, pieces) =>
-  (await ask(token, `index/${pathPart(name)}?events=${events}&pieces=${pieces}`)).json();
+/** @param {string} name @param {number} events @param {number} pieces known already @returns {Promise<Growth>} */
+export const loadGrowth = async (name, events, pieces) =>
+  (await ask(`index/${pathPart(name)}?events=${events}&pieces=${pieces}`)).json();
 
-/** @param {string} token @param {string} name @param {number} piece @param {number} skip bytes @returns {Promise<Uint8Array>} */
-export async function loadPiece(token, name, piece, skip) {
-  const answer = await ask(token, `pieces/${pathPart(name)}?piece=${piece}&skip=${skip}`);
+/** @param {string} name @param {number} piece @param {number} skip bytes @returns {Promise<Uint8Array>} */
+export async function loadPiece(name, piece, skip) {
+  const answer = await ask(`pieces/${pathPart(name)}?piece=${piece}&skip=${skip}`);
   return new Uint8Array(await answer.arrayBuffer());
 }
 
-/** @param {string} token @returns {Promise<Record<string, import('../state/kinematics.js').RobotModel>>} */
-export const loadModels = async (token) => (await ask(token, 'models')).json();
+/** @returns {Promise<Record<string, import('../state/kinematics.js').RobotModel>>} */
+export const loadModels = async () => (await ask('models')).json();
 
-/** @param {string} token @param {string} name @returns {Promise<Blob>} the recording as the log of a SimSpark server, packed */
-export const loadLog = async (token, name) => (await ask(token, `log/${pathPart(name)}`)).blob();
+/** @param {string} name @returns {Promise<Blob>} the recording as the log of a SimSpark server, packed */
+export const loadLog = async (name) => (await ask(`log/${pathPart(name)}`)).blob();
 
 /**
- * @param {string} token
  * @param {string} name
  * @param {number} skip bytes that are known already
  * @returns {Promise<{lines: string, bytes: number}>} what robots logged and drew, one line of JSON each
  */
-export async function loadNotes(token, name, skip) {
-  const bytes = await (await ask(token, `notes/${pathPart(name)}?skip=${skip}`)).arrayBuffer();
+export async function loadNotes(name, skip) {
+  const bytes = await (await ask(`notes/${pathPart(name)}?skip=${skip}`)).arrayBuffer();
   return { lines: new TextDecoder().decode(bytes), bytes: bytes.byteLength };
 }
 
-/** @param {string} token @param {string} from @param {string} to */
-export const renameRecording = (token, from, to) =>
-  ask(token, `recordings/${pathPart(to)}?was=${encodeURIComponent(from)}`, 'PUT');
+/** @param {string} from @param {string} to */
+export const renameRecording = (from, to) => ask(`recordings/${pathPart(to)}?was=${encodeURIComponent(from)}`, 'PUT');
 
-/** @param {string} token @param {string} name */
-export const deleteRecording = (token, name) => ask(token, `recordings/${pathPart(name)}`, 'DELETE');
+/** @param {string} name */
+export const deleteRecording = (name) => ask(`recordings/${pathPart(name)}`, 'DELETE');
 
-/** @param {string} token @param {string} name */
-export const bringBackRecording = (token, name) => ask(token, `recordings/${pathPart(name)}?removed=yes`, 'PUT');
+/** @param {string} name */
+export const bringBackRecording = (name) => ask(`recordings/${pathPart(name)}?removed=yes`, 'PUT');
 
-/** @param {string} token @param {string} name @param {boolean} on */
-export const starRecording = (token, name, on) => ask(token, `stars/${pathPart(name)}`, on ? 'PUT' : 'DELETE');
+/** @param {string} name @param {boolean} on */
+export const starRecording = (name, on) => ask(`stars/${pathPart(name)}`, on ? 'PUT' : 'DELETE');
 
-/** @param {string} token @param {string} name @param {Bookmark} bookmark */
-export const addBookmark = (token, name, { seconds, note }) =>
-  ask(token, `bookmarks/${pathPart(name)}?seconds=${seconds}&note=${encodeURIComponent(note)}`, 'PUT');
+/** @param {string} name @param {Bookmark} bookmark */
+export const addBookmark = (name, { seconds, note }) =>
+  ask(`bookmarks/${pathPart(name)}?seconds=${seconds}&note=${encodeURIComponent(note)}`, 'PUT');
 
-/** @param {string} token @param {string} name @param {number} seconds */
-export const deleteBookmark = (token, name, seconds) =>
-  ask(token, `bookmarks/${pathPart(name)}?seconds=${seconds}`, 'DELETE');
+/** @param {string} name @param {number} seconds */
+export const deleteBookmark = (name, seconds) => ask(`bookmarks/${pathPart(name)}?seconds=${seconds}`, 'DELETE');

@@ -33,15 +33,13 @@ export class RecordingShelf {
   #deleted = [];
 
   /**
-   * @param {string} token
    * @param {object} listener
    * @param {(name: string) => void} listener.choose
    * @param {() => Promise<void>} listener.changed the list has to be fetched again
    * @param {(from: string, to: string) => void} listener.renamed to nothing, if it was deleted
    * @param {(text: string) => void} listener.note
    */
-  constructor(token, listener) {
-    this.token = token;
+  constructor(listener) {
     this.listener = listener;
     this.place = byId('recordings');
     this.#search.addEventListener('input', () => this.#sift());
@@ -82,7 +80,7 @@ export class RecordingShelf {
   #deeds(name) {
     return {
       open: () => this.listener.choose(name),
-      star: (on) => this.#act(() => starRecording(this.token, name, on)),
+      star: (on) => this.#act(() => starRecording(name, on)),
       rename: (to) => this.#act(() => this.#rename(name, to)),
       remove: () => this.#act(() => this.#remove(name)),
     };
@@ -100,13 +98,13 @@ export class RecordingShelf {
 
   /** @param {string} from @param {string} to */
   async #rename(from, to) {
-    await renameRecording(this.token, from, to);
+    await renameRecording(from, to);
     this.listener.renamed(from, to);
   }
 
   /** @param {string} name */
   async #remove(name) {
-    await deleteRecording(this.token, name);
+    await deleteRecording(name);
     this.#deleted.push(name);
     this.#undo.hidden = false;
     this.listener.renamed(name, '');
@@ -117,7 +115,7 @@ export class RecordingShelf {
     const name = this.#deleted.pop();
     this.#undo.hidden = this.#deleted.length === 0;
     if (name) {
-      await bringBackRecording(this.token, name);
+      await bringBackRecording(name);
       this.listener.note(`“${name}” is back.`);
     }
   }
@@ -127,7 +125,7 @@ export class RecordingShelf {
     for (const name of names) {
       const tile = this.#tiles.get(name);
       if (tile) {
-        tile.fill(await loadCard(this.token, name).catch(() => undefined));
+        tile.fill(await loadCard(name).catch(() => undefined));
         this.#sift();
       }
     }

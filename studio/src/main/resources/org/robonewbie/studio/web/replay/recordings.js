@@ -9,18 +9,16 @@ const FOLLOW_MILLISECONDS = 1000;
 /** One recording that is open. */
 export class RecordingFile {
   /**
-   * @param {string} token
    * @param {string} name
    * @param {Record<string, import('../state/kinematics.js').RobotModel>} models
    * @param {() => void} grown
    */
-  constructor(token, name, models, grown) {
-    this.token = token;
+  constructor(name, models, grown) {
     this.name = name;
     this.grown = grown;
     this.run = new RecordedRun(
       (type) => models[type].hinges.length,
-      (piece, skip) => loadPiece(token, name, piece, skip),
+      (piece, skip) => loadPiece(name, piece, skip),
       grown,
     );
     /** @type {import('../state/replay/recording-reader.js').RecordedEvent[]} lines of logs */
@@ -37,7 +35,7 @@ export class RecordingFile {
 
   /** @param {boolean} follows whether the run goes on */
   async load(follows) {
-    const index = await loadIndex(this.token, this.name);
+    const index = await loadIndex(this.name);
     this.run.summary = index;
     this.run.grow(index);
     await this.#readOn(index.whole);
@@ -62,7 +60,7 @@ export class RecordingFile {
     this.grown();
     let { length: events } = this.run.events;
     for (let whole = isWhole; !whole && this.open;) {
-      const growth = await loadGrowth(this.token, this.name, events, this.run.starts.length);
+      const growth = await loadGrowth(this.name, events, this.run.starts.length);
       this.run.grow(growth);
       events = this.run.events.length;
       whole = growth.whole;
@@ -71,7 +69,7 @@ export class RecordingFile {
   }
 
   async #hearNotes() {
-    const { lines, bytes } = await loadNotes(this.token, this.name, this.noteBytes);
+    const { lines, bytes } = await loadNotes(this.name, this.noteBytes);
     this.noteBytes += bytes;
     const pictures = picturesOf(lines);
     this.notes.push(...notesOf(lines, this.run.firstCycle));

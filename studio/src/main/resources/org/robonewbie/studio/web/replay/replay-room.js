@@ -25,7 +25,6 @@ import { RecordingFile } from './recordings.js';
 /**
  * @typedef {import('../state/replay/replay-state.js').ReplayState} ReplayState
  * @typedef {object} Surroundings
- * @property {string} token
  * @property {(text: string) => void} note
  * @property {() => void} goLive
  * @property {() => boolean} hasClock
@@ -37,7 +36,7 @@ const BEHIND_MOMENTS = 100;
 
 /** @param {Surroundings} surroundings */
 export async function openReplayRoom(surroundings) {
-  const room = new ReplayRoom(surroundings, await loadModels(surroundings.token));
+  const room = new ReplayRoom(surroundings, await loadModels());
   await room.refresh();
   return room;
 }
@@ -63,11 +62,11 @@ class ReplayRoom {
     this.scenes = new SceneMemory(models);
     /** The moment that is to be shown as soon as it has come. @type {{index: number, playing: boolean} | undefined} */
     this.wanted = undefined;
-    this.comparison = new ComparisonPanel(surroundings.token, models, {
+    this.comparison = new ComparisonPanel(models, {
       note: surroundings.note,
       changed: () => this.#set(this.state),
     });
-    this.shelf = new RecordingShelf(surroundings.token, {
+    this.shelf = new RecordingShelf({
       choose: (name) => this.choose(name),
       changed: () => this.refresh(),
       renamed: (from, to) => this.#renamed(from, to),
@@ -75,7 +74,6 @@ class ReplayRoom {
     });
     this.bookmarks = this.#bookmarkList();
     this.exports = new ExportDesk({
-      token: surroundings.token,
       models,
       note: surroundings.note,
       file: () => this.file,
@@ -93,7 +91,7 @@ class ReplayRoom {
 
   /** Looks which recordings there are, and opens the one that the address names. */
   async refresh() {
-    const { recordings } = await listRecordings(this.surroundings.token);
+    const { recordings } = await listRecordings();
     this.list = recordings;
     this.shelf.list(recordings);
     if (!this.file) {
@@ -136,7 +134,7 @@ class ReplayRoom {
       history.replaceState(undefined, '', `#replay/${encodeURIComponent(name)}`);
     }
     const entry = this.list.find((each) => each.name === name);
-    const file = new RecordingFile(this.surroundings.token, name, this.models, () => this.#grow());
+    const file = new RecordingFile(name, this.models, () => this.#grow());
     this.file = file;
     this.state = { ...BEGINNING, speed: this.state.speed };
     file.load(entry?.running ?? false).catch((error) => this.surroundings.note(error.message));
@@ -243,7 +241,7 @@ class ReplayRoom {
   }
 
   #bookmarkList() {
-    return new BookmarkList(this.surroundings.token, {
+    return new BookmarkList({
       now: () => this.state.index,
       goTo: (index) => this.#goTo(index),
       changed: () => this.refresh(),
@@ -273,7 +271,7 @@ class ReplayRoom {
   async #startHere() {
     this.#set({ ...this.state, playing: false });
     try {
-      const restored = await startFrom(this.surroundings.token, this.file?.name ?? '', Math.round(this.state.index));
+      const restored = await startFrom(this.file?.name ?? '', Math.round(this.state.index));
       location.hash = '#field';
       this.surroundings.goLive();
       this.surroundings.note(`${restoredText(restored)} Press play to go on from here.`);

@@ -1,5 +1,6 @@
 /** Curves of any values over time, several in each plot, with one cursor for all of them, which is the cursor of all rooms. */
 import { button, choice, element, offer, setText } from '../panels/elements.js';
+import { keep, recall } from '../panels/memory.js';
 import { fixed } from '../state/numbers.js';
 import { unitOf } from '../state/robot/signals.js';
 import { tableOf } from '../state/robot/traces.js';
@@ -99,7 +100,10 @@ export class PlotDesk {
   }
 
   #keep() {
-    localStorage.setItem(KEY, JSON.stringify(this.rows.map(({ names }) => names)));
+    keep(
+      KEY,
+      this.rows.map(({ names }) => names),
+    );
   }
 
   hold() {
@@ -191,10 +195,7 @@ function named(text) {
 
 /** @returns {string[][]} names of the values of each plot */
 function stored() {
-  try {
-    const kept = JSON.parse(localStorage.getItem(KEY) ?? 'null');
-    return Array.isArray(kept) && kept.length > 0 ? kept.map((names) => names.map(String)) : FIRST;
-  } catch {
-    return FIRST;
-  }
+  const kept = recall(KEY, FIRST);
+  const isWhole = Array.isArray(kept) && kept.length > 0 && kept.every(Array.isArray);
+  return isWhole ? kept.map((names) => names.map(String)) : FIRST;
 }

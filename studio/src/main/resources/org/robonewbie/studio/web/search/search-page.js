@@ -46,7 +46,7 @@ function draw() {
   setText(byId('outcome'), text);
   const look = byId('look');
   look.hidden = place === '';
-  look.setAttribute('href', `./?token=${encodeURIComponent(page.token)}${place}`);
+  look.setAttribute('href', `./${place}`);
   setText(look, phase === 'ended' ? 'Look at the motion that came out' : 'Look at the motion as it is now');
   valuePlot.setData(valueCurves(search));
   stepPlot.setData(stepCurve(search));

@@ -11,7 +11,6 @@ import { playModeText } from './play-mode.js';
  *
  * @typedef {object} StudioState
  * @property {'opening' | 'live' | 'lost'} connection
- * @property {boolean} hasToken whether the page was opened with an access token
  * @property {string} refusal why the simulator does not want this page, empty if it does
  * @property {Scene | undefined} scene
  * @property {Frame | undefined} frame
@@ -38,14 +37,10 @@ const NO_PORT = 0;
 /** The speeds that can be chosen; 'fastest' does not wait between cycles. */
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 'fastest'];
 
-/**
- * @param {boolean} hasToken
- * @returns {StudioState}
- */
-export function initialState(hasToken) {
+/** @returns {StudioState} */
+export function initialState() {
   return {
     connection: 'opening',
-    hasToken,
     refusal: '',
     scene: undefined,
     frame: undefined,
@@ -145,9 +140,6 @@ function lastGoal(state, frame, now) {
  * @returns {Message | undefined}
  */
 export function message(state, now) {
-  if (!state.hasToken) {
-    return trouble('This address is not complete', 'Open the address that the simulator has printed, with its token.');
-  }
   if (state.refusal) {
     return trouble('The simulator does not let this page in', state.refusal);
   }

@@ -22,7 +22,7 @@ function draw() {
 }
 
 /** @param {string} id */
-const recording = (id) => `./?token=${encodeURIComponent(page.token)}#replay/${encodeURIComponent(id)}`;
+const recording = (id) => `./#replay/${encodeURIComponent(id)}`;
 
 function drawTiles() {
   const shown = page.known.tiles.map((tile) => {

@@ -20,6 +20,9 @@
 import { UTF_8 } from '../decoded-text.js';
 import { fileName } from './remarks.js';
 
+/** Under what a browser remembers which program was open. */
+export const LAST_PROGRAM = 'robonewbie-program';
+
 /** The name of a program that was never named. */
 export const FIRST_NAME = 'MyAgent.java';
 
@@ -112,13 +115,13 @@ export function classNameProblem(name) {
 /**
  * @param {string} wanted
  * @param {ReadonlyArray<{path: string}>} files
- * @returns {string} the name, with a number if it is taken
+ * @returns {string} the name, with a number if it is taken; many disks take capital and small letters for the same
  */
 export function freeName(wanted, files) {
-  const taken = new Set(files.map(({ path }) => path));
+  const taken = new Set(files.map(({ path }) => path.toLowerCase()));
   const stem = wanted.replace(/\.java$/, '');
   let name = wanted;
-  for (let number = 2; taken.has(name); number += 1) {
+  for (let number = 2; taken.has(name.toLowerCase()); number += 1) {
     name = `${stem}${number}.java`;
   }
   return name;

@@ -1,0 +1,7 @@
+/** Packs bytes with gzip, as `replay/unpack.js` unpacks them. */
+
+/** @param {Uint8Array<ArrayBuffer>} bytes */
+export async function pack(bytes) {
+  const packed = new Blob([bytes]).stream().pipeThrough(new CompressionStream('gzip'));
+  return new Uint8Array(await new Response(packed).arrayBuffer());
+}
