@@ -182,7 +182,8 @@ class ExercisesInThePageTest {
 
         assertThat(help(first)).contains("\"solution\":true", "\"triesLeft\":3");
         browser.evaluate(
-                "localStorage.setItem(new URL('.', location.href).pathname + 'robonewbie-page-progress', JSON.stringify({ " + Chromium.quoted(first.name())
+                "localStorage.setItem(new URL('.', location.href).pathname + 'robonewbie-page-progress', JSON.stringify({ "
+                        + Chromium.quoted(first.name())
                         + ": { tries: 3, best: 4, passed: false, milliseconds: 0, hints: 0, seenAt: 0 } }))");
         browser.clickElement("document.querySelector('#course [data-exercise=\"" + first.name() + "\"]')");
         browser.click("#course-show-solution");

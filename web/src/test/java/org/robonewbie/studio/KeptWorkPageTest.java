@@ -148,7 +148,8 @@ class KeptWorkPageTest {
     @Test
     void unsavedWorkOfAnotherWindowIsNeitherReplacedNorRemoved() {
         open(chromium, "#program");
-        String draft = "localStorage.getItem(new URL('.', location.href).pathname + 'robonewbie-page-draft:MyAgent.java')";
+        String draft =
+                "localStorage.getItem(new URL('.', location.href).pathname + 'robonewbie-page-draft:MyAgent.java')";
         chromium.evaluate("localStorage.setItem(new URL('.', location.href).pathname"
                 + " + 'robonewbie-page-draft:MyAgent.java', '// of the other window')");
 
@@ -170,8 +171,8 @@ class KeptWorkPageTest {
         try (StaticServer host = new StaticServer(folder)) {
             chromium.visit(host.address() + "2025/icon.svg");
             chromium.evaluate("localStorage.setItem('robonewbie-page-file:Old.java', '// kept by the first edition')");
-            chromium.evaluate("caches.open('robonewbie-0123456789abcdef')"
-                    + ".then((cache) => cache.put('" + host.address() + "2025/', new Response('old')))");
+            chromium.evaluate("caches.open('robonewbie-0123456789abcdef')" + ".then((cache) => cache.put('"
+                    + host.address() + "2025/', new Response('old')))");
             for (String edition : new String[] {"2025", "2026"}) {
                 chromium.visit(host.address() + edition + "/#program");
                 chromium.await(ROOM_IS_OPEN);
@@ -184,7 +185,8 @@ class KeptWorkPageTest {
                                     + ".then(({ own }) => own.map(({ path }) => path).join())")
                             .getAsString())
                     .isEqualTo("Old.java,Only2026.java");
-            assertThat(chromium.evaluate("caches.keys().then((keys) => keys.map((key) => key.replace(/[\\w-]+$/, '')).join())")
+            assertThat(chromium.evaluate(
+                                    "caches.keys().then((keys) => keys.map((key) => key.replace(/[\\w-]+$/, '')).join())")
                             .getAsString())
                     .isEqualTo("robonewbie /some/where/2025/ ,robonewbie /some/where/2026/ ");
         }

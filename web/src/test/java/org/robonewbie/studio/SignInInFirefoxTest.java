@@ -41,7 +41,8 @@ class SignInInFirefoxTest {
                 StudioServer first = StudioServer.start(simulation, 0, AccessToken.random());
                 StudioServer second = StudioServer.start(simulation, 0, AccessToken.random())) {
             for (StudioServer studio : new StudioServer[] {first, second}) {
-                browser.visit(RedirectPage.write(studio.oneTimeAddress()).toUri().toString());
+                browser.visit(
+                        RedirectPage.write(studio.oneTimeAddress()).toUri().toString());
                 browser.await("typeof studio === 'object' && " + IS_LIVE);
                 assertThat(browser.evaluate("location.href + document.cookie").getAsString())
                         .isEqualTo(studio.address().toString());
