@@ -1,6 +1,7 @@
 package org.robonewbie.app.command;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -125,6 +126,7 @@ final class RecordCommand implements Callable<Integer> {
             return end(set);
         } finally {
             guard.close();
+            Files.deleteIfExists(folder.resolve(LOCK));
         }
     }
 

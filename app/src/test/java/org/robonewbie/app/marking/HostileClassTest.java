@@ -100,7 +100,7 @@ class HostileClassTest {
             mkdir -p e12/a; ln -s .. e12/a/up            | e12,,  | e12/a/up is a link to a folder in which it lies
             mkdir e13; truncate -s 3G e13/data.bin       | e13,,  | e13 has more than 100 MB
             mkdir e14; ln -s . e14/self                  | e14,,  | e14/self is a link to a folder in which it lies
-            mkdir ./-rf                                  | -rf,,  | There is no .java file
+            mkdir ./-rf                                  | '-rf,, | There is no .java file
             mkdir $'new\\nline'                          | "new   | line",,0.0,0,There is no .java file
             """;
 
