@@ -122,7 +122,7 @@ class SavingTest {
         }
 
         assertThat(send("GET", "motions", "")).contains("\"mine\"").doesNotContain("\"huge\"");
-        assertThat(send("GET", "motions/huge", "")).startsWith("HTTP/1.1 409").contains("is larger than 4 MB");
+        assertThat(send("GET", "motions/huge", "")).startsWith("HTTP/1.1 409").contains("is larger than 2 MB");
     }
 
     @Test
