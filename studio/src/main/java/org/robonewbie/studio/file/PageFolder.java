@@ -80,16 +80,12 @@ public abstract class PageFolder {
      *
      * @param path what pages call it
      * @return its content; empty if there is no such file
-     * @throws RefusedException if it is no regular file, too large, or cannot be read
+     * @throws UnreadableFileException if it is no regular file, too large, or cannot be read
      * @throws IOException if its place cannot be looked up
      */
     public Optional<byte[]> read(String path) throws IOException {
         Path file = file(path);
-        try {
-            return Files.exists(file) ? Optional.of(RegularFile.read(file, maxBytes)) : Optional.empty();
-        } catch (UnreadableFileException unreadable) {
-            throw new RefusedException(409, String.valueOf(unreadable.getMessage()));
-        }
+        return Files.exists(file) ? Optional.of(RegularFile.read(file, maxBytes)) : Optional.empty();
     }
 
     /**
