@@ -96,15 +96,15 @@ public record ConfusableCharacter(int number, int codePoint) {
                     yield "an accent without its letter";
                 }
                 if (isQuote(codePoint)) {
-                    yield "the quotation mark " + Character.toString(codePoint);
+                    yield "the quotation mark " + text(codePoint);
                 }
                 if (isDash(codePoint)) {
-                    yield "the dash " + Character.toString(codePoint);
+                    yield "the dash " + text(codePoint);
                 }
                 yield (codePoint < 0x400
                                 ? "the Greek letter "
                                 : codePoint < 0x530 ? "the Cyrillic letter " : "the character ")
-                        + Character.toString(codePoint);
+                        + text(codePoint);
             }
         };
     }
@@ -125,8 +125,8 @@ public record ConfusableCharacter(int number, int codePoint) {
         if (isDash(codePoint)) {
             return "type -";
         }
-        String plain = plain(Character.toString(codePoint));
-        return plain.equals(Character.toString(codePoint)) ? "type another one" : "type " + latin(codePoint);
+        String plain = plain(text(codePoint));
+        return plain.equals(text(codePoint)) ? "type another one" : "type " + latin(codePoint);
     }
 
     private static boolean isConfusable(String text, int from, int to, int code) {
@@ -182,10 +182,10 @@ public record ConfusableCharacter(int number, int codePoint) {
 
     private static String latin(int code) {
         if (isFullWidth(code)) {
-            return Character.toString(code - FULL_WIDTH);
+            return text(code - FULL_WIDTH);
         }
         int at = LETTERS.indexOf(code);
-        return at < 0 ? Character.toString(code) : LATIN.substring(at, at + 1);
+        return at < 0 ? text(code) : LATIN.substring(at, at + 1);
     }
 
     /** Puts an accent on the last letter, which it takes away. */
@@ -236,5 +236,10 @@ public record ConfusableCharacter(int number, int codePoint) {
 
     private static boolean isFullWidth(int code) {
         return code >= 0xFF01 && code <= 0xFF5E;
+    }
+
+    /** A text of one character; {@code Character.toString} of an int is missing in the web page's library. */
+    private static String text(int character) {
+        return String.valueOf(Character.toChars(character));
     }
 }
