@@ -147,7 +147,7 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
         return new DecodedText(encoding, hasMark, hasMark ? decoded.substring(1) : decoded);
     }
 
-    /** A few bytes that are no UTF-8 behind its mark or among many of its letters: the file is damaged; no other encoding would help. */
+    /** Few bytes that are no UTF-8 behind its mark or among many of its letters: the file is damaged. */
     private static void refuseDamagedUtf8(byte[] bytes) throws UndecodableTextException {
         int letters = 0;
         int wrong = 0;
