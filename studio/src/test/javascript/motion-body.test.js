@@ -25,7 +25,7 @@ const {
   withUndo,
 } = await import(`${WEB}/editor-state.js`);
 const { parse, textOf } = await import(`${WEB}/motion-text.js`);
-const { STANDING, readPostures, usualPostures, writePostures } = await import(`${WEB}/poses.js`);
+const { STANDING, readPostures, usualPostures, withPosture } = await import(`${WEB}/poses.js`);
 const { copiedSide, mirrored, mostTurned, postureFrom, symmetric } = await import(`${WEB}/posture.js`);
 const { chainJoints, followed, ownJoints, pulled, torsoMoved } = await import(`${WEB}/reach.js`);
 
@@ -238,9 +238,29 @@ withBody('changes on the disk are taken, asked about, or told', () => {
 });
 
 withBody('own postures are kept in a readable file', () => {
-  const text = writePostures([{ name: 'Bow', degrees: stand }]);
+  const text = withPosture('', { name: 'Bow', degrees: stand });
   assert.match(text, /^\/\/ posture: Bow\n500 /);
   assert.deepEqual(readPostures(text), [{ name: 'Bow', degrees: stand }]);
+});
+
+withBody('a further posture leaves each line of the file as it is, understood or not', () => {
+  const [bow, other] = [stand, stand.map((each) => each + 1)];
+  const mine = withPosture('# mine\r\n500 1 2 three\r\n\r\n', { name: 'Bow', degrees: bow });
+  const before = `${mine}// the end`;
+
+  const after = withPosture(before, { name: 'Nod', degrees: other });
+  assert.equal(after.slice(0, before.length + 1), `${before}\n`);
+  assert.deepEqual(
+    readPostures(after).map(({ name }) => name),
+    ['Bow', 'Nod'],
+  );
+
+  const again = withPosture(after, { name: 'Bow', degrees: other });
+  assert.deepEqual(again.split('\n').length, after.split('\n').length);
+  assert.deepEqual(readPostures(again), [
+    { name: 'Bow', degrees: other },
+    { name: 'Nod', degrees: other },
+  ]);
 });
 
 test('the hull of a square with a point inside is the square', () => {

@@ -20,7 +20,7 @@ import picocli.CommandLine.Option;
 @Command(
         name = "record",
         description = {
-            "Record robots and balls on a running rcssserver3d (or robonewbie simulator), for \"robonewbie fidelity\" to replay.",
+            "Record robots and balls on a running rcssserver3d (or robonewbie simulator), for \"robonewbie bench fidelity\" to replay.",
             "",
             "The server must wait for its agents and tell monitors each cycle: in a real server's spark.rb"
                     + " $agentSyncMode = true and $monitorStep = 0.02, and $threadedMode = false; for exact numbers no beam noise"

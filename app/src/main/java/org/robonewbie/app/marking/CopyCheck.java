@@ -1,13 +1,16 @@
 package org.robonewbie.app.marking;
 
-import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.robonewbie.exercises.Exercise;
+import org.robonewbie.nao.file.RegularFile;
 import org.robonewbie.nao.file.TextFile;
+import org.robonewbie.nao.file.UnreadableFileException;
 
 /** Finds programs of a class that are too much alike to be the work of two people. The program to begin with does not count. */
 final class CopyCheck {
@@ -16,9 +19,6 @@ final class CopyCheck {
     private static final int LEAST_OWN_RUNS = 40;
 
     private static final double ALIKE = 0.8;
-
-    /** Larger sources are no work of a person. */
-    private static final int MAX_BYTES = 1 << 18;
 
     private CopyCheck() {}
 
@@ -134,11 +134,20 @@ final class CopyCheck {
                 .strip();
     }
 
+    /** The text of a program; of a file that is no text its bytes in hexadecimal, which only a copy of it has too. */
     private static String text(Submission submission) {
         try {
             return TextFile.read(submission.file()).content();
-        } catch (IOException unreadable) {
-            return "";
+        } catch (UnreadableFileException noText) {
+            return bytes(submission.file());
+        }
+    }
+
+    private static String bytes(Path file) {
+        try {
+            return HexFormat.of().formatHex(RegularFile.read(file, TextFile.MAX_BYTES));
+        } catch (UnreadableFileException unreadable) {
+            return file.toString();
         }
     }
 }

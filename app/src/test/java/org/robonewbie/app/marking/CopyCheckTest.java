@@ -118,6 +118,18 @@ class CopyCheckTest {
                 .contains("3 pairs of programs are alike", "(stop-at-30: none of 2)", "identical files");
     }
 
+    @Test
+    void filesThatAreNoTextAreAlikeOnlyIfTheyAreIdentical() throws IOException {
+        for (String student : List.of("anna", "ben", "cora")) {
+            handIn(student, "stop-at-30", "class StopAt30 {\0}" + (student.equals("cora") ? "\0" : ""));
+        }
+
+        assertThat(CopyCheck.of(submissions).pairs())
+                .singleElement()
+                .matches(CopyCheck.Pair::identical)
+                .matches(pair -> pair.first().equals("anna") && pair.second().equals("ben"));
+    }
+
     private static String start(String exercise) {
         return Exercises.find(exercise).orElseThrow().startCode();
     }

@@ -29,6 +29,7 @@ class MainMethodTest {
             CALLS.add("without");
         }
 
+        @SuppressWarnings("IncorrectMainMethod")
         protected void main(String[] args) {
             CALLS.add("with " + args[0]);
         }

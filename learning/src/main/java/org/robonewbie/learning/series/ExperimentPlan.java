@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.robonewbie.nao.file.TextFile;
@@ -34,6 +35,9 @@ public record ExperimentPlan(
 
     private static final Pattern TEXT = Pattern.compile("\\s*\"([^\"]*)\"\\s*(,|$)");
 
+    /** What stands before a comment; {@code #} is none within quotation marks. */
+    private static final Pattern CONTENT = Pattern.compile("^(?:[^\"#]|\"[^\"]*(?:\"|$))*+");
+
     /** Names in a plan that are no parameters of the experiment. */
     private static final List<String> OWN = List.of("experiment", "trials", "seed");
 
@@ -53,8 +57,8 @@ public record ExperimentPlan(
 
     /**
      * Reads a plan: a text file with lines {@code name=value}; {@code experiment}, {@code trials} and {@code seed} are known,
-     * each other name is a parameter with values between commas, numbers or texts in quotation marks. What follows {@code #} is a
-     * comment.
+     * each other name is a parameter with values between commas, numbers or texts in quotation marks. What follows {@code #} outside
+     * of these is a comment.
      *
      * @param file the file
      * @return the plan
@@ -70,7 +74,7 @@ public record ExperimentPlan(
         Set<String> given = new HashSet<>();
         List<String> lines = TextFile.readAndNote(file).lines();
         for (int i = 0; i < lines.size(); i++) {
-            String line = lines.get(i).replaceFirst("#.*", "").trim();
+            String line = withoutComment(lines.get(i)).trim();
             int equals = line.indexOf('=');
             if (line.isEmpty()) {
                 continue;
@@ -114,6 +118,14 @@ public record ExperimentPlan(
                             + "; it has \"" + experiment + "\" and " + trials + ".");
         }
         return new ExperimentPlan(experiment, trials, seed, values, texts);
+    }
+
+    private static String withoutComment(String line) {
+        return CONTENT.matcher(line)
+                .results()
+                .map(MatchResult::group)
+                .findFirst()
+                .orElse("");
     }
 
     private static List<Double> numbers(String text) {

@@ -57,6 +57,19 @@ class ExperimentPlanTest {
     }
 
     @Test
+    void commentBeginsOutsideOfQuotationMarksOnly() throws IOException {
+        Path file = Files.write(
+                folder.resolve("plan.txt"),
+                List.of("# \"all", "experiment=x # class", "word=\"a#1\",\"b # c\" # \"d\"", "speed=1#2"));
+
+        ExperimentPlan plan = ExperimentPlan.read(file);
+
+        assertThat(plan.experiment()).isEqualTo("x");
+        assertThat(plan.texts()).containsEntry("word", List.of("a#1", "b # c"));
+        assertThat(plan.values()).containsEntry("speed", List.of(1.0));
+    }
+
+    @Test
     void fileThatIsNoTextIsRefused() throws IOException {
         Path file = Files.write(folder.resolve("plan.zip"), new byte[] {'P', 'K', 0, (byte) 0x81});
 

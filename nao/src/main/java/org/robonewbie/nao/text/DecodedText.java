@@ -147,7 +147,7 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
         return new DecodedText(encoding, hasMark, hasMark ? decoded.substring(1) : decoded);
     }
 
-    /** Few bytes that are no UTF-8 among many letters that are: the file is damaged, and no other encoding would help. */
+    /** Few bytes that are no UTF-8 behind its mark or among many of its letters: the file is damaged. */
     private static void refuseDamagedUtf8(byte[] bytes) throws UndecodableTextException {
         int letters = 0;
         int wrong = 0;
@@ -160,11 +160,15 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
             firstWrong = length == 0 || !isScalar(bytes, i, length) ? Math.min(firstWrong, i) : firstWrong;
             i += Math.max(1, length);
         }
-        if (letters > wrong) {
+        if (letters > wrong || startsWithMark(bytes)) {
             String before = new String(bytes, 0, firstWrong, StandardCharsets.UTF_8);
             throw new UndecodableTextException(
                     lineAt(before, before.length()), "is not UTF-8, though the rest of the file is: it is damaged");
         }
+    }
+
+    private static boolean startsWithMark(byte[] bytes) {
+        return HEXADECIMAL.formatHex(bytes, 0, Math.min(3, bytes.length)).equals("efbbbf");
     }
 
     /** How many bytes the character there has in UTF-8; 0 if it is none. */

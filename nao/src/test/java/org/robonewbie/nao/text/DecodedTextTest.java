@@ -70,6 +70,8 @@ class DecodedTextTest {
         "FFFE0A0000D86100,2,cut within a character",
         "610D0A0A8163,3,neither UTF-8 nor Windows-1252",
         "01FF,1,neither UTF-8 nor Windows-1252",
+        "EFBBBF0A61FC0A,2,damaged",
+        "EFBBBFFCFCFC,1,damaged",
         "C3BC0AC3BCFF0A,2,damaged",
         "C3BCC3BCC3BC0AE282,2,damaged"
     })

@@ -1,13 +1,19 @@
 package org.robonewbie.studio.program;
 
 import java.io.IOException;
+import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.SimpleFileVisitor;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.robonewbie.nao.text.FileName;
 import org.robonewbie.studio.file.PageFolder;
 import org.robonewbie.studio.file.RefusedException;
@@ -46,15 +52,36 @@ final class ProgramFolder extends PageFolder {
         if (!Files.isDirectory(start)) {
             return List.of();
         }
-        try (Stream<Path> files = Files.walk(start, depth)) {
-            return files.filter(file -> file.toString().endsWith(ENDING))
-                    .filter(Files::isRegularFile)
-                    .map(file -> folder().relativize(file).toString().replace('\\', '/'))
-                    .filter(path -> PATH.matcher(path).matches())
-                    .sorted()
-                    .limit(MOST_FILES)
-                    .toList();
-        }
+        List<Path> found = new ArrayList<>();
+        Files.walkFileTree(start, Set.of(), depth, new SimpleFileVisitor<>() {
+            @Override
+            public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) {
+                found.add(file);
+                return FileVisitResult.CONTINUE;
+            }
+
+            /** Leaves out a folder that may not be read, and what is gone meanwhile. */
+            @Override
+            public FileVisitResult visitFileFailed(Path place, IOException unreadable) throws IOException {
+                if (place.equals(start)) {
+                    throw unreadable;
+                }
+                return FileVisitResult.CONTINUE;
+            }
+
+            @Override
+            public FileVisitResult postVisitDirectory(Path place, @Nullable IOException endedEarly) {
+                return FileVisitResult.CONTINUE;
+            }
+        });
+        return found.stream()
+                .filter(file -> file.toString().endsWith(ENDING))
+                .filter(Files::isRegularFile)
+                .map(file -> folder().relativize(file).toString().replace('\\', '/'))
+                .filter(path -> PATH.matcher(path).matches())
+                .sorted()
+                .limit(MOST_FILES)
+                .toList();
     }
 
     @Override

@@ -18,7 +18,7 @@ import { withInserted } from '../state/motion/motion-document.js';
 import { composedName } from '../state/file-name.js';
 import { EMPTY_DOCUMENT, problemOf, textOf } from '../state/motion/motion-text.js';
 import { asOriginal, hasSkippedKeyframes, isUndescribed } from '../state/motion/original-rule.js';
-import { readPostures, writePostures } from '../state/motion/poses.js';
+import { readPostures, withPosture } from '../state/motion/poses.js';
 import { lagOf } from '../state/motion/lag.js';
 
 /**
@@ -291,8 +291,9 @@ export class Editor {
 
   /** @param {string} name @param {readonly number[]} degrees */
   async keepPosture(name, degrees) {
-    this.postures = [...this.postures.filter((each) => each.name !== name), { name, degrees }];
-    await this.files.writePostures(writePostures(this.postures));
+    const text = withPosture(await this.files.postures(), { name, degrees });
+    await this.files.writePostures(text);
+    this.postures = readPostures(text);
     this.listener.changed();
   }
 

@@ -114,7 +114,7 @@ function utf8(bytes) {
   }
 }
 
-/** Few bytes that are no UTF-8 among many letters that are: the file is damaged. @param {Uint8Array} bytes */
+/** A few bytes that are no UTF-8 behind its mark or among many of its letters: the file is damaged. @param {Uint8Array} bytes */
 function refuseDamagedUtf8(bytes) {
   let letters = 0;
   let wrong = 0;
@@ -128,7 +128,8 @@ function refuseDamagedUtf8(bytes) {
     }
     i += Math.max(1, length);
   }
-  if (letters > wrong) {
+  const hasMark = bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf;
+  if (letters > wrong || hasMark) {
     const before = Array.from(bytes.subarray(0, firstWrong), (byte) => String.fromCharCode(byte)).join('');
     throw new UndecodableText(
       lineAt(before, before.length),

@@ -7,7 +7,7 @@
  * @property {string} name
  * @property {readonly number[]} degrees
  */
-import { newLine, parse } from './motion-text.js';
+import { contentOf, newLine, parse } from './motion-text.js';
 import { postureFrom } from './posture.js';
 
 /** As the robot stands before most motions, like the library's motion “stand”. */
@@ -51,15 +51,31 @@ export function usualPostures(body) {
 /** @param {string} text @returns {NamedPosture[]} */
 export function readPostures(text) {
   const { lines } = parse(text);
-  return lines.flatMap(({ keyframe }, i) => {
-    const comment = /^\/\/ posture: (.+)$/.exec(lines[i - 1]?.text ?? '');
-    return keyframe ? [{ name: comment?.[1] ?? `Posture ${i + 1}`, degrees: keyframe.degrees }] : [];
-  });
+  return lines.flatMap(({ keyframe }, i) =>
+    keyframe ? [{ name: nameOf(lines[i - 1]) ?? `Posture ${i + 1}`, degrees: keyframe.degrees }] : [],
+  );
 }
 
-/** @param {readonly NamedPosture[]} postures @returns {string} */
-export function writePostures(postures) {
-  return postures
-    .map(({ name, degrees }) => `// posture: ${name}\n${newLine({ millis: 500, degrees }, '').text}\n`)
-    .join('');
+/**
+ * Puts a posture into the file, in place of the one with its name; all other lines stay, understood or not.
+ *
+ * @param {string} text
+ * @param {NamedPosture} posture
+ * @returns {string}
+ */
+export function withPosture(text, { name, degrees }) {
+  const document = parse(text);
+  const { lines } = document;
+  const line = newLine({ millis: 500, degrees }, '').text;
+  const at = lines.findIndex(({ keyframe }, i) => keyframe && nameOf(lines[i - 1]) === name);
+  if (at >= 0) {
+    return lines.map((each, i) => (i === at ? line : each.text) + each.end).join('');
+  }
+  const isOpen = lines.length > 0 && lines[lines.length - 1].end === '';
+  return `${contentOf(document)}${isOpen ? '\n' : ''}// posture: ${name}\n${line}\n`;
+}
+
+/** @param {import('./motion-text.js').Line | undefined} line @returns {string | undefined} */
+function nameOf(line) {
+  return /^\/\/ posture: (.+)$/.exec(line?.text ?? '')?.[1];
 }
