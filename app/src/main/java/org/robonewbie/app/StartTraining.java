@@ -1,11 +1,13 @@
 package org.robonewbie.app;
 
 import java.io.IOException;
+import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import org.robonewbie.app.command.RoboNewbieCommand;
@@ -16,6 +18,8 @@ import org.robonewbie.nao.file.FolderLock;
 final class StartTraining {
 
     private static final int LONGEST_SECONDS = 60;
+
+    private static final String UNFINISHED = ".new";
 
     private StartTraining() {}
 
@@ -33,15 +37,28 @@ final class StartTraining {
         if (lock.isPresent()) {
             FolderLock taken = lock.get();
             try (taken) {
+                deleteWhatAnotherHasLeft(file);
                 make(file);
+            }
+        }
+    }
+
+    /** One that was killed meanwhile leaves many megabytes. */
+    private static void deleteWhatAnotherHasLeft(Path file) throws IOException {
+        String own = file.getFileName() + ".";
+        try (DirectoryStream<Path> left = Files.newDirectoryStream(
+                Objects.requireNonNull(file.toAbsolutePath().getParent()),
+                each -> String.valueOf(each.getFileName()).startsWith(own)
+                        && each.toString().endsWith(UNFINISHED))) {
+            for (Path each : left) {
+                Files.deleteIfExists(each);
             }
         }
     }
 
     private static void make(Path file) throws IOException, InterruptedException {
         Path made = file.resolveSibling(
-                file.getFileName() + "." + ProcessHandle.current().pid() + ".new");
-        Files.deleteIfExists(made);
+                file.getFileName() + "." + ProcessHandle.current().pid() + UNFINISHED);
         List<String> command = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-XX:+UseSerialGC",

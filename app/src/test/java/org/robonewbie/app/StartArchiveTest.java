@@ -44,14 +44,41 @@ class StartArchiveTest {
         assertThat(changed).singleElement().asString().startsWith("RoboNewbie ");
     }
 
+    @Test
+    void twoThatMakeItAtOnceMakeOneThatStartsAndTidyUpAfterOneThatWasKilled() throws Exception {
+        Path program = pack();
+        Path archive = folder.resolve("program.jsa");
+        Files.writeString(folder.resolve("program.jsa.1.new"), "half an archive");
+
+        Process first = beginArchive(program, archive);
+        Process second = beginArchive(program, archive);
+        end(first);
+        end(second);
+
+        checkFiles(archive);
+        assertThat(start("-Xlog:class+load", "-XX:SharedArchiveFile=" + archive, "-jar", program.toString()))
+                .anyMatch(line -> line.contains("org.robonewbie.app.Main source: shared objects file (top)"));
+    }
+
     private void makeArchive(Path program, Path archive) throws Exception {
+        end(beginArchive(program, archive));
+        checkFiles(archive);
+    }
+
+    private static Process beginArchive(Path program, Path archive) throws IOException {
         List<String> command = command("-cp", program.toString(), StartTraining.class.getName(), archive.toString());
         ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
         builder.environment().put("ROBONEWBIE_RECORDINGS", "off");
-        Process process = builder.start();
+        return builder.start();
+    }
+
+    private static void end(Process process) throws Exception {
         String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertThat(process.waitFor()).as(said).isZero();
-        assertThat(archive).as(said).isRegularFile();
+    }
+
+    private void checkFiles(Path archive) {
+        assertThat(archive).isRegularFile();
         assertThat(folder.toFile().list()).noneMatch(name -> name.endsWith(".new"));
     }
 

@@ -76,20 +76,16 @@ class SavingTest {
         assertThat(send("GET", "motions", "")).doesNotContain(".part");
         assertThat(send("PUT", PROGRAM, "// whole")).startsWith("HTTP/1.1 200");
         assertThat(folder.resolve("MyAgent.java")).hasContent("// whole");
-        assertThat(folder.resolve("MyAgent.java.part")).doesNotExist();
     }
 
     @Test
     void whatCannotBeWrittenIsToldAndTheFormerFileStays() throws IOException {
-        String version = versionIn(send("PUT", PROGRAM, "// first"));
-        Path inTheWay = Files.createDirectory(folder.resolve("MyAgent.java.part"));
-        Files.createFile(inTheWay.resolve("something"));
+        Files.writeString(folder.resolve("src"), "mine");
 
-        assertThat(send("PUT", PROGRAM, "// second", "Known-Version: " + version))
+        assertThat(send("PUT", "programs/own/src/main/java/A.java", "// second"))
                 .startsWith("HTTP/1.1 500")
-                .contains("The file cannot be used: ")
-                .endsWith("writable, and is there room on the disk?");
-        assertThat(folder.resolve("MyAgent.java")).hasContent("// first");
+                .contains("The file " + folder.resolve("src/main/java/A.java") + " cannot be written: ");
+        assertThat(folder.resolve("src")).hasContent("mine");
     }
 
     @Test

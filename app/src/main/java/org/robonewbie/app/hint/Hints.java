@@ -60,9 +60,9 @@ public final class Hints {
         private boolean isAboutImport() {
             Matcher unknown = UNKNOWN_PACKAGE.matcher(text);
             boolean noPackage = unknown.find();
-            return IMPORTED.matcher(imported()).matches()
-                            && (noPackage || IN_PACKAGE.matcher(text).find())
-                    || noPackage && unknown.group(1).contains(".") && isWholePackage();
+            return (IMPORTED.matcher(imported()).matches()
+                            && (noPackage || IN_PACKAGE.matcher(text).find()))
+                    || (noPackage && unknown.group(1).contains(".") && isWholePackage());
         }
 
         /** In a line that imports all of a package nothing of it is underlined. */

@@ -14,7 +14,7 @@ final class FirstLines implements Consumer<String> {
 
     /** How the compiler begins to say that its stack or memory was too small. */
     private static final List<String> OVERTAXED =
-            List.of("An exception has occurred in the compiler", "The system is out of resources");
+            List.of("robonewbie: The compiler cannot read ", "The system is out of resources");
 
     private final List<String> lines = new ArrayList<>();
 

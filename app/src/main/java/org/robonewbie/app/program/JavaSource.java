@@ -2,9 +2,8 @@ package org.robonewbie.app.program;
 
 import com.sun.source.util.JavacTask;
 import java.io.IOException;
-import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.io.UncheckedIOException;
-import java.nio.charset.Charset;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
@@ -140,15 +139,29 @@ final class JavaSource {
                             .with(ClassPath.ofThisProgram().places())
                             .places());
             CompiledClasses classes = new CompiledClasses(new SourceFiles(disk));
-            PrintWriter out = new PrintWriter(System.err, true, Charset.defaultCharset());
+            StringWriter said = new StringWriter();
             JavacTask task =
-                    (JavacTask) compiler.getTask(out, classes, messages, OPTIONS, null, List.of(new Text(file, text)));
-            return work.of(task, classes);
+                    (JavacTask) compiler.getTask(said, classes, messages, OPTIONS, null, List.of(new Text(file, text)));
+            T done = work.of(task, classes);
+            if (said.toString().contains(StackOverflowError.class.getName())) {
+                throw overtaxed();
+            }
+            System.err.print(said);
+            return done;
+        } catch (StackOverflowError tooDeep) {
+            throw overtaxed();
+        } catch (IllegalStateException failed) {
+            throw failed.getCause() instanceof StackOverflowError ? overtaxed() : failed;
         } catch (IOException impossible) {
             throw new UncheckedIOException(impossible);
         } finally {
             KEPT.getAndSet(Optional.of(disk)).ifPresent(JavaSource::close);
         }
+    }
+
+    private CompilationFailedException overtaxed() {
+        return new CompilationFailedException("The compiler cannot read " + file
+                + ", since an expression or a block in it is nested too deeply. Split it into several shorter ones.");
     }
 
     /** Two have compiled at the same time, and one of them has kept its files already. */

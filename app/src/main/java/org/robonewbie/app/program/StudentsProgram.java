@@ -5,6 +5,7 @@ import com.sun.source.util.JavacTask;
 import com.sun.source.util.Trees;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
 import javax.tools.Diagnostic;
@@ -58,11 +59,19 @@ public final class StudentsProgram {
     public List<Remark> check() {
         Optional<String> tooNew = CompactSource.trouble(text, source.simpleName());
         if (tooNew.isPresent()) {
-            return List.of(new Remark(0, 1, 1, true, tooNew.get(), ""));
+            return refused(tooNew.get());
         }
         CompilerMessages messages = new CompilerMessages();
-        source.check(classPath, messages);
+        try {
+            source.check(classPath, messages);
+        } catch (CompilationFailedException overtaxed) {
+            return refused(String.valueOf(overtaxed.getMessage()));
+        }
         return messages.remarks().stream().map(StudentsProgram::remark).toList();
+    }
+
+    private static List<Remark> refused(String why) {
+        return List.of(new Remark(0, 1, 1, true, why, ""));
     }
 
     /**
@@ -73,12 +82,20 @@ public final class StudentsProgram {
      */
     public List<Proposal> complete(int at) {
         BegunWord word = BegunWord.at(text, at);
-        return JavaSource.of(file, word.text())
-                .with(new CompilerMessages(), classPath, (task, classes) -> proposals(task, word.begun()));
+        try {
+            return JavaSource.of(file, word.text())
+                    .with(new CompilerMessages(), classPath, (task, classes) -> proposals(task, word.begun()));
+        } catch (CompilationFailedException overtaxed) {
+            return List.of();
+        }
     }
 
     private static List<Proposal> proposals(JavacTask task, String begun) throws IOException {
-        CompilationUnitTree unit = task.parse().iterator().next();
+        Iterator<? extends CompilationUnitTree> units = task.parse().iterator();
+        if (!units.hasNext()) {
+            return List.of(); // the compiler has broken off
+        }
+        CompilationUnitTree unit = units.next();
         task.analyze();
         return Completion.of(
                 new Completion.Compiler(Trees.instance(task), task.getElements(), task.getTypes()),
@@ -107,7 +124,12 @@ public final class StudentsProgram {
      * @throws CalledWronglyException if the program cannot be run; the message says what to do
      */
     public Optional<Compiled> compile() throws IOException {
-        Optional<CompiledClasses> classes = source.compile(classPath, new CompilerMessages());
+        Optional<CompiledClasses> classes;
+        try {
+            classes = source.compile(classPath, new CompilerMessages());
+        } catch (CompilationFailedException overtaxed) {
+            throw new CalledWronglyException(String.valueOf(overtaxed.getMessage()));
+        }
         if (classes.isEmpty()) {
             return Optional.empty();
         }

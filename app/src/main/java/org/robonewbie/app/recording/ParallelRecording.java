@@ -6,11 +6,14 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Queue;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
 import org.robonewbie.learning.dataset.DataSet;
 import org.robonewbie.learning.dataset.RunResult;
@@ -21,6 +24,9 @@ import org.robonewbie.learning.dataset.RunResult;
  */
 public final class ParallelRecording {
 
+    private static final long SECONDS_TO_END = 10;
+
+    private final Set<RecordingProcess> processes = ConcurrentHashMap.newKeySet();
     private final RunOrder order;
     private final int runs;
     private final DataSet set;
@@ -44,18 +50,18 @@ public final class ParallelRecording {
     /**
      * Records all runs that are missing. The table of runs says which programs have failed; the other runs go on.
      *
-     * @param processes how many at the same time, at least 1
+     * @param most how many processes at the same time, at least 1
      * @throws IOException if the tables cannot be written
      */
-    public void run(int processes) throws IOException {
+    public void run(int most) throws IOException {
         Queue<Integer> missing = new ConcurrentLinkedQueue<>(IntStream.rangeClosed(1, runs)
                 .filter(run -> !set.has(run))
                 .boxed()
                 .toList());
-        ExecutorService threads = Executors.newFixedThreadPool(processes);
+        ExecutorService threads = Executors.newFixedThreadPool(most);
         try {
             List<Future<?>> all = new ArrayList<>();
-            for (int i = Math.min(processes, missing.size()); i > 0; i--) {
+            for (int i = Math.min(most, missing.size()); i > 0; i--) {
                 all.add(threads.submit(() -> work(missing)));
             }
             for (Future<?> each : all) {
@@ -63,6 +69,7 @@ public final class ParallelRecording {
             }
         } catch (ExecutionException failure) {
             missing.clear();
+            breakOff(threads);
             throw failure.getCause() instanceof IOException unwritable ? unwritable : new IOException(failure);
         } catch (InterruptedException stopped) {
             Thread.currentThread().interrupt();
@@ -72,11 +79,28 @@ public final class ParallelRecording {
         }
     }
 
+    /** Where one run cannot be written, the others are not either; what they have begun takes room. */
+    private void breakOff(ExecutorService threads) throws IOException {
+        processes.forEach(RecordingProcess::close);
+        threads.shutdown();
+        try {
+            threads.awaitTermination(SECONDS_TO_END, TimeUnit.SECONDS);
+        } catch (InterruptedException stopped) {
+            Thread.currentThread().interrupt();
+        }
+        for (int run = 1; run <= runs; run++) {
+            if (!set.has(run)) {
+                set.discard(run);
+            }
+        }
+    }
+
     private Optional<RunResult> work(Queue<Integer> missing) throws IOException {
         Optional<RunResult> last = Optional.empty();
         Integer run = missing.poll();
         while (run != null) {
             try (RecordingProcess process = RecordingProcess.start(command)) {
+                processes.add(process);
                 while (run != null && process.isReady()) {
                     last = process.record(run, order.seed(run));
                     if (last.isPresent()) {

@@ -1,31 +1,38 @@
 package org.robonewbie.app.program;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.concurrent.TimeUnit;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.EnumSource.Mode;
 import org.robonewbie.app.Printed;
-import org.robonewbie.exercises.Exercises;
+import org.robonewbie.app.studio.ProgramWorkshop;
+import org.robonewbie.competition.team.Fence;
+import org.robonewbie.studio.program.RunningProgram;
 
-/**
- * What programs leave behind, by the way in which they are started. Contests and classes have tests of their own, in {@code AttacksTest}
- * and {@code HostileClassTest}.
- */
+/** What programs do, by the way in which they are started. Whatever is not here is in {@code AttacksTest} and {@code HostileClassTest}. */
 @Tag("slow")
 @EnabledOnOs(OS.LINUX)
+@Timeout(120)
 class AttackDoorsTest {
-
-    private static final String PROGRAM_FILE = "anna/RaiseArms.java";
 
     private static final String PROGRAM = """
             import org.robonewbie.agent.Agent;
@@ -37,12 +44,9 @@ class AttackDoorsTest {
 
                 static {
                     try {
-                        for (String start : new String[] {"(setsid %1$s &)", "cd / && (setsid %1$s &)", "(%1$s &)"}) {
-                            new ProcessBuilder("sh", "-c", start).start().waitFor();
-                        }
-                        java.nio.file.Files.createFile(java.nio.file.Path.of("%2$s"));
+                        %s
                     } catch (Exception e) {
-                        throw new IllegalStateException(e);
+                        System.out.println(e);
                     }
                 }
 
@@ -51,84 +55,308 @@ class AttackDoorsTest {
             }
             """;
 
+    /** Leaves three processes in three ways. */
+    private static final String LEAVES_PROCESSES = """
+            for (String start : new String[] {"(setsid %1$s &)", "cd / && (setsid %1$s &)", "(%1$s &)"}) {
+                new ProcessBuilder("sh", "-c", start).start().waitFor();
+            }
+            java.nio.file.Files.createFile(java.nio.file.Path.of("%2$s"));
+            """;
+
+    /** Loads code into the process that has started this one. The judge would have left a file before it ended. */
+    private static final String ATTACHES = """
+            System.setProperty("sun.tools.attach.attachTimeout", "300");
+            java.nio.file.Path folder = java.nio.file.Files.createTempDirectory(java.nio.file.Path.of("%1$s"), "agent");
+            java.nio.file.Path source = folder.resolve("Intruder.java");
+            java.nio.file.Files.writeString(source, "public class Intruder { public static void agentmain(String a)"
+                    + " throws Exception { java.nio.file.Files.createFile(java.nio.file.Path.of(a)); } }");
+            javax.tools.ToolProvider.getSystemJavaCompiler().run(null, null, null, source.toString());
+            java.util.jar.Manifest manifest = new java.util.jar.Manifest();
+            manifest.getMainAttributes().putValue("Manifest-Version", "1.0");
+            manifest.getMainAttributes().putValue("Agent-Class", "Intruder");
+            java.nio.file.Path jar = folder.resolve("intruder.jar");
+            try (java.util.jar.JarOutputStream out =
+                    new java.util.jar.JarOutputStream(java.nio.file.Files.newOutputStream(jar), manifest)) {
+                out.putNextEntry(new java.util.zip.ZipEntry("Intruder.class"));
+                out.write(java.nio.file.Files.readAllBytes(folder.resolve("Intruder.class")));
+            }
+            String judge = Long.toString(ProcessHandle.current().parent().orElseThrow().pid());
+            java.nio.file.Files.createFile(java.nio.file.Path.of("%1$s", "tried"));
+            com.sun.tools.attach.VirtualMachine.attach(judge).loadAgent(jar.toString(), "%1$s/attached");
+            """;
+
     @TempDir
     private Path folder;
 
     /** How a program is started. */
     enum Door {
-        GRADE {
-            @Override
-            void open(Path all) {
-                assertThat(Printed.by(
-                                        "grade",
-                                        "raise-arms",
-                                        all.resolve(PROGRAM_FILE).toString(),
-                                        "--seeds",
-                                        "1")
-                                .exitCode())
-                        .isEqualTo(1);
-            }
-        },
-        CLASS {
-            @Override
-            void open(Path all) {
-                assertThat(Printed.by("grade", "raise-arms", "--class", all.toString(), "--seeds", "1")
-                                .out())
-                        .contains("anna", "0.0 points");
-            }
-        },
-        COMPETITION {
-            @Override
-            void open(Path all) {
-                String results = all.resolveSibling("results").toString();
-                String team = "Red=" + all.resolve("anna");
-                assertThat(Printed.by("competition", "exercise:raise-arms", "--rounds", "1", "--results", results, team)
-                                .exitCode())
-                        .isZero();
-            }
-        },
-        RECORD {
-            @Override
-            void open(Path all) {
-                String out = all.resolveSibling("set").toString();
-                Printed printed = Printed.by(
-                        "record", all.resolve(PROGRAM_FILE).toString(), "--runs", "1", "--seconds", "1", "--out", out);
-                assertThat(printed.exitCode()).as(printed.err()).isZero();
-            }
-        },
-        ROOM {
-            @Override
-            void open(Path all) throws IOException {
-                try (ServerSocket world = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
-                        GuestProcess guest = GuestProcess.start(
-                                Exercises.find("raise-arms").orElseThrow(),
-                                all.resolve(PROGRAM_FILE).toString(),
-                                world.getLocalPort(),
-                                all.resolve("anna"))) {
-                    world.setSoTimeout((int) TimeUnit.SECONDS.toMillis(60));
-                    world.accept().close();
-                    assertThat(guest.output()).isNotNull();
-                }
-            }
-        };
+        RUN("run", "FILE", "--headless", "--fast", "--seed", "1", "--seconds", "1"),
+        GRADE("grade", "raise-arms", "FILE", "--seeds", "1"),
+        CLASS("grade", "raise-arms", "--class", "ALL", "--seeds", "1"),
+        COMPETITION(
+                "competition",
+                "exercise:raise-arms",
+                "--rounds",
+                "1",
+                "--results",
+                "OUT",
+                "Red=TEAM",
+                "--fence",
+                "none"),
+        FENCED(
+                "competition",
+                "exercise:raise-arms",
+                "--rounds",
+                "1",
+                "--results",
+                "OUT",
+                "Red=TEAM",
+                "--fence",
+                "required"),
+        RECORD("record", "FILE", "--runs", "1", "--seconds", "1", "--out", "OUT"),
+        ROOM();
 
-        abstract void open(Path all) throws IOException;
+        private final List<String> words;
+
+        Door(String... words) {
+            this.words = List.of(words);
+        }
+
+        List<String> words(Path all, String file) {
+            return words.stream()
+                    .map(word -> word.replace(
+                                    "FILE", all.resolve("anna").resolve(file).toString())
+                            .replace("ALL", all.toString())
+                            .replace("TEAM", all.resolve("anna").toString())
+                            .replace("OUT", all.resolveSibling("out").toString()))
+                    .toList();
+        }
+
+        Printed open(Path all, String file) {
+            skipWithoutFence();
+            return Printed.by(words(all, file).toArray(String[]::new));
+        }
+
+        void skipWithoutFence() {
+            boolean required = System.getenv("ROBONEWBIE_REQUIRE_TOOLS") != null;
+            assumeTrue(this != FENCED || required || Fence.find().isUp(), "no fence here");
+        }
+    }
+
+    private Path all() {
+        return folder.resolve("all");
+    }
+
+    private void handIn(String name, String text) throws IOException {
+        Path file = all().resolve(name);
+        Files.createDirectories(Objects.requireNonNull(file.getParent()));
+        Files.writeString(file, text);
     }
 
     @ParameterizedTest
-    @EnumSource
-    void nothingThatAProgramStartedOutlivesIt(Door door) throws IOException {
+    @EnumSource(mode = Mode.EXCLUDE, names = "ROOM")
+    void whatAProgramStartedOutlivesOnlyOnesOwnRun(Door door) throws Exception {
         String sleep = "sleep 96961." + ProcessHandle.current().pid() + door.ordinal();
-        Path began = folder.resolve("began");
-        Files.createDirectories(folder.resolve("all/anna"));
-        Files.writeString(folder.resolve("all").resolve(PROGRAM_FILE), PROGRAM.formatted(sleep, began));
+        handIn("anna/RaiseArms.java", PROGRAM.formatted(LEAVES_PROCESSES.formatted(sleep, folder.resolve("began"))));
 
-        door.open(folder.resolve("all"));
+        Printed printed = door.open(all(), "RaiseArms.java");
 
-        assertThat(door == Door.COMPETITION || Files.exists(began)).isTrue();
+        List<ProcessHandle> left = ProcessHandle.allProcesses()
+                .filter(process -> process.info().commandLine().orElse("").contains(sleep))
+                .toList();
+        left.forEach(ProcessHandle::destroyForcibly);
+        assertThat(left).as(printed.toString()).hasSize(door == Door.RUN ? 3 : 0);
+        assertThat(folder.resolve("began").toFile().exists()).isEqualTo(door != Door.FENCED);
+    }
+
+    @Test
+    void whatAProgramOfTheRoomStartedEndsWithIt() throws Exception {
+        String sleep = "sleep 96961." + ProcessHandle.current().pid() + Door.ROOM.ordinal();
+        handIn("anna/RaiseArms.java", PROGRAM.formatted(LEAVES_PROCESSES.formatted(sleep, folder.resolve("began"))));
+        Path file = all().resolve("anna/RaiseArms.java");
+
+        try (ServerSocket world = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+                ProgramWorkshop workshop = new ProgramWorkshop(all().resolve("anna"));
+                RunningProgram program =
+                        workshop.start(file, world.getLocalPort(), () -> {}).orElseThrow()) {
+            world.setSoTimeout(60_000);
+            world.accept().close();
+            assertThat(program.output()).isNotNull();
+        }
+
+        assertThat(folder.resolve("began")).exists();
         assertThat(ProcessHandle.allProcesses()
                         .filter(process ->
                                 process.info().commandLine().orElse("").contains(sleep)))
                 .isEmpty();
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = {"GRADE", "CLASS", "COMPETITION", "FENCED"})
+    void judgeLetsNoProgramIn(Door door) throws Exception {
+        door.skipWithoutFence();
+        handIn("anna/RaiseArms.java", PROGRAM.formatted(ATTACHES.formatted(folder)));
+
+        String printed = printedByAProcess(StudentJava.command(List.of(), door.words(all(), "RaiseArms.java")));
+
+        assertThat(folder.resolve("attached")).doesNotExist();
+        assertThat(folder.resolve("tried").toFile().exists()).as(printed).isEqualTo(door != Door.FENCED);
+        assertThat(printed).containsPattern("0\\.0 points|0\\.0 of 10|0 of 10").doesNotContain("PASSED");
+    }
+
+    /** Without the option the attack succeeds: so the test above would see it. */
+    @Test
+    void judgeThatAnybodyMayAttachToWouldLetThemIn() throws Exception {
+        handIn("anna/RaiseArms.java", PROGRAM.formatted(ATTACHES.formatted(folder)));
+        List<String> open = new ArrayList<>(StudentJava.command(List.of(), Door.GRADE.words(all(), "RaiseArms.java")));
+        open.remove("-XX:+DisableAttachMechanism");
+
+        String printed = printedByAProcess(open);
+
+        assertThat(folder.resolve("attached")).as(printed).exists();
+    }
+
+    private String printedByAProcess(List<String> command) throws Exception {
+        Process process = new ProcessBuilder(command)
+                .directory(folder.toFile())
+                .redirectErrorStream(true)
+                .start();
+        String printed = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        process.waitFor();
+        return printed;
+    }
+
+    /** What is handed in as a program, made by a shell, and what is said of it where a person runs it and where a class does. */
+    enum Input {
+        PIPE("mkfifo F", "is no regular file but a device or a pipe", "is no regular file"),
+        DEVICE("ln -s /dev/zero F", "is no regular file but a device or a pipe", "is a link that leads out"),
+        DEAD_LINK("ln -s /nowhere F", "does not exist", "is a link to nothing"),
+        HUGE("truncate -s 3G F", "is larger than 16 MB", "more than 100 MB"),
+        ANOTHERS_FILE("ln -s ../secret F", "The Java file has mistakes", "is a link that leads out"),
+        SUM(
+                "{ printf 'public class RaiseArms { int x = 1'; printf '+hashCode()%.0s' $(seq 30000); echo ';}'; } > F",
+                "is nested too deeply", "nested"),
+        DEEP(
+                "{ printf 'public class RaiseArms { int x = '; printf '(%.0s' $(seq 20000); printf 1;"
+                        + " printf ')%.0s' $(seq 20000); echo ';}'; } > F",
+                "is nested too deeply", "nested");
+
+        private final String shell;
+        private final String sentence;
+        private final String line;
+
+        Input(String shell, String sentence, String line) {
+            this.shell = shell;
+            this.sentence = sentence;
+            this.line = line;
+        }
+
+        void make(Path place) throws Exception {
+            Files.createDirectories(place);
+            Process made = new ProcessBuilder("bash", "-c", shell.replace("F", "RaiseArms.java"))
+                    .directory(place.toFile())
+                    .redirectErrorStream(true)
+                    .start();
+            assertThat(new String(made.getInputStream().readAllBytes(), StandardCharsets.UTF_8))
+                    .isEmpty();
+            made.waitFor();
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void whoeverStartsWhatIsNoProgramReadsOneSentence(Input input) throws Exception {
+        handIn("secret", "a password");
+        input.make(all().resolve("anna"));
+
+        for (Door door : List.of(Door.RUN, Door.GRADE, Door.RECORD)) {
+            Printed printed = door.open(all(), "RaiseArms.java");
+
+            boolean isJava = input.ordinal() >= Input.ANOTHERS_FILE.ordinal();
+            assertThat(printed.exitCode()).as(printed.toString()).isEqualTo(isJava ? 1 : 2);
+            assertThat(printed.err()).contains(input.sentence).doesNotContain("\tat ");
+            assertThat(printed.err().lines().count()).isLessThan(8);
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void roomSurvivesWhatIsNoProgram(Input input) throws Exception {
+        handIn("secret", "a password");
+        input.make(all().resolve("anna"));
+        Path file = all().resolve("anna/RaiseArms.java");
+
+        try (ProgramWorkshop workshop = new ProgramWorkshop(all().resolve("anna"))) {
+            if (input == Input.ANOTHERS_FILE) {
+                assertThat(workshop.start(file, 1, () -> {})).isEmpty();
+            } else {
+                assertThatThrownBy(() -> workshop.start(file, 1, () -> {})).hasMessageContaining(input.sentence);
+            }
+            if (input == Input.SUM || input == Input.DEEP) {
+                String text = Files.readString(file);
+                assertThat(workshop.check(file, text))
+                        .singleElement()
+                        .satisfies(remark -> assertThat(remark.text()).contains(input.sentence));
+                assertThat(workshop.complete(file, text, text.length())).isEmpty();
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = {"CLASS", "COMPETITION", "FENCED"})
+    void whatIsNoProgramCostsTheOthersNothing(Door door) throws Exception {
+        handIn("secret", "a password");
+        handIn("anna/RaiseArms.java", PROGRAM.formatted(""));
+        List<String> words = new ArrayList<>(door.words(all(), ""));
+        for (Input input : Input.values()) {
+            input.make(all().resolve(input.name()));
+            if (door != Door.CLASS) {
+                words.add(input + "=" + all().resolve(input.name()));
+            }
+        }
+        door.skipWithoutFence();
+
+        Printed printed = Printed.by(words.toArray(String[]::new));
+
+        String everything = printed.out()
+                + printed.err()
+                + (door == Door.CLASS ? Files.readString(folder.resolve("all-grades/grades.csv")) : "");
+        assertThat(everything).doesNotContain("a password").doesNotContain("\tat ");
+        assertThat(Input.values()).allSatisfy(input -> assertThat(everything).contains(input.name(), input.line));
+        assertThat(printed.exitCode()).as(printed.toString()).isEqualTo(door == Door.CLASS ? 0 : 1);
+        assertThat(printed.out())
+                .containsPattern(door == Door.CLASS ? "anna .* 0\\.0 points" : "Red .*played to the end");
+    }
+
+    /** In a class: {@code HostileClassTest}. A person's own grade is kept by nobody. */
+    @ParameterizedTest
+    @EnumSource(names = {"COMPETITION", "FENCED"})
+    void trialThatIsOverCannotBeForged(Door door) throws Exception {
+        Path trials = folder.resolve("out/trials");
+        String forges = """
+                for (java.io.File trial : new java.io.File("%s").listFiles()) {
+                    String text = java.nio.file.Files.readString(trial.toPath());
+                    java.nio.file.Files.writeString(trial.toPath(), text.replace("Red", "Zed").replace("0", "9"));
+                    System.out.println("forged " + trial);
+                }
+                """.formatted(trials);
+        handIn("anna/RaiseArms.java", PROGRAM.formatted(""));
+        handIn("zoe/RaiseArms.java", PROGRAM.formatted(forges));
+        List<String> words = new ArrayList<>(door.words(all(), ""));
+        words.addAll(List.of("Zed=" + all().resolve("zoe"), "--parallel", "1"));
+        door.skipWithoutFence();
+
+        Printed printed = Printed.by(words.toArray(String[]::new));
+
+        try (Stream<Path> all = Files.list(trials)) {
+            assertThat(all.filter(file -> file.toString().contains("Red")))
+                    .singleElement()
+                    .satisfies(
+                            trial -> assertThat(trial).content().contains("Red").doesNotContain("Zed"));
+        }
+        assertThat(printed.out().replaceAll(" +", " ")).contains("Red 0 of 10");
+        if (door == Door.COMPETITION) {
+            assertThat(printed.out() + printed.err()).contains("Somebody has changed ", "it is as it was again");
+        }
     }
 }

@@ -1,9 +1,11 @@
 package org.robonewbie.competition.result;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -17,6 +19,8 @@ import org.robonewbie.competition.team.WrongEntryException;
 import org.robonewbie.competition.trial.TrialFiles;
 import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.file.FolderLock;
+import org.robonewbie.nao.file.RegularFile;
+import org.robonewbie.nao.file.UnreadableFileException;
 
 /**
  * The folder in which a contest keeps everything: each finished trial in a file of its own, written atomically, so that an
@@ -144,7 +148,7 @@ public final class ResultFolder implements Results, AutoCloseable {
         List<String> sentences = new ArrayList<>();
         for (Map.Entry<String, String> trial : new TreeMap<>(written).entrySet()) {
             Path file = trialFile(trial.getKey());
-            if (!Files.isRegularFile(file) || !Files.readString(file).equals(trial.getValue())) {
+            if (!holds(file, trial.getValue().getBytes(StandardCharsets.UTF_8))) {
                 AtomicFile.write(file, trial.getValue());
                 sentences.add("Somebody has changed " + file + " while the contest ran; it is as it was again.");
             }
@@ -158,6 +162,15 @@ public final class ResultFolder implements Results, AutoCloseable {
             }
         }
         return sentences;
+    }
+
+    /** What a program has put in place of a result may be huge, or a pipe. */
+    private static boolean holds(Path file, byte[] content) {
+        try {
+            return Arrays.equals(RegularFile.read(file, content.length), content);
+        } catch (UnreadableFileException another) {
+            return false;
+        }
     }
 
     @Override

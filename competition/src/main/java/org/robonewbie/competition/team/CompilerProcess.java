@@ -29,9 +29,27 @@ record CompilerProcess(Fence fence) {
      * What the compiler said.
      *
      * @param isCorrect whether there are classes now
-     * @param lines the classes that can be started, or the complaints
+     * @param lines the classes that can be started, and notes; or the complaints
      */
-    record Answer(boolean isCorrect, List<String> lines) {}
+    record Answer(boolean isCorrect, List<String> lines) {
+
+        /** The classes that can be started. */
+        List<String> classes() {
+            return after(TeamCompiler.CLASS);
+        }
+
+        /** How files were read that are not in UTF-8. */
+        List<String> notes() {
+            return after(TeamCompiler.NOTE);
+        }
+
+        private List<String> after(String word) {
+            return lines.stream()
+                    .filter(line -> line.startsWith(word))
+                    .map(line -> line.substring(word.length()))
+                    .toList();
+        }
+    }
 
     /** Compiles sources into an empty folder. */
     Answer compile(SourceFolder sources, Path classes) throws IOException {

@@ -25,6 +25,8 @@ import org.robonewbie.nao.file.UnreadableFileException;
 /** Finds out what the program of a team is, and prepares it. */
 public final class ProgramFinder {
 
+    private static final int MOST_NOTES = 5;
+
     private final Path folder;
     private final Path buildFolder;
     private final Map<String, String> examples;
@@ -140,9 +142,13 @@ public final class ProgramFinder {
             return new TeamProgram.Broken(
                     Ending.NOT_COMPILED, complaint.replace(sources.folder().toString(), submitted.toString()), text);
         }
+        answer.notes().stream()
+                .limit(MOST_NOTES)
+                .map(note -> note.replace(sources.folder().toString(), submitted.toString()))
+                .forEach(System.err::println);
         return new TeamProgram.OfJava(
                 sources.classPath(classes),
-                MainClasses.choose(team, answer.lines()),
+                MainClasses.choose(team, answer.classes()),
                 Optional.of(sources.folder()),
                 Optional.of(submitted),
                 team.isTogether(),

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+@SuppressWarnings("IncorrectMainMethod")
 class MainMethodTest {
 
     private static final List<String> CALLS = new ArrayList<>();

@@ -2,6 +2,7 @@ package org.robonewbie.exercises.progress;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -12,7 +13,9 @@ import java.util.List;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -122,5 +125,48 @@ class ProgressFileTest {
         assertThat(team.passed()).isEqualTo(1);
         assertThat(team.badges()).contains(Badge.FIRST_SUCCESS).doesNotContain(Badge.WHOLE_COURSE);
         assertThat(file().read().badges()).isEmpty();
+    }
+
+    /** Saves its progress without an end, and prints a line for each time. */
+    static final class SavesProgress {
+
+        public static void main(String[] arguments) throws IOException {
+            ProgressFile file = new ProgressFile(Path.of(arguments[0]));
+            while (true) {
+                ExerciseProgress state = file.update(KICK, before -> before.tried(3, false, NOON));
+                System.out.println(state.tries());
+            }
+        }
+    }
+
+    @Tag("slow")
+    @Timeout(60)
+    @ParameterizedTest
+    @ValueSource(ints = {1, 20, 100, 301})
+    void whoIsKilledWhileSavingLeavesTheFormerProgressOrTheNewOne(int saves) throws Exception {
+        Process process = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        SavesProgress.class.getName(),
+                        file().file().toString())
+                .redirectError(ProcessBuilder.Redirect.INHERIT)
+                .start();
+        int told = 0;
+        try (BufferedReader lines = process.inputReader()) {
+            while (told < saves) {
+                told = Integer.parseInt(lines.readLine());
+            }
+            assertThat(process.toHandle().destroyForcibly()).isTrue();
+            for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+                told = Integer.parseInt(line);
+            }
+        }
+
+        assertThat(file().isDamaged()).isFalse();
+        assertThat(file().read().of(KICK).tries()).isBetween(told, told + 1);
+        assertThat(file().update(KICK, before -> before.tried(3, false, NOON)).tries())
+                .isGreaterThan(told);
+        assertThat(file().damagedFile()).doesNotExist();
     }
 }

@@ -16,6 +16,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.nao.file.UnwritableFileException;
 
 /**
  * A folder of tables about many runs: {@code cycles/run-00001.parquet} and so on, {@code events/run-00001.parquet} and so on,
@@ -171,16 +172,31 @@ public final class DataSet {
      */
     public synchronized void add(RunResult result) throws IOException {
         if (result.hasTables()) {
-            Files.writeString(
-                    folder.resolve(JOURNAL),
-                    result.line() + "\n",
-                    StandardOpenOption.CREATE,
-                    StandardOpenOption.APPEND);
+            note(result);
         } else {
-            cycles.discard(result.run());
-            events.discard(result.run());
+            discard(result.run());
         }
         runs.put(result.run(), result);
+    }
+
+    private void note(RunResult result) throws IOException {
+        Path journal = folder.resolve(JOURNAL);
+        try {
+            Files.writeString(journal, result.line() + "\n", StandardOpenOption.CREATE, StandardOpenOption.APPEND);
+        } catch (IOException unwritable) {
+            throw UnwritableFileException.of(journal, unwritable);
+        }
+    }
+
+    /**
+     * Deletes what a run has begun to write that did not come to its end.
+     *
+     * @param run its number, from 1
+     * @throws IOException if that fails
+     */
+    public void discard(int run) throws IOException {
+        cycles.discard(run);
+        events.discard(run);
     }
 
     /** {@return those runs whose program failed, in their order} */

@@ -49,8 +49,9 @@ public final class AtomicFile {
      * @throws UnwritableFileException if the file cannot be written; nothing is left behind then
      */
     public static void write(Path file, byte[] bytes) throws UnwritableFileException {
-        String own = "." + UUID.randomUUID().toString().substring(0, DIGITS) + UNFINISHED;
-        Path part = file.resolveSibling(file.getFileName() + own);
+        String own = UUID.randomUUID().toString().substring(0, DIGITS);
+        Path part = file.resolveSibling(
+                "." + own + UNFINISHED); // the longest name that a file can have leaves no room for more
         try {
             try {
                 Files.write(part, bytes, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);

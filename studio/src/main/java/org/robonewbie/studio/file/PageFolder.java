@@ -10,6 +10,7 @@ import java.util.stream.Stream;
 import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.file.RegularFile;
 import org.robonewbie.nao.file.UnreadableFileException;
+import org.robonewbie.nao.file.UnwritableFileException;
 
 /**
  * A folder with files of one kind that pages may read and write, and nothing else of this computer. Files are replaced
@@ -143,15 +144,12 @@ public abstract class PageFolder {
      */
     public synchronized void overwrite(String path, byte[] content) throws IOException {
         Path file = file(path);
-        Path place = Objects.requireNonNull(file.getParent());
-        Files.createDirectories(place);
-        Path unfinished = AtomicFile.part(file);
         try {
-            Files.write(unfinished, content);
-            AtomicFile.moveIntoPlace(file);
-        } finally {
-            Files.deleteIfExists(unfinished);
+            Files.createDirectories(Objects.requireNonNull(file.getParent()));
+        } catch (IOException impossible) {
+            throw UnwritableFileException.of(file, impossible);
         }
+        AtomicFile.write(file, content);
     }
 
     /**

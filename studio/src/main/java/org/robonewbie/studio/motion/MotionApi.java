@@ -16,6 +16,7 @@ import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
 import org.robonewbie.nao.file.UnreadableFileException;
+import org.robonewbie.nao.file.UnwritableFileException;
 import org.robonewbie.nao.motion.file.MotionFiles;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.studio.file.Answer;
@@ -79,6 +80,8 @@ public final class MotionApi extends Handler.Abstract {
             return Answer.refused(refusal.status(), refusal.getMessage());
         } catch (UnreadableFileException refused) {
             return Answer.refused(409, refused.getMessage());
+        } catch (UnwritableFileException unwritable) {
+            return Answer.refused(500, unwritable.getMessage());
         } catch (IOException problem) {
             return Answer.refused(
                     500,

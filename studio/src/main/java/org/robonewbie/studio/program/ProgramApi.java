@@ -16,6 +16,7 @@ import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
 import org.robonewbie.nao.file.UnreadableFileException;
+import org.robonewbie.nao.file.UnwritableFileException;
 import org.robonewbie.studio.file.Answer;
 import org.robonewbie.studio.file.PathPart;
 import org.robonewbie.studio.file.RefusedException;
@@ -84,6 +85,8 @@ public final class ProgramApi extends Handler.Abstract {
             return Answer.refused(409, refused.getMessage());
         } catch (UnreadableFileException refused) {
             return Answer.refused(409, refused.getMessage());
+        } catch (UnwritableFileException unwritable) {
+            return Answer.refused(500, unwritable.getMessage());
         } catch (IOException problem) {
             return Answer.refused(
                     500,

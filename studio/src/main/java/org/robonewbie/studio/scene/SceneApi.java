@@ -10,6 +10,7 @@ import org.eclipse.jetty.server.Request;
 import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
 import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.nao.file.UnwritableFileException;
 import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.simulator.recording.DamagedRecordingException;
 import org.robonewbie.simulator.recording.RecordingReader;
@@ -63,6 +64,8 @@ public final class SceneApi extends Handler.Abstract {
             Answer.json(answer(request, path)).send(response, callback);
         } catch (IllegalArgumentException | IllegalStateException | DamagedRecordingException refused) {
             Answer.refused(409, refused.getMessage()).send(response, callback);
+        } catch (UnwritableFileException unwritable) {
+            Answer.refused(500, unwritable.getMessage()).send(response, callback);
         } catch (IOException problem) {
             String text = "The scene cannot be used: " + problem.getMessage() + ". Is the folder " + folder.folder()
                     + " writable, and is there room on the disk?";

@@ -1,6 +1,7 @@
 package org.robonewbie.studio.scene;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
@@ -10,7 +11,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import java.util.zip.GZIPOutputStream;
 import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.text.FileName;
 import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.simulator.file.RecordingShelf;
@@ -51,10 +54,28 @@ record SceneFolder(Path folder) implements SceneStore {
             refuseTaken(name);
         }
         Files.createDirectories(folder);
-        SceneRecording.write(RecordingFile.open(file, problem -> {}), field, moment.state());
-        Files.deleteIfExists(exact(file));
-        if (moment.exact().isPresent()) {
-            StateFile.write(moment.exact().get(), exact(file));
+        try {
+            try (OutputStream recording = new GZIPOutputStream(AtomicFile.begin(file))) {
+                recording.write(SceneRecording.toBytes(field, moment.state()));
+            }
+            if (moment.exact().isPresent()) {
+                try (OutputStream state = AtomicFile.begin(exact(file))) {
+                    state.write(moment.exact().get().toBytes());
+                }
+            }
+            replace(file, moment.exact().isPresent());
+        } finally {
+            Files.deleteIfExists(AtomicFile.part(file));
+            Files.deleteIfExists(AtomicFile.part(exact(file)));
+        }
+    }
+
+    /** Whenever this process is killed, no scene has the exact state of another one. */
+    private static void replace(Path scene, boolean hasState) throws IOException {
+        Files.deleteIfExists(exact(scene));
+        AtomicFile.moveIntoPlace(scene);
+        if (hasState) {
+            AtomicFile.moveIntoPlace(exact(scene));
         }
     }
 

@@ -1,5 +1,6 @@
 package org.robonewbie.studio.scene;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
@@ -21,6 +22,33 @@ final class SceneRecording {
         List<String> header = List.of("FieldLength=" + field.length(), "FieldWidth=" + field.width());
         try (RecordingWriter recording = RecordingWriter.open(target, header)) {
             recording.write(state, List.of());
+        }
+    }
+
+    /** The bytes of a recording that is not packed. */
+    static byte[] toBytes(SoccerField field, WorldSnapshot state) {
+        Memory recording = new Memory();
+        write(recording, field, state);
+        return recording.content.toByteArray();
+    }
+
+    private static final class Memory implements RecordingTarget {
+
+        private final ByteArrayOutputStream content = new ByteArrayOutputStream();
+
+        @Override
+        public void write(byte[] bytes, int length) {
+            content.write(bytes, 0, length);
+        }
+
+        @Override
+        public void flush() {
+            // it is there already
+        }
+
+        @Override
+        public void close() {
+            // it stays
         }
     }
 

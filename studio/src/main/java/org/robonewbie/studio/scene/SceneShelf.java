@@ -1,7 +1,6 @@
 package org.robonewbie.studio.scene;
 
 import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
@@ -11,7 +10,6 @@ import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.recording.RecordingReader;
-import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.simulator.state.WorldState;
 
 /** Scenes in memory, which somebody else keeps for longer, such as a browser. Each one is some bytes: a recording and the exact state. */
@@ -73,10 +71,8 @@ public final class SceneShelf implements SceneStore {
         if (!replace) {
             refuseTaken(name);
         }
-        Memory recording = new Memory();
-        SceneRecording.write(recording, field, moment.state());
+        byte[] shown = SceneRecording.toBytes(field, moment.state());
         StateWriter out = new StateWriter();
-        byte[] shown = recording.content.toByteArray();
         out.putBytes(shown, shown.length);
         byte[] exact = moment.exact().map(WorldState::toBytes).orElse(new byte[0]);
         out.putBytes(exact, exact.length);
@@ -147,25 +143,5 @@ public final class SceneShelf implements SceneStore {
     private void forget(String name) {
         scenes.remove(name);
         keeper.forget(name);
-    }
-
-    private static final class Memory implements RecordingTarget {
-
-        private final ByteArrayOutputStream content = new ByteArrayOutputStream();
-
-        @Override
-        public void write(byte[] bytes, int length) {
-            content.write(bytes, 0, length);
-        }
-
-        @Override
-        public void flush() {
-            // it is there already
-        }
-
-        @Override
-        public void close() {
-            // it stays
-        }
     }
 }

@@ -4,15 +4,14 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.text.Normalizer;
 import java.util.List;
 import java.util.Optional;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import java.util.UUID;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.file.RegularFile;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.MotionLibrary;
@@ -80,14 +79,7 @@ public final class MotionFiles implements MotionSource {
      * @throws IOException if the file cannot be written
      */
     public static void save(MotionFile file, Path path) throws IOException {
-        Path target = path.toAbsolutePath();
-        Path temporary = target.resolveSibling("." + UUID.randomUUID() + ".tmp");
-        try {
-            Files.write(temporary, file.bytes());
-            Files.move(temporary, target, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
-        } finally {
-            Files.deleteIfExists(temporary);
-        }
+        AtomicFile.write(path, file.bytes());
     }
 
     /**

@@ -1,0 +1,74 @@
+package org.robonewbie.app.studio;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.net.URI;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.robonewbie.app.program.StudentJava;
+import org.robonewbie.studio.StudioCookie;
+
+/** A studio in a process of its own, as a person starts it, and what its page asks of it. */
+public final class StudioProcess implements AutoCloseable {
+
+    private static final String ADDRESS = "Studio: ";
+
+    private final Process process;
+    private final URI address;
+    private final String cookie;
+
+    private StudioProcess(Process process, URI address) {
+        this.process = process;
+        this.address = address;
+        this.cookie = StudioCookie.of(address);
+    }
+
+    /** Starts it in a folder. */
+    public static StudioProcess start(Path folder) throws IOException {
+        ProcessBuilder builder = new ProcessBuilder(
+                        StudentJava.command(List.of(), List.of("studio", "--no-browser", "--agent-port", "0")))
+                .directory(folder.toFile())
+                .redirectError(ProcessBuilder.Redirect.DISCARD);
+        builder.environment().put("ROBONEWBIE_RECORDINGS", "off");
+        Process process = builder.start();
+        BufferedReader lines = process.inputReader(StandardCharsets.UTF_8);
+        for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+            if (line.startsWith(ADDRESS)) {
+                String address = line.substring(ADDRESS.length()).split(" ", 2)[0];
+                return new StudioProcess(process, URI.create(address));
+            }
+        }
+        throw new IOException("The studio has ended without an address.");
+    }
+
+    /** Asks for something and waits for the whole answer. */
+    public String ask(String order, String place, String body, String... headers) throws IOException {
+        List<String> lines = new ArrayList<>(List.of(
+                order + " /api/" + place + " HTTP/1.1",
+                "Host: " + address.getAuthority(),
+                "Origin: http://" + address.getAuthority(),
+                "Cookie: " + cookie,
+                "Content-Length: " + body.length(),
+                "Connection: close"));
+        lines.addAll(List.of(headers));
+        try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), address.getPort())) {
+            socket.getOutputStream()
+                    .write((String.join("\r\n", lines) + "\r\n\r\n" + body).getBytes(StandardCharsets.US_ASCII));
+            return new String(socket.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        }
+    }
+
+    /** Ends it as {@code kill -9} does. */
+    void kill() throws InterruptedException {
+        process.destroyForcibly().waitFor();
+    }
+
+    @Override
+    public void close() {
+        process.destroyForcibly();
+    }
+}
