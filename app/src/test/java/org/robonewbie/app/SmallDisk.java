@@ -48,8 +48,12 @@ final class SmallDisk implements AutoCloseable {
     }
 
     @Override
-    public void close() throws IOException, InterruptedException {
-        said("umount", "--lazy", place.toString());
+    public void close() throws IOException {
+        try {
+            said("umount", "--lazy", place.toString());
+        } catch (InterruptedException end) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     private static String said(String... command) throws IOException, InterruptedException {

@@ -89,6 +89,7 @@ class AttackDoorsTest {
     private Path folder;
 
     /** How a program is started. */
+    @SuppressWarnings("ImmutableEnumChecker") // the lists are made by List.of
     enum Door {
         RUN("run", "FILE", "--headless", "--fast", "--seed", "1", "--seconds", "1"),
         GRADE("grade", "raise-arms", "FILE", "--seeds", "1"),

@@ -2,14 +2,12 @@ package org.robonewbie.studio.program;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -90,18 +88,6 @@ class ProgramFolderTest {
             assertThatThrownBy(() -> folder.write(name, bytes("class A {}"), ""))
                     .isInstanceOf(UnreadableFileException.class);
         }
-    }
-
-    @Test
-    void folderThatMayNotBeReadIsLeftOutAlone() throws IOException {
-        folder.overwrite("src/main/java/mine/Kick.java", bytes("class Kick {}"));
-        folder.overwrite("src/main/java/theirs/Pass.java", bytes("class Pass {}"));
-        Path theirs = folder.folder().resolve("src/main/java/theirs");
-        Files.setPosixFilePermissions(theirs, PosixFilePermissions.fromString("---------"));
-        assumeFalse(Files.isReadable(theirs), "this user may read everything");
-
-        assertThat(folder.list()).extracting(PageFolder.Entry::path).containsExactly("src/main/java/mine/Kick.java");
-        assertThat(folder.listAll()).extracting(PageFolder.Entry::path).containsExactly("src/main/java/mine/Kick.java");
     }
 
     @Test
