@@ -33,13 +33,15 @@ public final class EvaluationSummary {
      *
      * @param file one line of answers per participant
      * @return the means
-     * @throws CalledWronglyException if the file cannot be read or understood; its message names the line
+     * @throws CalledWronglyException if the file cannot be read or understood; its message names file and line
      */
     public static EvaluationSummary of(Path file) {
         try {
             return of(TextFile.readAndNote(file).lines());
         } catch (UnreadableFileException unreadable) {
             throw new CalledWronglyException(String.valueOf(unreadable.getMessage()));
+        } catch (CalledWronglyException wrong) {
+            throw new CalledWronglyException(file + ": " + wrong.getMessage());
         }
     }
 

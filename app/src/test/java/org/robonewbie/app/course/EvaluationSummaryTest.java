@@ -79,6 +79,14 @@ class EvaluationSummaryTest {
     }
 
     @Test
+    void wrongLineOfAFileIsNamedWithTheFile() throws IOException {
+        Path file = Files.writeString(folder.resolve("answers.csv"), "robotics,java\n1,3\n1,9\n");
+
+        assertThatThrownBy(() -> EvaluationSummary.of(file))
+                .hasMessage(file + ": Line 3: \"9\" is no answer. Answers go from 1 to 5.");
+    }
+
+    @Test
     void wrongLineIsNamed() {
         assertThatThrownBy(() -> EvaluationSummary.of(List.of("robotics,java", "1,3", "1,9")))
                 .hasMessage("Line 3: \"9\" is no answer. Answers go from 1 to 5.");
