@@ -314,7 +314,7 @@ class MotionSafetyPageTest {
         studio.close();
         browser.await("!document.querySelector('#gone').hidden");
         browser.fill("[data-joint='NECK_YAW']", "44");
-        browser.await("document.querySelector('#toast').textContent.includes('cannot be kept on the disk')");
+        browser.await("document.querySelector('#toast').textContent.includes('cannot be kept just now')");
 
         assertThat(isAskedBeforeClosing()).isTrue();
         browser.forgetComplaints();
