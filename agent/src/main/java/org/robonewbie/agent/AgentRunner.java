@@ -1,7 +1,6 @@
 package org.robonewbie.agent;
 
 import java.io.IOException;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -16,6 +15,7 @@ import org.robonewbie.agent.running.CycleOwner;
 import org.robonewbie.agent.running.JoinTurn;
 import org.robonewbie.agent.running.LogPrinter;
 import org.robonewbie.agent.running.PunctualPort;
+import org.robonewbie.agent.running.RobotThreads;
 import org.robonewbie.agent.running.SilenceNotice;
 import org.robonewbie.agent.running.SimulatorConnection;
 import org.robonewbie.agent.running.Watchdog;
@@ -114,14 +114,17 @@ final class AgentRunner {
             live(agents.get(0), connect(), options.get(0), new JoinTurn());
             return exitCode.get();
         }
-        List<Thread> lives = new ArrayList<>();
+        RobotThreads lives = new RobotThreads();
         boolean oneByOne = simulator.admitsOneByOne();
         for (int i = 0; i < agents.size(); i++) {
             JoinTurn turn = new JoinTurn();
-            lives.add(start(agents.get(i), connect(), options.get(i), turn));
-            oneByOne = oneByOne && endOf(turn);
+            Agent agent = agents.get(i);
+            AgentLink link = connect();
+            Options own = options.get(i);
+            lives.start(() -> live(agent, link, own, turn));
+            oneByOne = oneByOne && turn.await();
         }
-        lives.forEach(AgentRunner::await);
+        lives.await();
         return exitCode.get();
     }
 
@@ -133,38 +136,17 @@ final class AgentRunner {
         }
     }
 
-    private Thread start(Agent agent, AgentLink link, Options options, JoinTurn turn) {
-        Thread life = new Thread(() -> {
-            try {
-                live(agent, link, options, turn);
-            } finally {
-                turn.end();
-            }
-        });
-        life.start();
-        return life;
-    }
-
-    private static boolean endOf(JoinTurn turn) {
+    private void live(Agent agent, AgentLink link, Options options, JoinTurn turn) {
         try {
-            return turn.await();
-        } catch (InterruptedException end) {
-            Thread.currentThread().interrupt();
-            return false;
-        }
-    }
-
-    private static void await(Thread life) {
-        try {
-            life.join();
-        } catch (InterruptedException end) {
-            Thread.currentThread().interrupt();
+            play(agent, link, options, turn);
+        } finally {
+            turn.end();
         }
     }
 
     @SuppressWarnings({"try", "ClosingStandardOutputStreams"
     }) // the printer prints when it is closed, to a stream that stays open
-    private void live(Agent agent, AgentLink link, Options options, JoinTurn turn) {
+    private void play(Agent agent, AgentLink link, Options options, JoinTurn turn) {
         int code;
         agent.begin(options);
         agent.reportWhatIsMissing();

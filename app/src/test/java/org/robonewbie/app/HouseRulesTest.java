@@ -13,9 +13,6 @@ import org.junit.jupiter.api.Test;
 /** Rules of the house that no compiler checks. */
 class HouseRulesTest {
 
-    private static final int MOST_LINES_OF_JAVA = 400;
-    private static final int MOST_LINES_OF_JAVASCRIPT = 300;
-    private static final int MOST_LINES_OF_STYLE = 320;
     private static final int MOST_HOMONYMS = 3;
     private static final Pattern EMPTY_NAME = Pattern.compile(".*(Util|Utils|Manager|Helper|Impl)\\.(java|js)");
 
@@ -33,24 +30,6 @@ class HouseRulesTest {
 
     private static final Pattern RAW_TRACE = Pattern.compile("\\.printStackTrace\\(\\s*\\)");
     private static final Pattern OPEN_END = Pattern.compile("\\b(TODO|FIXME|XXX)\\b");
-
-    @Test
-    void javaFilesCanBeReadInOneGo() {
-        assertThat(those(Project.sources(".java"), file -> lines(file) > MOST_LINES_OF_JAVA))
-                .isEmpty();
-    }
-
-    @Test
-    void scriptsCanBeReadInOneGo() {
-        assertThat(those(Project.sources(".js"), file -> lines(file) > MOST_LINES_OF_JAVASCRIPT))
-                .isEmpty();
-    }
-
-    @Test
-    void styleSheetsCanBeReadInOneGo() {
-        assertThat(those(Project.sources(".css"), file -> lines(file) > MOST_LINES_OF_STYLE))
-                .isEmpty();
-    }
 
     @Test
     void namesSayWhatAThingIs() {
@@ -142,9 +121,5 @@ class HouseRulesTest {
 
     private static boolean isThisTest(Path file) {
         return file.endsWith("HouseRulesTest.java");
-    }
-
-    private static long lines(Path file) {
-        return Project.read(file).lines().count();
     }
 }

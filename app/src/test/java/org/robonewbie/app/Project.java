@@ -32,8 +32,7 @@ public final class Project {
     /** Lists the files with an ending that belong to the product, without those of its tests. */
     public static List<Path> productSources(String ending) {
         return sources(ending).stream()
-                .filter(file ->
-                        ROOT.relativize(file).toString().replace('\\', '/').contains("/src/main/"))
+                .filter(file -> ROOT.relativize(file).subpath(1, 3).equals(Path.of("src", "main")))
                 .toList();
     }
 

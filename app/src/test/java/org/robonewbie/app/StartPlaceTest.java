@@ -150,7 +150,7 @@ class StartPlaceTest {
         Ended ended = start(locale, List.of(), temporary, "grade", "raise-arms", "--class", "class", "--seeds", "1");
 
         assertThat(ended.said()).contains("2 students, 1 programs").doesNotContain("Exception");
-        assertThat(Files.readString(temporary.resolve("class-grades/findings.csv")))
+        assertThat(Files.readString(temporary.resolve("class-grades/grades.csv")))
                 .contains("anna", "rg,", "The name \"");
     }
 

@@ -70,7 +70,7 @@ class CompetitionTest {
                         "6 Killed: its program ended before the trial was over (exit code 137)",
                         "6 Hanger: its program kept the world waiting and was taken out",
                         "6 Eater: its program needed more memory than is allowed",
-                        "6 Leaver: its program ended before the trial was over");
+                        "6 Leaver: its program ended before the trial was over (exit code 0)");
     }
 
     private static Process contest(Path results) throws IOException {

@@ -40,13 +40,17 @@ public final class JoinTurn {
      * Waits until the turn is over, or until the server has not answered for a second.
      *
      * @return whether the server answers; one that does not holds its first cycle until more robots have come
-     * @throws InterruptedException if this thread is to end
      */
-    public boolean await() throws InterruptedException {
-        boolean answers = answered.await(silence.toMillis(), TimeUnit.MILLISECONDS);
-        if (answers) {
-            ended.await();
+    public boolean await() {
+        try {
+            boolean answers = answered.await(silence.toMillis(), TimeUnit.MILLISECONDS);
+            if (answers) {
+                ended.await();
+            }
+            return answers;
+        } catch (InterruptedException end) {
+            Thread.currentThread().interrupt();
+            return false;
         }
-        return answers;
     }
 }

@@ -11,7 +11,7 @@ class JoinTurnTest {
     @Test
     void isOverWhenTheRobotIsAtItsPlace() {
         JoinTurn turn = new JoinTurn(Duration.ofDays(1));
-        CompletableFuture<Boolean> next = CompletableFuture.supplyAsync(() -> await(turn));
+        CompletableFuture<Boolean> next = CompletableFuture.supplyAsync(turn::await);
 
         turn.answered();
         boolean early = next.isDone();
@@ -23,7 +23,7 @@ class JoinTurnTest {
 
     @Test
     void isNotAwaitedAtAServerThatWaitsForMoreRobots() {
-        assertThat(await(new JoinTurn(Duration.ZERO))).isFalse();
+        assertThat(new JoinTurn(Duration.ZERO).await()).isFalse();
     }
 
     @Test
@@ -32,14 +32,6 @@ class JoinTurnTest {
 
         turn.end();
 
-        assertThat(await(turn)).isTrue();
-    }
-
-    private static boolean await(JoinTurn turn) {
-        try {
-            return turn.await();
-        } catch (InterruptedException end) {
-            throw new AssertionError(end);
-        }
+        assertThat(turn.await()).isTrue();
     }
 }

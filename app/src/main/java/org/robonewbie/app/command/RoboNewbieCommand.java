@@ -81,7 +81,7 @@ public final class RoboNewbieCommand {
             System.err.println("robonewbie: " + unreadable.get());
             return CommandLine.ExitCode.USAGE;
         }
-        String[] complete = withDefaultCommand(withHelpAsOption(arguments));
+        String[] complete = withoutHelpForNothing(withDefaultCommand(withHelpAsOption(arguments)));
         Supplier<Object> command = AT_ONCE.get(complete[0]);
         return (command == null ? commandLine() : prepared(new CommandLine(new Alone()).addSubcommand(command.get())))
                 .execute(complete);
@@ -143,6 +143,18 @@ public final class RoboNewbieCommand {
 
     private static Optional<CommandLine> subcommand(CommandLine commandLine, String name) {
         return Optional.ofNullable(commandLine.getSubcommands().get(name));
+    }
+
+    /** A misspelt command is reported, even where its help was asked for. */
+    private static String[] withoutHelpForNothing(String... arguments) {
+        boolean isCommand = arguments[0].startsWith("-")
+                || AT_ONCE.containsKey(arguments[0])
+                || commandLine().getSubcommands().containsKey(arguments[0]);
+        return isCommand
+                ? arguments
+                : Stream.of(arguments)
+                        .filter(word -> !OWN_OPTIONS.contains(word))
+                        .toArray(String[]::new);
     }
 
     /** {@code help run} means {@code run --help}. */

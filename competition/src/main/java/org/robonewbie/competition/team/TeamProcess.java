@@ -20,6 +20,8 @@ public final class TeamProcess implements AutoCloseable {
     private static final int MOST_PROCESSES = 200;
     private static final int LOOKS_BETWEEN_RUNAWAYS = 20;
 
+    private static final int SECONDS_TO_END = 5;
+
     private final ProcessTree processes;
     private final Process process;
     private final LogPump log;
@@ -162,9 +164,22 @@ public final class TeamProcess implements AutoCloseable {
         return Optional.of(log.tellsLackOfMemory() ? Ending.TOO_MUCH_MEMORY : Ending.STOPPED);
     }
 
-    /** {@return the exit code with which the program has ended by itself; empty while it runs, or if a limit ended it} */
+    /**
+     * Returns how the program has ended by itself. One that has just closed its connection is given a moment to end.
+     *
+     * @return the exit code; empty if the program goes on, or if a limit ended it
+     */
     public OptionalInt exitCode() {
-        return process.isAlive() || brokenLimit.isPresent() ? OptionalInt.empty() : OptionalInt.of(process.exitValue());
+        return brokenLimit.isPresent() || !hasEnded() ? OptionalInt.empty() : OptionalInt.of(process.exitValue());
+    }
+
+    private boolean hasEnded() {
+        try {
+            return process.waitFor(SECONDS_TO_END, TimeUnit.SECONDS);
+        } catch (InterruptedException stopped) {
+            Thread.currentThread().interrupt();
+            return false;
+        }
     }
 
     /** Ends the program with all that it has started, and deletes what it has written. */

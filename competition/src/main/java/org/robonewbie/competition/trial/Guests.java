@@ -12,7 +12,6 @@ import java.util.List;
 import java.util.OptionalInt;
 import java.util.Timer;
 import java.util.TimerTask;
-import java.util.stream.Collectors;
 import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.competition.contest.Ending;
 import org.robonewbie.competition.contest.Entrant;
@@ -150,19 +149,18 @@ final class Guests implements AutoCloseable {
                 .orElse(Ending.STOPPED);
         boolean came = !processes().isEmpty() && processes().stream().allMatch(TeamProcess::hasJoined);
         Ending ending = !came && reason == Ending.STOPPED ? Ending.NOT_STARTED : reason;
-        String codes = processes().stream()
-                .flatMapToInt(process -> process.exitCode().stream())
-                .mapToObj(code -> " Its exit code is " + code + ".")
-                .collect(Collectors.joining());
-        exitCode = processes().stream()
-                .map(TeamProcess::exitCode)
-                .filter(OptionalInt::isPresent)
-                .findFirst()
-                .orElse(OptionalInt.empty());
+        exitCode = reason != Ending.STOPPED
+                ? OptionalInt.empty()
+                : processes().stream()
+                        .map(TeamProcess::exitCode)
+                        .filter(OptionalInt::isPresent)
+                        .findFirst()
+                        .orElse(OptionalInt.empty());
+        String code = exitCode.isPresent() ? " Its exit code is " + exitCode.getAsInt() + "." : "";
         close();
         Files.writeString(
                 log(0),
-                "The trial is lost: " + ending.sentence() + ". " + absent.getMessage() + codes + "\n",
+                "The trial is lost: " + ending.sentence() + ". " + absent.getMessage() + code + "\n",
                 StandardOpenOption.CREATE,
                 StandardOpenOption.APPEND);
         return ending;

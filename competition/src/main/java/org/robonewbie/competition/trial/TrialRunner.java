@@ -213,6 +213,7 @@ public final class TrialRunner implements TrialPlayer {
             String team = entrant.team();
             Ending ending = ending(team, umpire, simulator, doorkeeper);
             OptionalInt exitCode = doorkeeper.processes(team).stream()
+                    .filter(process -> ending == Ending.STOPPED)
                     .map(TeamProcess::exitCode)
                     .findFirst()
                     .orElse(OptionalInt.empty());
