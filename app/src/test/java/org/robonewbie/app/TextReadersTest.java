@@ -57,6 +57,7 @@ class TextReadersTest {
             Map.entry("learning/dataset/DataSet", WRITTEN),
             Map.entry("learning/gym/GymConnection", WIRE),
             Map.entry("competition/team/Fence", SYSTEM),
+            Map.entry("competition/team/CompilerProcess", WIRE),
             Map.entry("competition/team/LinuxProcess", SYSTEM),
             Map.entry("competition/team/LogPump", WIRE),
             Map.entry("competition/result/ResultFolder", WRITTEN),
@@ -90,7 +91,7 @@ class TextReadersTest {
             Map.entry("app/command/NewProject", RESOURCE),
             Map.entry("app/course/RobotsOnCall", WIRE),
             Map.entry("app/course/Student", WRITTEN),
-            Map.entry("app/studio/ProgramWorkshop", "a program that the room Program has just saved as UTF-8"));
+            Map.entry("app/marking/JudgesKey", WRITTEN));
 
     @Test
     void textOfPeopleIsReadByOneReader() {

@@ -14,6 +14,8 @@ public final class StudentCode {
             "org.robonewbie.simulator.",
             "org.robonewbie.learning.",
             "org.robonewbie.app.",
+            "org.robonewbie.competition.team.MainMethod",
+            "picocli.",
             "org.junit.",
             "java.",
             "javax.",

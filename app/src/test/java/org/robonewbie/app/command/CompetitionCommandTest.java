@@ -70,8 +70,8 @@ class CompetitionCommandTest {
         Printed printed = Printed.by(
                 "competition",
                 "walk",
-                "Red=Agent_Wave",
-                "Blue=Agent_Wave",
+                "Red=Agent_Dummy",
+                "Blue=Agent_Dummy",
                 "--results",
                 results.toString(),
                 "--seconds",
