@@ -168,7 +168,7 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
     }
 
     private static boolean startsWithMark(byte[] bytes) {
-        return HEXADECIMAL.formatHex(bytes, 0, Math.min(3, bytes.length)).equals("efbbbf");
+        return bytes.length >= 3 && bytes[0] == (byte) 0xEF && bytes[1] == (byte) 0xBB && bytes[2] == (byte) 0xBF;
     }
 
     /** How many bytes the character there has in UTF-8; 0 if it is none. */
