@@ -133,7 +133,7 @@ class RecordCommandTest {
                 .isEqualTo("1,1,0,0,0,0,The program ended its process. It said: I have had enough of run 1.");
         assertThat(rows.get(2))
                 .startsWith("2,2,100,97,0,0,The program failed. It said: ")
-                .contains("The end surprises me. (Quitter.java:");
+                .endsWith("The end surprises me. (Quitter.java:21)");
         assertThat(folder.resolve("set/cycles")).isDirectoryNotContaining("glob:**run-00001*");
         assertThat(Files.readString(folder.resolve("set/dataset.json"))).contains("\"complete\": false");
 
