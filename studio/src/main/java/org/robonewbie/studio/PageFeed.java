@@ -16,6 +16,7 @@ import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.soccer.MatchEvent;
+import org.robonewbie.studio.replay.NoteLines;
 
 /**
  * Shows a world to one page in whose worker it runs: the messages are those of the live feed, but there is neither thread nor clock

@@ -3,11 +3,11 @@ package org.robonewbie.team;
 import java.util.List;
 import org.robonewbie.agent.Robot;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.tactics.KickChoice;
 import org.robonewbie.team.tactics.Plan;
-import org.robonewbie.team.tactics.TeamRole;
+import org.robonewbie.team.talk.TeamRole;
 import org.robonewbie.team.world.BallFilter;
-import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
 
 /**
@@ -31,7 +31,7 @@ final class Board {
     }
 
     /** Draws the plan, what else was possible, and the way of this cycle. */
-    void show(Plan plan, List<KickChoice.Option> options, List<Spot> way) {
+    void show(Plan plan, List<KickChoice.Option> options, List<Translation2d> way) {
         nao.tellPose(world.pose().x(), world.pose().y(), world.pose().headingDegrees());
         nao.drawText(
                 new Vector3(0, 0, 0.3),
@@ -47,10 +47,10 @@ final class Board {
         }
     }
 
-    private void showWay(Plan plan, List<Spot> way) {
+    private void showWay(Plan plan, List<Translation2d> way) {
         String colour = plan.role().colour();
-        Spot before = world.place();
-        for (Spot bend : way) {
+        Translation2d before = world.place();
+        for (Translation2d bend : way) {
             nao.drawLine(seen(before), seen(bend), colour);
             before = bend;
         }
@@ -59,7 +59,7 @@ final class Board {
 
     /** The ball, and how far it will roll. */
     private void showBall() {
-        Spot rest = world.ball().plus(world.ballVelocity().times(BallFilter.ROLLING_SECONDS));
+        Translation2d rest = world.ball().plus(world.ballVelocity().times(BallFilter.ROLLING_SECONDS));
         nao.drawCircle(seen(world.ball()), 0.15, "orange");
         nao.drawLine(seen(world.ball()), seen(rest), "orange");
     }
@@ -75,19 +75,21 @@ final class Board {
         options.stream().filter(option -> option.gain() > 0).forEach(option -> showRay(option, most));
         nao.drawLine(seen(world.ball()), seen(plan.target()), kick ? KICK_COLOUR : DRIBBLE_COLOUR);
         if (plan.receiver() > 0) {
-            Spot middle = world.ball().plus(plan.target().minus(world.ball()).times(0.5));
+            Translation2d middle =
+                    world.ball().plus(plan.target().minus(world.ball()).times(0.5));
             nao.drawText(seen(middle), "pass to " + plan.receiver(), KICK_COLOUR);
         }
     }
 
     private void showRay(KickChoice.Option option, double most) {
         boolean kick = option.plan().isKick();
-        Spot ray = Spot.polar(option.plan().headingDegrees(), LONGEST_RAY_METRES * option.gain() / most);
+        Translation2d ray =
+                Translation2d.polar(option.plan().headingDegrees(), LONGEST_RAY_METRES * option.gain() / most);
         nao.drawLine(seen(world.ball()), seen(world.ball().plus(ray)), kick ? KICK_COLOUR : DRIBBLE_COLOUR);
     }
 
-    private Vector3 seen(Spot spot) {
-        Spot here = spot.seenFrom(world.pose());
+    private Vector3 seen(Translation2d spot) {
+        Translation2d here = spot.seenFrom(world.pose());
         return new Vector3(here.x(), here.y(), HEAD_METRES);
     }
 }

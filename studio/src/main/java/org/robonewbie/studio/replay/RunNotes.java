@@ -13,7 +13,6 @@ import java.util.Optional;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.simulator.file.RecordingGroup;
 import org.robonewbie.simulator.file.RecordingShelf;
-import org.robonewbie.studio.NoteLines;
 import org.robonewbie.studio.file.PlainFile;
 
 /**

@@ -2,7 +2,7 @@
 import { button, element, setText } from '../panels/elements.js';
 import { hints, progressText, trialText } from '../state/course.js';
 import { lessonOf } from '../state/program/documents.js';
-import { note } from './program-room.js';
+import { note } from './note.js';
 
 /**
  * @typedef {import('../state/course.js').Lesson} Lesson

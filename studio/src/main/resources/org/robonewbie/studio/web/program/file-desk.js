@@ -18,7 +18,7 @@ import { DraftKeeper } from './draft-keeper.js';
 import { EncodingNote } from './encoding-note.js';
 import { fillChoice } from './file-choice.js';
 import { makeProgram } from './new-program.js';
-import { note } from './program-room.js';
+import { note } from './note.js';
 
 /**
  * @typedef {import('./program-service.js').ProgramList} ProgramList

@@ -6,6 +6,7 @@ import { remarksText } from '../state/program/remarks.js';
 import { CodeEditor } from './code-editor.js';
 import { ExerciseDesk } from './exercise-desk.js';
 import { FileDesk } from './file-desk.js';
+import { note } from './note.js';
 import { ProgramService } from './program-service.js';
 import { RunDesk } from './run-desk.js';
 import { SaidPanel } from './said-panel.js';
@@ -195,11 +196,6 @@ class ProgramRoom {
     byId('program-room').append(made);
     return inside;
   }
-}
-
-/** A line above the program. @param {string} text @param {...HTMLElement} deeds @returns {HTMLElement} */
-export function note(text, ...deeds) {
-  return element('div', { class: 'program-note', role: 'status' }, element('p', {}, text), ...deeds);
 }
 
 /**
