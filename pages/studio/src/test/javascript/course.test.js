@@ -4,7 +4,7 @@ import {
   hints,
   progressText,
   trialText,
-  usualProgram,
+  likelyProgram,
 } from '../../main/resources/org/robonewbie/studio/web/state/course.js';
 
 /** @typedef {import('../../main/resources/org/robonewbie/studio/web/state/course.js').Attempt} Attempt */
@@ -60,6 +60,6 @@ test('the usual program is chosen if it is there', () => {
     file: 'Kick.java',
   };
 
-  assert.equal(usualProgram(lesson, ['Kick.java', 'Other.java']), 'Kick.java');
-  assert.equal(usualProgram(lesson, ['Other.java']), '');
+  assert.equal(likelyProgram(lesson, ['Kick.java', 'Other.java']), 'Kick.java');
+  assert.equal(likelyProgram(lesson, ['Other.java']), '');
 });

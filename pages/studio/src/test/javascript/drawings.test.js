@@ -28,7 +28,7 @@ const drawing = (/** @type {object} */ given) => ({
 const picture = (/** @type {number} */ seconds, /** @type {string} */ colour, team = 'Blue') =>
   `draw\t${seconds}\t${team}\t1\tpoint\t${colour}\t0\t0\t0`;
 
-/** A torso whose forward direction, y, looks along the world's x, and a head over it. */
+/** A torso whose forward direction, y, points along the world's x, and a head above it. */
 const EAST = [1, 2, 0.4, Math.SQRT1_2, 0, 0, -Math.SQRT1_2, 1.5, 2, 0.6, 1, 0, 0, 0];
 
 test('forward and left of the head become places of the world, however the robot stands', () => {
@@ -81,7 +81,12 @@ test('a layer is off if it, its robot or all is off', () => {
 
 test('a picture lives until the next one of its robot, for a second at most', () => {
   const memory = new DrawingMemory();
-  memory.hear([picture(1, 'red'), 'log\t1\tBlue\t1\tINFO\thello', picture(1.5, 'blue'), picture(1.2, 'lime', 'Red')]);
+  memory.receive([
+    picture(1, 'red'),
+    'log\t1\tBlue\t1\tINFO\thello',
+    picture(1.5, 'blue'),
+    picture(1.2, 'lime', 'Red'),
+  ]);
   const colours = (/** @type {string} */ robot, /** @type {number[]} */ ...times) =>
     times.map((time) => memory.at(robot, time).map(({ colour }) => colour)[0]);
 
@@ -99,7 +104,7 @@ test('a picture lives until the next one of its robot, for a second at most', ()
 
 test('pictures of a time that begins again replace those before', () => {
   const memory = new DrawingMemory();
-  memory.hear([picture(100, 'red'), picture(1, 'blue')]);
+  memory.receive([picture(100, 'red'), picture(1, 'blue')]);
 
   assert.equal(memory.at('Blue\t1', 1)[0].colour, 'blue');
   assert.equal(memory.at('Blue\t1', 100).length, 0);

@@ -6,7 +6,7 @@ import { fileURLToPath } from 'node:url';
 
 const ROOT = fileURLToPath(new URL('../../main/resources/org/robonewbie/studio/web/', import.meta.url));
 
-/** The scripts that a script imports; types in comments are not imports. @param {string} script @returns {string[]} */
+/** The scripts that a script imports, without imports in type comments. @param {string} script @returns {string[]} */
 function imports(script) {
   const found = readFileSync(script, 'utf8').matchAll(
     /^(?:import|export|\})[^;]*? from '(\.[^']+)'|\bimport '(\.[^']+)'/gmu,

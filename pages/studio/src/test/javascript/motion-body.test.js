@@ -25,7 +25,7 @@ const {
   withUndo,
 } = await import(`${WEB}/editor-state.js`);
 const { parse, textOf } = await import(`${WEB}/motion-text.js`);
-const { STANDING, readPostures, usualPostures, withPosture } = await import(`${WEB}/poses.js`);
+const { STANDING, readPostures, templatePostures, withPosture } = await import(`${WEB}/poses.js`);
 const { copiedSide, mirrored, mostTurned, postureFrom, symmetric } = await import(`${WEB}/posture.js`);
 const { chainJoints, followed, ownJoints, pulled, torsoMoved } = await import(`${WEB}/reach.js`);
 
@@ -48,7 +48,7 @@ function editorWith(frames) {
 }
 
 withBody('the usual postures are within all ranges and no limbs touch', () => {
-  for (const { name, degrees } of usualPostures(body)) {
+  for (const { name, degrees } of templatePostures(body)) {
     degrees.forEach((/** @type {number} */ angle, /** @type {number} */ i) => {
       const { minDegrees, maxDegrees } = body.joints[i];
       assert.ok(angle >= minDegrees && angle <= maxDegrees, `${name}: ${body.joints[i].name} ${angle}`);

@@ -33,18 +33,18 @@ function faults(frames, time) {
 }
 
 test('limbs touch where they do in the simulator', { skip: touching ? false : 'run by Maven' }, () => {
-  const [surely, hardly] = [0.012, 0.001];
+  const [clearDepth, slightDepth] = [0.012, 0.001];
   let found = 0;
   for (const { degrees, pairs } of touching) {
     const poses = posesOf(body, degrees, [0, 0, 0, 1, 0, 0, 0]);
     const here = collisionsOf(body, poses).map(([a, b]) => `${a} ${b}`);
     const depths = new Map(pairs.map(([a, b, depth]) => [`${Math.min(a, b)} ${Math.max(a, b)}`, depth]));
     for (const pair of here) {
-      assert.ok((depths.get(pair) ?? 0) > hardly, `${pair} touches only here, in ${degrees}`);
+      assert.ok((depths.get(pair) ?? 0) > slightDepth, `${pair} touches only here, in ${degrees}`);
     }
     const judged = judgedPairs();
     for (const [pair, depth] of depths) {
-      if (depth > surely && judged.has(pair)) {
+      if (depth > clearDepth && judged.has(pair)) {
         assert.ok(here.includes(pair), `${pair} touches ${depth} m deep in the simulator, in ${degrees}`);
         found += 1;
       }
@@ -53,7 +53,7 @@ test('limbs touch where they do in the simulator', { skip: touching ? false : 'r
   assert.ok(found > 60, String(found));
 });
 
-/** Pairs that are far enough apart in the body: all at one place, so that all touch. */
+/** Collision candidates, all moved to one position, so that all of them touch. */
 function judgedPairs() {
   const poses = new Float64Array(7 * body.links.length);
   body.links.forEach((/** @type {unknown} */ _, /** @type {number} */ link) =>

@@ -28,7 +28,7 @@ const joint = (name) => body.joints.findIndex((/** @type {any} */ each) => each.
 /** @param {string} name @param {string} text */
 const read = (name, text) => readMotion(name, new TextEncoder().encode(text), body, stand);
 
-/** A motion that turns every joint by an amount of its own. */
+/** A motion that turns every joint by a different amount. */
 function sample() {
   const turned = stand.map(
     (/** @type {number} */ angle, /** @type {number} */ i) => angle + (angle > 0 ? -1 : 1) * (i + 1) * 0.25,
@@ -184,7 +184,7 @@ withBody('of a net the way along the first transitions is taken, and other branc
   assert.match(notes[3], /line 7 of the file: found 1 angles, expected 2/);
 });
 
-/** @param {any} document @param {string} name @returns {Array<[number, number]>} way and angle of each keyframe */
+/** @param {any} document @param {string} name @returns {Array<[number, number]>} duration and angle of each keyframe */
 const played = (document, name) =>
   keyframesOf(document).map(({ millis, degrees }) => [millis, Math.round(10 * degrees[joint(name)]) / 10]);
 

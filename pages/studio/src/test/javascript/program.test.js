@@ -6,7 +6,7 @@ import { test } from 'node:test';
 const state = '../../main/resources/org/robonewbie/studio/web/state';
 const { lineOf, rangeOf, remarksText, withMistake } = await import(`${state}/program/remarks.js`);
 const { isUnderWay, NO_RUN, ownRobot, runText } = await import(`${state}/program/run.js`);
-const { ChosenNumbers, numberText, stepOf, withUsual } = await import(`${state}/program/sliders.js`);
+const { ChosenNumbers, numberText, stepOf, withDefault } = await import(`${state}/program/sliders.js`);
 const { valuesAtLines } = await import(`${state}/program/values.js`);
 const {
   classNameProblem,
@@ -151,28 +151,28 @@ test('the editor is the file that its command has made', () => {
   assert.equal(createHash('sha256').update(made).digest('hex'), known);
 });
 
-const gain = { name: 'gain', usual: 0.5, least: 0, most: 1, value: 0.5 };
+const gain = { name: 'gain', defaultValue: 0.5, min: 0, max: 1, value: 0.5 };
 
 test('a slider moves in steps that people would choose', () => {
   assert.equal(stepOf(gain), 0.005);
-  assert.equal(stepOf({ ...gain, least: 1, most: 60 }), 0.5);
-  assert.equal(stepOf({ ...gain, least: -20, most: 20 }), 0.2);
-  assert.equal(stepOf({ ...gain, least: 1, most: 1000 }), 5);
+  assert.equal(stepOf({ ...gain, min: 1, max: 60 }), 0.5);
+  assert.equal(stepOf({ ...gain, min: -20, max: 20 }), 0.2);
+  assert.equal(stepOf({ ...gain, min: 1, max: 1000 }), 5);
   assert.equal(numberText(0.1 + 0.2), '0.3');
 });
 
 test('what a slider has found is written into the program, where it stands as a plain number', () => {
   const text = 'double a = number("gain", 0.5, 0, 1), b = number( "other", -1e-3d , -1, 1);';
   assert.equal(
-    withUsual(text, 'gain', 0.1 + 0.2),
+    withDefault(text, 'gain', 0.1 + 0.2),
     'double a = number("gain", 0.3, 0, 1), b = number( "other", -1e-3d , -1, 1);',
   );
   assert.equal(
-    withUsual(text, 'other', -0.25),
+    withDefault(text, 'other', -0.25),
     'double a = number("gain", 0.5, 0, 1), b = number( "other", -0.25 , -1, 1);',
   );
-  assert.equal(withUsual('number("gain", USUAL, 0, 1)', 'gain', 0.3), undefined);
-  assert.equal(withUsual('number("g.in", 1, 0, 2)', 'gain', 0.3), undefined);
+  assert.equal(withDefault('number("gain", USUAL, 0, 1)', 'gain', 0.3), undefined);
+  assert.equal(withDefault('number("g.in", 1, 0, 2)', 'gain', 0.3), undefined);
 });
 
 test('a program that begins once more is told what was chosen, unless its text says something else now', () => {
@@ -183,6 +183,6 @@ test('a program that begins once more is told what was chosen, unless its text s
   assert.equal(chosen.wish(gain, 2000), 0.8);
   assert.equal(chosen.wish(gain, 2100), undefined);
   assert.equal(chosen.wish({ ...gain, value: 0.8 }, 4000), undefined);
-  assert.equal(chosen.wish({ ...gain, usual: 0.6, value: 0.6 }, 5000), undefined);
-  assert.equal(chosen.shown({ ...gain, usual: 0.6, value: 0.6 }), 0.6);
+  assert.equal(chosen.wish({ ...gain, defaultValue: 0.6, value: 0.6 }, 5000), undefined);
+  assert.equal(chosen.shown({ ...gain, defaultValue: 0.6, value: 0.6 }), 0.6);
 });

@@ -59,12 +59,12 @@ test('a page that comes late knows the rounds before', () => {
 });
 
 test('facts are told with their unit', () => {
-  const told = Object.fromEntries(facts(withNews(initialSearch(), whole)));
+  const values = Object.fromEntries(facts(withNews(initialSearch(), whole)));
 
-  assert.equal(told['Round'], '1 of 4');
-  assert.equal(told['Start'], '5.500 m');
-  assert.equal(told['Trials that succeed'], '75 %');
-  assert.equal(told['Time left'], '1:15');
+  assert.equal(values['Round'], '1 of 4');
+  assert.equal(values['Start'], '5.500 m');
+  assert.equal(values['Trials that succeed'], '75 %');
+  assert.equal(values['Time left'], '1:15');
 });
 
 test('what a search has told outlives its program', () => {

@@ -7,7 +7,7 @@ import { computeLinkPoses } from '../../main/resources/org/robonewbie/studio/web
 
 const folder = process.env.STUDIO_FRAME_FOLDER;
 
-/** @returns {any} what the Java side has written: a scene, its frame and the true state */
+/** @returns {any} output of the Java side: a scene, its frame and the expected state */
 function written() {
   const bytes = readFileSync(`${folder}/frame.bin`);
   return {

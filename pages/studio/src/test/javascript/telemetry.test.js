@@ -14,7 +14,7 @@ const LINES = [
 
 const remembered = (/** @type {string[]} */ ...lines) => {
   const memory = new RobotMemory();
-  lines.forEach((line) => memory.hear(line));
+  lines.forEach((line) => memory.receive(line));
   return memory;
 };
 
@@ -39,10 +39,10 @@ test('log, motion, belief and drawings of a robot are read', () => {
 });
 
 test('a value is given to those who plot it, and its robot is known', () => {
-  const told = remembered().hear('plot\t12.36\tBlue\t3\tball distance\t1.2');
+  const parsed = remembered().receive('plot\t12.36\tBlue\t3\tball distance\t1.2');
 
-  assert.equal(told?.name, 'ball distance');
-  assert.equal(told?.value, 1.2);
+  assert.equal(parsed?.name, 'ball distance');
+  assert.equal(parsed?.value, 1.2);
   assert.equal(readTelemetry(LINES[0]).robot, robotKey('Blue', 3));
 });
 
@@ -104,14 +104,14 @@ test('each line that Java writes means here what it meant there', { skip: !folde
   const written = JSON.parse(readFileSync(`${folder}/telemetry.json`, 'utf8'));
 
   for (const { line, team, number, seconds, kind, item } of written) {
-    const told = readTelemetry(line);
-    assert.deepEqual([told.seconds, told.robot], [seconds, robotKey(team, number)], line);
-    assert.deepEqual(MEANINGS[kind](told), item, line);
+    const parsed = readTelemetry(line);
+    assert.deepEqual([parsed.seconds, parsed.robot], [seconds, robotKey(team, number)], line);
+    assert.deepEqual(MEANINGS[kind](parsed), item, line);
   }
   assert.deepEqual(new Set(written.map(({ kind }) => kind)), new Set(Object.keys(MEANINGS)));
 });
 
-/** What was read, in the words of the Java classes. */
+/** Formats parsed telemetry like the Java classes. */
 const MEANINGS = {
   LogEntry: ({ log: { level, text } }) => ({ level, text }),
   MotionProgress: ({ motion }) => motion,
@@ -121,7 +121,7 @@ const MEANINGS = {
   DeclaredNumber: ({ number }) => number,
 };
 
-/** The parts that a shape has. */
+/** The fields used by a shape. */
 function meant({ shape, colour, place, to, radius, text }) {
   const parts = { point: {}, line: { to }, circle: { radius }, text: { text } };
   return { shape, colour, place, ...parts[shape] };

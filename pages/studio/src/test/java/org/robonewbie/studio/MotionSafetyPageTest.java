@@ -282,7 +282,7 @@ class MotionSafetyPageTest {
         for (int i = 0; i <= 12; i++) {
             double turn = Math.PI * i / 6;
             browser.mouse("mouseMoved", x + 170 * Math.cos(turn), y + 170 * Math.sin(turn));
-            browser.await("performance.now() - studio.motion.hand.lastKnead < 1000");
+            browser.await("performance.now() - studio.motion.pointer.lastDrag < 1000");
         }
 
         browser.await("/The left .* is at its limit/.test(window.signs)");

@@ -1,7 +1,7 @@
-/** Brings motions of other programs in, and gives ours to them. */
+/** Imports and exports motions in the formats of other programs. */
 import { offer } from '../panels/elements.js';
 import { documentOf } from '../state/motion/editor-state.js';
-import { ENDINGS, FORMATS, MOST_BYTES, readMotion } from '../state/motion/interchange.js';
+import { ENDINGS, FORMATS, MAX_BYTES, readMotion } from '../state/motion/interchange.js';
 import { askChoice, askFile } from './questions.js';
 
 /** @typedef {import('./editor.js').Editor} Editor */
@@ -10,7 +10,7 @@ import { askChoice, askFile } from './questions.js';
 export async function importFile(editor) {
   const file = await askFile(ENDINGS);
   if (file) {
-    if (file.size > MOST_BYTES) {
+    if (file.size > MAX_BYTES) {
       throw new Error(`${file.name} was not imported: it is larger than 2 MB, which no motion is.`);
     }
     const { body, start } = editor.state;

@@ -1,4 +1,4 @@
-/** Everything that buttons and keys of the motion editor do, in one list. */
+/** All actions of the motion editor's buttons and keys. */
 import {
   deleted,
   duplicated,
@@ -26,8 +26,8 @@ import { ask, askName } from './questions.js';
  * @property {string} id
  * @property {string} name on the button
  * @property {string} hint
- * @property {string[]} keys as the browser names them
- * @property {string} shown the keys as people read them
+ * @property {string[]} keys names of the keys in the browser
+ * @property {string} shown label of the keys
  * @property {boolean} [ctrl] whether Ctrl must be held
  * @property {() => void} act
  */
@@ -37,7 +37,7 @@ const BALANCE_HINT =
 
 /**
  * @param {Editor} editor
- * @param {(work: Promise<unknown>) => void} run reports what goes wrong
+ * @param {(work: Promise<unknown>) => void} run runs an action and reports its failure
  * @returns {Order[]}
  */
 export function ordersOf(editor, run) {
@@ -163,7 +163,7 @@ async function saveAs(editor) {
   return name === undefined ? undefined : editor.save(name);
 }
 
-/** A motion of the library is kept under a name that the person chooses. @param {Editor} editor */
+/** Whether saving needs a name: a motion of the library is saved under a new name. @param {Editor} editor */
 function needsName({ state, list }) {
   return state.name === '' || (state.version === '' && list.library.includes(state.name));
 }

@@ -1,4 +1,4 @@
-/** What keys do while the timeline has the focus. */
+/** Keyboard actions of the focused timeline. */
 import { moved, turnedBy } from '../state/motion/edits.js';
 import { framesOf, selected } from '../state/motion/editor-state.js';
 import { jointRows } from '../state/motion/names.js';
@@ -10,7 +10,7 @@ import { scrolling, withWholeView, zooming } from './timeline-side.js';
 const FINE_MILLIS = 20;
 const COARSE_MILLIS = 100;
 
-/** What the list of keys says of them. */
+/** Entries for the list of keys. */
 export const TIMELINE_KEYS = [
   ['Shift ← →', 'on the timeline: choose several keyframes'],
   ['↑ ↓', 'on the timeline: choose a joint, with Shift several'],

@@ -1,4 +1,4 @@
-/** What stands left of the timeline: its buttons, the names of marks, the names of joints. */
+/** The left column of the timeline: buttons, names of marks, names of joints. */
 import { button, check, element, setText } from '../panels/elements.js';
 import { nextMark } from '../state/motion/marks.js';
 import { jointName, jointRows } from '../state/motion/names.js';

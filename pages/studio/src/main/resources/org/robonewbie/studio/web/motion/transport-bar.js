@@ -1,10 +1,10 @@
-/** Play, time, and trial of a motion. */
+/** Playback controls of a motion: play, time and physical trial. */
 import { button, check, choice, element, setText } from '../panels/elements.js';
 import { balanceOf } from '../state/motion/balance.js';
 import { placed, posesOf } from '../state/motion/body.js';
 import { documentOf, framesOf, lengthOf, postureNow } from '../state/motion/editor-state.js';
 import { jointName } from '../state/motion/names.js';
-import { MOST_MILLIS } from '../state/motion/motion-document.js';
+import { MAX_MILLIS } from '../state/motion/motion-document.js';
 import { problemOf } from '../state/motion/motion-text.js';
 import { secondsText } from '../state/motion/timing.js';
 import { numberField, showNumber } from './number-field.js';
@@ -16,7 +16,7 @@ import { orderButton } from './toolbar.js';
  * @typedef {import('./orders.js').Order} Order
  *
  * @typedef {object} Actions
- * @property {(millis: number) => void} setTime of the chosen keyframe
+ * @property {(millis: number) => void} setTime of the selected keyframe
  * @property {(start: string) => void} tryPhysically
  * @property {(text: string) => void} note
  */
@@ -81,8 +81,8 @@ function partsOf(editor, orders, actions) {
 /** @param {Actions} actions */
 function millisField({ setTime, note }) {
   const label = 'Time of the way to this keyframe in milliseconds';
-  return numberField({ inputmode: 'numeric', id: 'millis', 'aria-label': label }, MOST_MILLIS, setTime, (text) =>
-    note(`“${text}” is not a time of up to ${MOST_MILLIS} milliseconds; the keyframe stays where it is.`),
+  return numberField({ inputmode: 'numeric', id: 'millis', 'aria-label': label }, MAX_MILLIS, setTime, (text) =>
+    note(`“${text}” is not a time of up to ${MAX_MILLIS} milliseconds; the keyframe stays where it is.`),
   );
 }
 
@@ -142,7 +142,7 @@ function verdictText({ state, marks }) {
   return [chosenText(state), ...counts, balanceText(state)].filter(Boolean).join(' · ');
 }
 
-/** What edits will change, if it is not just the keyframe at the playhead. @param {Editor['state']} state */
+/** Describes the selection, unless it is just the keyframe at the playhead. @param {Editor['state']} state */
 function chosenText(state) {
   const { chosen, rows, body } = state;
   const frames = chosen.length === 1 ? `keyframe ${chosen[0] + 1}` : `${chosen.length} keyframes`;

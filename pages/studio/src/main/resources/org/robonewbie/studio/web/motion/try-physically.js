@@ -1,11 +1,11 @@
-/** Lets a robot with weight and motors play the motion, and shows what it did. */
+/** Plays the motion on a simulated physical robot and shows the result. */
 import { atTime, documentOf } from '../state/motion/editor-state.js';
 import { jointName } from '../state/motion/names.js';
 import { secondsText } from '../state/motion/timing.js';
 
 /** @typedef {import('./editor.js').Editor} Editor */
 
-/** Nobody sees so little. */
+/** Differences below this are invisible. */
 const KEPT_DEGREES = 1;
 
 /** @param {Editor} editor @param {string} start standing, back or front */
@@ -35,7 +35,7 @@ function fallText(seconds) {
     : `The robot falls after ${secondsText(1000 * seconds)}.`;
 }
 
-/** @param {Editor} editor @returns {string} which joint is behind most */
+/** @param {Editor} editor @returns {string} sentence about the joint with the largest lag */
 function lagText({ lag, state }) {
   if (!lag || lag.joint < 0) {
     return '';

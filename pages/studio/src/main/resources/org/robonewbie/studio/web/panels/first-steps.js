@@ -1,4 +1,4 @@
-/** Three things to try, for people who are here for the first time; each is crossed out once it is done, and then it is gone for good. */
+/** Getting-started list: three things to try; each is crossed out when done, and the list disappears for good after the last. */
 import { button, byId, element } from './elements.js';
 import { keep, recall } from './memory.js';
 

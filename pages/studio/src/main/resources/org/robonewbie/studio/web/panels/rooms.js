@@ -1,9 +1,9 @@
-/** The rooms of the studio and the way from one to the other: the fragment of the address names the room. */
+/** Navigation between the rooms of the studio; the fragment of the address names the room. */
 import { byId, element } from './elements.js';
 
 /** @typedef {'field' | 'program' | 'robot' | 'motion' | 'replay'} RoomName */
 
-/** Only rooms that one can enter are listed. @type {Array<{room: RoomName, place: string, name: string, hint: string, part?: string}>} */
+/** Rooms with an entry in the navigation. @type {Array<{room: RoomName, place: string, name: string, hint: string, part?: string}>} */
 const ROOMS = [
   { room: 'field', place: 'field-room', name: 'Field', hint: 'Watch and steer the game' },
   { room: 'program', place: 'field-room', name: 'Program', hint: 'Write a program beside the robot' },
@@ -15,7 +15,7 @@ const ROOMS = [
 
 /**
  * @param {(room: RoomName) => void} entered
- * @returns {() => RoomName} the room that one is in
+ * @returns RoomName} the room that one is in => RoomName} the room that one is in
  */
 export function roomsPanel(entered) {
   const links = ROOMS.map(({ room, name, hint, part = '' }) =>

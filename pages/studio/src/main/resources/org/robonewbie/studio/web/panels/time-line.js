@@ -1,4 +1,4 @@
-/** The line on which one goes back in the running simulation, the same in all rooms; and the way back to now. */
+/** Time line of the running simulation, shared by all rooms, with a button that returns to the present. */
 import { CYCLE_SECONDS } from '../state/cycle.js';
 import { button, byId, element, setText } from './elements.js';
 
@@ -7,7 +7,7 @@ import { button, byId, element, setText } from './elements.js';
 /**
  * @param {TimeCursor} cursor
  * @param {() => void} changed
- * @returns {(tense: 'live' | 'past' | 'recorded', isHidden: boolean) => void} draws the line
+ * @returns {(tense: 'live' | 'past' | 'recorded', isHidden: boolean) => void} updates the line
  */
 export function timeLinePanel(cursor, changed) {
   const place = byId('time-line');
@@ -54,9 +54,9 @@ function readingOf({ cycle, recorded, history }) {
 /**
  * @param {TimeCursor} cursor
  * @param {() => void} changed
- * @returns {import('./keys.js').Action[]} what keys do with time
+ * @returns {import('./keys.js').Action[]} key actions of the time line
  */
-export function timeLineDeeds(cursor, changed) {
+export function timeLineActions(cursor, changed) {
   const go = (/** @type {() => void} */ action) => () => (action(), changed());
   return [
     { keys: ['<', ';'], shown: '<', text: 'a moment back, the simulation goes on', act: go(() => cursor.step(-5)) },

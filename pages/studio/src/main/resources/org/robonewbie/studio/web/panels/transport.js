@@ -1,4 +1,4 @@
-/** Pause, step, speed, reset, and how fast the world runs. */
+/** Transport controls: pause, step, speed, reset, and the real-time factor. */
 import { neighbourSpeed, SPEEDS, transport } from '../state/studio-state.js';
 import { button, byId, choice, element, setText } from './elements.js';
 
@@ -8,11 +8,11 @@ import { button, byId, choice, element, setText } from './elements.js';
  * @typedef {ReturnType<typeof timeActions>} Actions
  */
 
-/** Why time cannot be stopped when one looks through a monitor port. */
+/** Explains why time cannot be stopped over a monitor port. */
 export const NO_CLOCK = 'The server that is watched keeps its own clock; a monitor cannot stop it.';
 
 /**
- * What the time controls do; shared by buttons and keys.
+ * Actions of the time controls, shared by buttons and keys.
  *
  * @param {() => StudioState} now
  * @param {Send} send
@@ -35,7 +35,7 @@ export function timeActions(now, send) {
 
 /**
  * @param {Actions} actions
- * @returns {(state: StudioState) => void} draws the controls
+ * @returns {(state: StudioState) => void} updates the controls
  */
 export function transportPanel(actions) {
   const parts = partsOf(actions);

@@ -1,4 +1,4 @@
-/** Says above a program how its file is encoded, if that is not certain or has changed. */
+/** Notes above a program how its file is encoded, if that is uncertain or has changed. */
 import { button, element } from '../panels/elements.js';
 import { encodingNote } from '../state/decoded-text.js';
 import { fileName } from '../state/program/remarks.js';
@@ -13,7 +13,7 @@ export class EncodingNote {
     this.change = change;
   }
 
-  /** @param {OpenFile} file @param {string} before its encoding before it was saved */
+  /** @param {OpenFile} file @param {string} before its encoding before the last save */
   show(file, before) {
     const { encoding } = file.source;
     const inferred = encodingNote({ ...file.source, content: file.content });

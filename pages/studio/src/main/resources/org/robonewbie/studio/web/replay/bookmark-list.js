@@ -1,4 +1,4 @@
-/** The bookmarks of the open recording: moments with notes, to go to and to link to. */
+/** Bookmarks of the open recording: moments with notes, to jump to and to link to. */
 import { button, element, setText } from '../panels/elements.js';
 import { MOMENTS_PER_SECOND } from '../state/replay/replay-state.js';
 import { addBookmark, deleteBookmark } from './recording-api.js';
@@ -7,13 +7,13 @@ import { addBookmark, deleteBookmark } from './recording-api.js';
  * @typedef {import('./recording-api.js').Bookmark} Bookmark
  *
  * @typedef {object} Actions
- * @property {() => number} now the index of the moment that is shown
+ * @property {() => number} now the index of the shown moment
  * @property {(index: number) => void} goTo
- * @property {() => Promise<void>} changed the list of recordings has to be fetched again
+ * @property {() => Promise<void>} changed the list of recordings must be reloaded
  * @property {(text: string) => void} note
  */
 
-/** @param {string} name of a recording @param {number} seconds @returns {string} the part of the address that shows this moment */
+/** @param {string} name of a recording @param {number} seconds @returns {string} address fragment of this moment */
 export const momentLink = (name, seconds) => `#replay/${encodeURIComponent(name)}@${seconds}`;
 
 export class BookmarkList {
@@ -27,7 +27,7 @@ export class BookmarkList {
   });
   #undo = button('Undo', 'Brings the bookmark back that was deleted last', () => this.#bringBack(), { hidden: '' });
   #drawn = '';
-  /** The bookmarks that were deleted, the last one at the end. @type {Bookmark[]} */
+  /** Deleted bookmarks, the most recent last. @type {Bookmark[]} */
   #deleted = [];
 
   /** @param {Actions} actions */
@@ -48,7 +48,7 @@ export class BookmarkList {
     );
   }
 
-  /** Lets one write the note of a new bookmark. */
+  /** Opens the input for the note of a new bookmark. */
   ask() {
     this.element.open = true;
     this.#field.focus();

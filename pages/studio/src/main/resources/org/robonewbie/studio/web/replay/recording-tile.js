@@ -1,4 +1,4 @@
-/** One recording as a card, with what one can do to it. */
+/** Card of one recording, with its actions. */
 import { shape } from '../panels/drawing.js';
 import { button, element, setText } from '../panels/elements.js';
 import { pitchSheet } from '../panels/pitch-sheet.js';
@@ -28,7 +28,7 @@ export class RecordingTile {
   #agent = element('span', { class: 'faint' });
   #name = element('span', { class: 'faint recording-title' });
   #content = '';
-  /** How many robots took part, if that is known yet. @type {number | undefined} */
+  /** Number of robots, once known. @type {number | undefined} */
   #robots;
 
   /** @param {RecordingEntry} entry @param {TileActions} actions */
@@ -46,7 +46,7 @@ export class RecordingTile {
     this.update(entry);
   }
 
-  /** @param {RecordingEntry} entry @returns {boolean} whether the run has ended since the last time */
+  /** @param {RecordingEntry} entry @returns {boolean} whether the run has ended since the last update */
   update(entry) {
     const hasEnded = this.entry.running && !entry.running;
     this.entry = entry;
@@ -63,7 +63,7 @@ export class RecordingTile {
     return hasEnded;
   }
 
-  /** @param {RecordingCard | undefined} content nothing, if it cannot be read */
+  /** @param {RecordingCard | undefined} content undefined if it is unreadable */
   fill(content) {
     if (!content) {
       setText(this.#teams, 'cannot be read');
@@ -82,7 +82,7 @@ export class RecordingTile {
     this.#content = `${title} ${events.join(' ')}`;
   }
 
-  /** @param {string} wanted in small letters @param {string} filter @returns {boolean} whether it is to be shown */
+  /** @param {string} wanted search text in lower case @param {string} filter @returns {boolean} whether the card matches */
   fits(wanted, filter) {
     const { name, agent, starred, ofProject, running, bookmarks } = this.entry;
     const notes = bookmarks.map(({ note }) => note).join(' ');

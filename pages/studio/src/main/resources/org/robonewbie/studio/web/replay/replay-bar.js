@@ -1,4 +1,4 @@
-/** The controls below the picture of a replay. */
+/** Playback controls below the picture of a replay. */
 import { button, choice, element, setText } from '../panels/elements.js';
 import { NO_CLOCK } from '../panels/transport.js';
 import { MOMENTS_PER_SECOND } from '../state/replay/replay-state.js';
@@ -9,8 +9,8 @@ import { legend, ReplayLine } from './replay-line.js';
  * @typedef {import('./recording-api.js').RecordingEntry} RecordingEntry
  *
  * @typedef {object} Actions
- * @property {(key: string) => void} press does what a key does
- * @property {() => void} showShelf lets one choose another recording
+ * @property {(key: string) => void} press performs the action of a key
+ * @property {() => void} showRecordings shows the list of recordings
  * @property {(speed: number) => void} setSpeed
  * @property {(index: number) => void} goTo
  * @property {() => void} startHere
@@ -20,7 +20,7 @@ import { legend, ReplayLine } from './replay-line.js';
  * @property {ReplayState} state
  * @property {readonly RecordingEntry[]} list
  * @property {import('./recordings.js').RecordingFile | undefined} file
- * @property {boolean} hasClock whether the simulation can go on from here
+ * @property {boolean} hasClock whether the simulation can continue from here
  */
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8];
@@ -36,12 +36,12 @@ export class ReplayBar {
    */
   constructor(place, comparison, bookmarks, actions) {
     this.actions = actions;
-    /** What needs an open recording. @type {HTMLButtonElement[]} */
+    /** Buttons that need an open recording. @type {HTMLButtonElement[]} */
     this.keys = [];
     this.play = this.#key('replay-play', '', 'Play or pause', 'Space');
     this.play.className = 'primary';
     this.loop = this.#key('replay-loop', 'Loop', 'Repeat two seconds around this moment', 'L');
-    this.recording = button('Recordings', 'Choose another recording', actions.showShelf, { id: 'recording' });
+    this.recording = button('Recordings', 'Choose another recording', actions.showRecordings, { id: 'recording' });
     this.speed = choice(
       { id: 'replay-speed', 'aria-label': 'Speed of the replay' },
       SPEEDS.map((each) => [String(each), `${each}×`]),
@@ -97,7 +97,7 @@ export class ReplayBar {
     );
   }
 
-  /** A button that does what a key does. @param {string} id @param {string} name @param {string} hint @param {string} key */
+  /** A button that performs the action of a key. @param {string} id @param {string} name @param {string} hint @param {string} key */
   #key(id, name, hint, key) {
     const made = button(name, `${hint} (${key})`, () => this.actions.press(key), { id });
     this.keys.push(made);

@@ -1,4 +1,4 @@
-/** Curves of any values over time, several in each plot, with one cursor for all of them, which is the cursor of all rooms. */
+/** Plots of any values over time, several curves per plot, with one cursor that is shared with all rooms. */
 import { button, choice, element, offer, setText } from '../panels/elements.js';
 import { keep, recall } from '../panels/memory.js';
 import { fixed } from '../state/numbers.js';
@@ -29,7 +29,7 @@ export class PlotController {
     this.goTo = goTo;
     this.chosen = 0;
     this.span = 20;
-    /** Where the curves end while they stand still. @type {number | undefined} */
+    /** End of the visible range while the plots are paused. @type {number | undefined} */
     this.heldAt = undefined;
     /** @type {RobotMoment | undefined} */
     this.moment = undefined;
@@ -80,7 +80,7 @@ export class PlotController {
     this.rows.forEach((each) => each.head.parentElement?.classList.toggle('chosen', each === row));
   }
 
-  /** Adds a value to the chosen plot, or takes it away. @param {string} name */
+  /** Adds a value to the selected plot, or removes it. @param {string} name */
   toggle(name) {
     if (this.rows.length === 0) {
       this.add([]);
@@ -111,7 +111,7 @@ export class PlotController {
     this.pause.setAttribute('aria-pressed', String(this.heldAt !== undefined));
   }
 
-  /** @param {RobotMoment} moment @param {boolean} isLive whether it is now */
+  /** @param {RobotMoment} moment @param {boolean} isLive whether it is the present */
   draw(moment, isLive) {
     this.moment = moment;
     this.tree.draw(moment.traces, this.rows[this.chosen]?.names ?? []);
@@ -122,7 +122,13 @@ export class PlotController {
     }
   }
 
-  /** What the plots show: the last seconds; if one looks at another moment, it is in the middle. @param {RobotMoment} moment @param {boolean} isLive @returns {[number, number]} */
+  /**
+   * The visible range: the last seconds; for a past moment, centred on it.
+   *
+   * @param {RobotMoment} moment
+   * @param {boolean} isLive
+   * @returns {[number, number]}
+   */
   #range({ seconds, traces }, isLive) {
     const last = traces.extent.to;
     const to =
@@ -193,7 +199,7 @@ function named(text) {
   return [`${name.split('/').join(': ')} `, element('strong', {}, value)];
 }
 
-/** @returns {string[][]} names of the values of each plot */
+/** @returns {string[][]} value names of each plot */
 function stored() {
   const kept = recall(KEY, FIRST);
   const isWhole = Array.isArray(kept) && kept.length > 0 && kept.every(Array.isArray);

@@ -1,4 +1,4 @@
-/** The room in which one robot is seen from inside: joints, senses, surroundings, thoughts, messages and curves. */
+/** The robot room: joints, senses, surroundings, beliefs, messages and plots of one robot. */
 import { button, byId, element, setText } from '../panels/elements.js';
 import { PANEL_TITLES } from '../state/layout.js';
 import { fixed } from '../state/numbers.js';
@@ -60,7 +60,7 @@ class RobotRoom {
     this.plots = new PlotController(right, goTo);
   }
 
-  /** A panel below its name, which folds it. @param {import('../state/layout.js').PanelName} name */
+  /** A panel below its title, which collapses it. @param {import('../state/layout.js').PanelName} name */
   #panel(name) {
     const title = PANEL_TITLES[name];
     const fold = button(title, 'Fold and unfold', () => this.surroundings.fold(name), {
@@ -73,7 +73,7 @@ class RobotRoom {
     return inside;
   }
 
-  /** The log and the messages lie in the same place. @param {(seconds: number) => void} goTo */
+  /** Tabs for the log and the messages. @param {(seconds: number) => void} goTo */
   #sheets(goTo) {
     const log = element('div', { class: 'sheet', id: 'log-sheet' });
     const messages = element('div', { class: 'sheet', id: 'message-sheet' });
@@ -96,7 +96,7 @@ class RobotRoom {
     return element('div', { class: 'sheets' }, element('div', { class: 'tabs' }, ...tabs), ...sheets);
   }
 
-  /** What keys do here. */
+  /** Key actions of this room. */
   get actions() {
     return [
       {
@@ -117,14 +117,14 @@ class RobotRoom {
     this.lastPicture = 0;
   }
 
-  /** A new line to the simulator knows nothing of what was watched. */
+  /** Forgets the subscription, which a new connection does not have. */
   forget() {
     this.watch.forget();
   }
 
   /** @param {{robot: string, lines: string[], messages: Array<[number, string, string]>}} news */
-  hear(news) {
-    this.watch.hear(news);
+  receive(news) {
+    this.watch.receive(news);
   }
 
   /**

@@ -1,4 +1,4 @@
-/** What a robot feels and hears: accelerometer, gyroscope, feet, calls, and what the referee tells. */
+/** Perceptors of a robot: accelerometer, gyroscope, feet, hearing, and the game state of the referee. */
 import { label, shape } from '../panels/drawing.js';
 import { element, setText } from '../panels/elements.js';
 import { fixed } from '../state/numbers.js';
@@ -34,7 +34,7 @@ export function sensesPanel(place) {
   };
 }
 
-/** Writes what was said; it stays until something else is said. @param {Element} target @param {string} said */
+/** Shows the last heard message until another one arrives. @param {Element} target @param {string} said */
 function keepText(target, said) {
   setText(target, said || target.textContent || '–');
 }
@@ -53,10 +53,10 @@ function foot(force) {
     : 'touches nothing';
 }
 
-/** @param {Record<string, string>} told */
-function game(told) {
-  const score = told.sl === undefined ? '' : `, ${told.sl} : ${told.sr}`;
-  return told.pm === undefined ? '–' : `${told.pm} at ${told.t} s${score}`;
+/** @param {Record<string, string>} state */
+function game(state) {
+  const score = state.sl === undefined ? '' : `, ${state.sl} : ${state.sr}`;
+  return state.pm === undefined ? '–' : `${state.pm} at ${state.t} s${score}`;
 }
 
 /** @param {SVGElement} soles @param {Senses} senses @param {RobotModel} model */

@@ -1,4 +1,4 @@
-/** What happens in the game, in words. Pure. */
+/** Game events in words. Pure. */
 
 /** @type {Record<string, string>} */
 const FOULS = {
@@ -16,9 +16,9 @@ const FOULS = {
 };
 
 /**
- * @param {string} event as the recording writes it
+ * @param {string} event in the format of recordings
  * @param {{left: string, right: string}} teams
- * @returns {string} a sentence, empty for what is seen elsewhere
+ * @returns {string} a sentence, empty for events shown elsewhere
  */
 export function foulText(event, teams) {
   const [kind, first, side, number] = event.split(' ');

@@ -1,7 +1,6 @@
 /**
- * The nets of the original motion editor (.mef): a line with the word nao, the names of the joints, keyframes with number and place
- * on the screen, and transitions between them. The motion is the way along the first transitions from keyframe 0, whose own posture is
- * not part of it. Pure.
+ * Keyframe nets of the original motion editor (.mef): a line with the word nao, the joint names, keyframes with number and screen position,
+ * and transitions between them. The motion follows the first transitions from keyframe 0, whose own posture is not part of it. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
@@ -10,7 +9,7 @@
  * @typedef {import('./foreign.js').Columns} Columns
  *
  * @typedef {object} Net
- * @property {Columns | undefined} columns joint of each angle, in the order of the file; nothing before they are named
+ * @property {Columns | undefined} columns joint of each angle, in the order of the file; undefined before the header
  * @property {Remarks} remarks
  * @property {Map<number, number[]>} postures by number
  * @property {Array<{from: number, to: number, millis: number, row: Row}>} transitions
@@ -53,9 +52,9 @@ export function writeNet(frames, start) {
 /**
  * @param {string} text
  * @param {Body} body
- * @param {readonly number[]} start angles of joints of which the file says nothing
+ * @param {readonly number[]} start angles of joints that the file lacks
  * @returns {Imported}
- * @throws {Error} if it is no such net; the message is meant for people
+ * @throws {Error} if it is not a keyframe net; the message is meant for the user
  */
 export function readNet(text, body, start) {
   const [head, ...rows] = rowsOf(text);
@@ -160,7 +159,7 @@ function refuseOther(name) {
   }
 }
 
-/** The way along the first transitions, until it ends or comes to a keyframe again. @param {Net} net */
+/** Follows the first transitions until they end or revisit a keyframe. @param {Net} net */
 function chainOf({ postures, transitions }) {
   /** @type {Net['transitions']} */
   const steps = [];
