@@ -98,7 +98,7 @@ for (const theme of /** @type {const} */ (['light', 'dark'])) {
     field: colours.field,
   };
 
-  test(`letters can be read on every ground, ${theme}`, () => {
+  test(`text has enough contrast on every background, ${theme}`, () => {
     for (const [ground, behind] of Object.entries(grounds)) {
       for (const name of ['ink', 'faint', 'accent', 'trouble', 'warning']) {
         const ratio = contrast(colours[name], behind);
@@ -108,14 +108,14 @@ for (const theme of /** @type {const} */ (['light', 'dark'])) {
     assert.ok(contrast(colours['on-accent'], colours.accent) >= LETTERS, 'on-accent on accent');
   });
 
-  test(`lines of the teams and curves stand out, ${theme}`, () => {
+  test(`lines of teams and curves have enough contrast, ${theme}`, () => {
     for (const name of Object.keys(colours).filter((each) => /^(left|right|curve-\d)$/.test(each))) {
       const ratio = contrast(colours[name], grounds.panel);
       assert.ok(ratio >= SHAPES, `${name}: ${ratio.toFixed(2)}`);
     }
   });
 
-  test(`colour-blind people tell the teams apart, ${theme}`, () => {
+  test(`teams are distinguishable with colour blindness, ${theme}`, () => {
     for (const [kind, matrix] of Object.entries(BLINDNESS)) {
       const [left, right] = [colours.left, colours.right].map((each) => {
         const light = linear(each);
@@ -137,7 +137,7 @@ for (const theme of /** @type {const} */ (['light', 'dark'])) {
   });
 }
 
-test('no letters are smaller than twelve pixels', () => {
+test('no text is smaller than twelve pixels', () => {
   const folder = new URL('../../main/resources/org/robonewbie/studio/web/', import.meta.url);
   for (const file of ['theme', 'layout', 'messages', 'motion', 'puppet', 'replay', 'robot', 'time-line']) {
     const sizes = [

@@ -14,7 +14,7 @@ function imports(script) {
   return [...found].map(([, from, bare]) => join(dirname(script), from ?? bare ?? ''));
 }
 
-test('scripts do not import each other in a circle', () => {
+test('scripts have no cyclic imports', () => {
   const scripts = readdirSync(ROOT, { recursive: true, encoding: 'utf8' })
     .filter((name) => name.endsWith('.js') && !name.startsWith('vendor'))
     .map((name) => join(ROOT, name));

@@ -38,7 +38,7 @@ test('log, motion, belief and drawings of a robot are read', () => {
   assert.equal(thoughts.drawings[2].text, 'hello');
 });
 
-test('a value is given to those who plot it, and its robot is known', () => {
+test('a plotted value has its robot', () => {
   const parsed = remembered().receive('plot\t12.36\tBlue\t3\tball distance\t1.2');
 
   assert.equal(parsed?.name, 'ball distance');
@@ -46,7 +46,7 @@ test('a value is given to those who plot it, and its robot is known', () => {
   assert.equal(readTelemetry(LINES[0]).robot, robotKey('Blue', 3));
 });
 
-test('a belief without own place is read, and a line of another kind is left out', () => {
+test('a belief without own pose is read, and a line of another kind is ignored', () => {
   const { belief } = remembered('belief\t1\tBlue\t3\t-\tball\t1\t2\t3\t0\t1', 'dance\t1\tBlue\t3').at(1);
 
   assert.equal(belief?.self, undefined);
@@ -71,7 +71,7 @@ test('drawings of older cycles vanish', () => {
   assert.deepEqual(memory.at(2.04).drawings, []);
 });
 
-test('each moment has what was known then', () => {
+test('each moment has the telemetry of its time', () => {
   const memory = remembered('motion\t1\tBlue\t3\twave\t1', 'motion\t2\tBlue\t3\twave\t2', 'motion\t3\tBlue\t3\t\t0');
   memory.exchanged({ seconds: 1, perceptors: '(See (B (pol 1 2 3)))', effectors: '' });
   memory.exchanged({ seconds: 1.02, perceptors: '(GYR)', effectors: '(syn)' });
@@ -84,14 +84,14 @@ test('each moment has what was known then', () => {
   assert.equal(memory.at(5).exchange, undefined);
 });
 
-test('a place is seen from the robot: forward and left', () => {
+test('a position is converted to the robot’s frame: forward and left', () => {
   const standing = [1, 2, 0.36, 1, 0, 0, 0];
   const [forward, left] = seenFrom(standing, [1, 5]);
   assert.ok(Math.abs(forward - 3) < 1e-9);
   assert.ok(Math.abs(left) < 1e-9);
 });
 
-test('the right team counts from its own side', () => {
+test('the coordinates of the right team are rotated', () => {
   const { position, heading } = believedPlace([-1, -2, 0.36, 1, 0, 0, 0], 'right', [1, 2, -90]);
 
   assert.ok(Math.hypot(...position) < 1e-9);
@@ -100,7 +100,7 @@ test('the right team counts from its own side', () => {
 
 const folder = process.env.STUDIO_FRAME_FOLDER;
 
-test('each line that Java writes means here what it meant there', { skip: !folder && 'run by Maven' }, () => {
+test('each line written by Java is parsed with the same meaning', { skip: !folder && 'run by Maven' }, () => {
   const written = JSON.parse(readFileSync(`${folder}/telemetry.json`, 'utf8'));
 
   for (const { line, team, number, seconds, kind, item } of written) {

@@ -34,7 +34,7 @@ const repositoryIn = (store, folder = '/') => {
 const paths = (entries) => entries.map(({ path }) => path);
 const versionIn = (entries, wanted) => entries.find(({ path }) => path === wanted)?.version ?? '';
 
-test('editions in two folders of a host share nothing', () => {
+test('editions in two folders of a host have separate storage', () => {
   const store = storeOf();
   repositoryIn(store, '/').overwrite('MyAgent.java', 'root', '');
   repositoryIn(store, '/2025/').overwrite('MyAgent.java', 'old', '');
@@ -44,7 +44,7 @@ test('editions in two folders of a host share nothing', () => {
   assert.deepEqual(paths(repositoryIn(store, '/2026/').own), []);
 });
 
-test('what the first edition kept is found again, once, in each folder, and stays where it was', () => {
+test('data of the first edition are migrated once per folder and not removed', () => {
   const store = storeOf();
   store.setItem('robonewbie-page-file:MyAgent.java', 'mine');
   store.setItem('robonewbie-page-draft:Other.java', 'draft');
@@ -62,7 +62,7 @@ test('what the first edition kept is found again, once, in each folder, and stay
   assert.equal(store.getItem('robonewbie-page-file:MyAgent.java'), 'mine');
 });
 
-test('what has no room twice is moved, and lost in no case', () => {
+test('data without space for two copies are moved and never lost', () => {
   const old = 'robonewbie-page-file:MyAgent.java';
   const key = `/${old}`;
   for (let room = old.length + 10; room < 2 * (key.length + 10) + 60; room += 1) {
@@ -74,7 +74,7 @@ test('what has no room twice is moved, and lost in no case', () => {
   }
 });
 
-test('a full storage is told in words, and what was there is there still', () => {
+test('a full storage is reported, and the previous content is kept', () => {
   const store = storeOf(200);
   const repository = repositoryIn(store);
   repository.overwrite('MyAgent.java', 'first', '');
@@ -85,7 +85,7 @@ test('a full storage is told in words, and what was there is there still', () =>
   assert.equal(repository.read('own', 'MyAgent.java'), 'first');
 });
 
-test('a draft that has no room beside its file makes room for it', () => {
+test('a draft without space beside its file makes room for it', () => {
   const text = 'x'.repeat(100);
   const repository = repositoryIn(storeOf(240));
   repository.writeDraft('MyAgent.java', text, '');
@@ -94,7 +94,7 @@ test('a draft that has no room beside its file makes room for it', () => {
   assert.equal(repository.read('own', 'MyAgent.java'), text);
 });
 
-test('a browser that refuses its storage keeps texts as long as the page is open', () => {
+test('a browser without storage keeps texts until the page is closed', () => {
   const storage = new PageStorage(() => {
     throw new DOMException('The operation is insecure.', 'SecurityError');
   }, '/');
@@ -121,7 +121,7 @@ test('a shared program opens beside one of the same name, saved or not', () => {
   assert.deepEqual(repository.shared, []);
 });
 
-test("one's own link opens the program that is there", () => {
+test("the user’s own link opens the existing program", () => {
   const repository = repositoryIn(storeOf());
   repository.overwrite('MyAgent.java', 'mine', '');
 
@@ -143,11 +143,11 @@ for (const path of [
   });
 }
 
-test('of folders in a link only the name stays', () => {
+test('folders in a link are removed', () => {
   assert.equal(repositoryIn(storeOf()).takeShared('../../src\\main/Walker.java', 'x', ''), 'Walker.java');
 });
 
-test('a window does not replace or remove the unsaved work of another one', () => {
+test('a window does not replace or remove the unsaved work of another', () => {
   const repository = repositoryIn(storeOf());
   repository.overwrite('MyAgent.java', 'saved', '');
   repository.writeDraft('MyAgent.java', 'of one window', '');
@@ -163,7 +163,7 @@ test('a window does not replace or remove the unsaved work of another one', () =
   );
 });
 
-test('start code never takes the place of a program, saved or not', () => {
+test('starter code never replaces a program, saved or not', () => {
   const repository = repositoryIn(storeOf());
   repository.writeDraft('StopAt30.java', 'unsaved', '');
   repository.overwrite('RaiseArms.java', 'saved', '');

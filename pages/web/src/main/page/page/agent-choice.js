@@ -15,12 +15,12 @@ export class AgentChoice {
     this.chosen = first ?? FIRST;
     /** Agents that play beside the selected one, or beside the user's program. */
     this.others = others.slice(0, MAX_OTHERS);
-    this.list = choice({ id: 'page-agent', 'aria-label': 'Agent that plays' }, [], (agent) => this.#take(agent));
-    const title = 'Lets one more agent play; every second robot plays against the first one, and four are the most';
+    this.list = choice({ id: 'page-agent', 'aria-label': 'Playing agent' }, [], (agent) => this.#take(agent));
+    const title = 'Adds an agent; every second one plays against the first, up to four in all';
     this.more = choice({ id: 'page-more', title, 'aria-label': title }, [], (agent) => this.#add(agent));
-    const again = button('⟲', 'From the start: begins once more with a new world', () => this.#begin(), {
+    const again = button('⟲', 'Restarts with a new world', () => this.#begin(), {
       id: 'page-again',
-      'aria-label': 'From the start',
+      'aria-label': 'Restart',
     });
     document.querySelector('.bar-end')?.prepend(this.list, this.more, again);
   }

@@ -75,7 +75,7 @@ export class BrowserRepository {
   overwrite(path, text, known) {
     const there = this.read(path);
     if (there !== null && there !== text && versionOf(there) !== known) {
-      const refusal = `${path} was changed in another window. Load it again, or save under another name.`;
+      const refusal = `${path} was changed in another window. Reload it, or save it under another name.`;
       return new Response(refusal, { status: 409 });
     }
     this.write(path, text);

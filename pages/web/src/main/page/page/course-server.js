@@ -188,7 +188,7 @@ export class CourseServer {
   /** @param {Sheet} sheet @param {string} program @param {number} trials */
   async #begin({ name }, program, trials) {
     if (program === '') {
-      throw new Error('This page tries programs that are written in it: choose one.');
+      throw new Error('This page only runs programs written in it: choose one.');
     }
     const classes = await this.#programs.compiled(program);
     const refusal = await new Promise((done) => {

@@ -3,8 +3,8 @@
 const ELSEWHERE = 'RoboNewbie on your computer has it.';
 const THREADS = `This page has no threads: let think() do a little of each behaviour, one after the other, and count cycles or compare nao.getTime() instead of waiting. ${ELSEWHERE}`;
 const FILES = `This page has neither files nor a keyboard for programs: log.info(...) shows what a program says. ${ELSEWHERE}`;
-const DATES = `Time on the pitch is nao.getTime(), in seconds. Dates are not in this page. ${ELSEWHERE}`;
-const WINDOWS = `This page opens no windows. ${ELSEWHERE}`;
+const DATES = `Time on the pitch is nao.getTime(), in seconds. Dates are not available in this page. ${ELSEWHERE}`;
+const WINDOWS = `Programs of this page cannot open windows. ${ELSEWHERE}`;
 
 /** Prefixes of full Java names, with advice. @type {Array<[RegExp, string]>} */
 const BY_NAME = [

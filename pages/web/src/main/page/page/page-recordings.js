@@ -283,7 +283,7 @@ export class PageRecordings {
   async addBookmark(name, { seconds, note }) {
     const others = this.#find(name).bookmarks.filter((each) => each.seconds !== seconds);
     if (others.length >= MAX_BOOKMARKS) {
-      throw new Error(`A recording has ${MAX_BOOKMARKS} bookmarks at most. Delete one that is not needed any more.`);
+      throw new Error(`A recording can have at most ${MAX_BOOKMARKS} bookmarks. Delete one that you no longer need.`);
     }
     const bookmarks = [...others, { seconds, note: note.slice(0, MAX_NOTE_LETTERS) }];
     await this.#change(name, { bookmarks: bookmarks.sort((one, other) => one.seconds - other.seconds) });

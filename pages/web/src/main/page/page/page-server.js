@@ -1,6 +1,6 @@
 /** Answers the studio's requests for files, scenes and exercises locally, because this page has no server. */
 
-const NOT_HERE = 'That is not in this page yet. RoboNewbie on your computer has it.';
+const NOT_HERE = 'This is not available in this page. Use RoboNewbie on your computer.';
 
 /**
  * @typedef {{answer: (place: string, options: RequestInit) => Promise<Response>}} Part request handler of a part of the server

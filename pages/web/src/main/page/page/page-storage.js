@@ -8,7 +8,7 @@ const COMMON = /^robonewbie-page-/;
 const MIGRATED = 'robonewbie-migrated';
 
 export const NO_ROOM =
-  'This browser has no room left for this page: nothing was saved, and the text is only here. ' +
+  'This browser has no space left for this page: nothing was saved, and the text exists only here. ' +
   'Press Download, or copy the text into a file; then delete scenes that you do not need.';
 
 /** In-memory storage for browsers that deny local storage. */

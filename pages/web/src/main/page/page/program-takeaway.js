@@ -14,11 +14,11 @@ export function addTakeaways(room, repository) {
       foot.append(
         button(
           'Download',
-          'All programs of this browser as a project for your computer, with all that it needs but Java (a zip of 16 MB)',
+          'All programs of this browser as a project for your computer, with everything that it needs except Java (a zip of 16 MB)',
           () => room().attempt(() => save(room(), repository)),
           { id: 'program-zip' },
         ),
-        button('Link', 'Makes a link that holds this program', () => room().attempt(() => showLink(room())), {
+        button('Link', 'Creates a link that contains this program', () => room().attempt(() => showLink(room())), {
           id: 'program-link',
         }),
       );
@@ -44,6 +44,6 @@ async function showLink(room) {
   history.replaceState(undefined, '', link);
   await navigator.clipboard?.writeText(link).catch(() => {});
   room.surroundings.note(
-    'The link holds this program: it is in the address bar, and copied where the browser allows that.',
+    'The link contains this program: it is in the address bar, and was copied if the browser allows that.',
   );
 }

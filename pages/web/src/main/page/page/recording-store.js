@@ -22,7 +22,7 @@ import { folderOfPage, storage } from './page-storage.js';
 const COMMON = 'robonewbie';
 const MIGRATED = 'robonewbie-migrated-recordings';
 
-const NO_ROOM = 'This browser has no room for this recording. Delete others in the room Replay, or save them as files.';
+const NO_ROOM = 'This browser has no space for this recording. Delete others in the room Replay, or save them as files.';
 const ENTRIES = 'recordings';
 const PIECES = 'pieces';
 
@@ -37,7 +37,7 @@ const result = (request) =>
 const ended = (transaction) =>
   new Promise((done, fail) => {
     transaction.oncomplete = () => done();
-    transaction.onabort = () => fail(transaction.error ?? new Error('The browser has given up.'));
+    transaction.onabort = () => fail(transaction.error ?? new Error('The browser aborted the transaction.'));
   });
 
 /** @param {string} name @returns {Promise<IDBDatabase>} */

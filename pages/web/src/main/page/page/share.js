@@ -3,8 +3,8 @@
 const MARK = 'shared=';
 const MAX_BYTES = 1_000_000;
 
-const DAMAGED = 'The program of this link cannot be read: the link is cut off or damaged. Ask for it again as a whole.';
-const TOO_LARGE = `The program of this link has more than ${MAX_BYTES / 1_000_000} MB, which is more than a program may have.`;
+const DAMAGED = 'The program of this link cannot be read: the link is cut off or damaged. Ask for the complete link.';
+const TOO_LARGE = `The program of this link has more than ${MAX_BYTES / 1_000_000} MB, the limit for programs.`;
 
 /** @param {ReadableStream<any>} stream @returns {Promise<Uint8Array>} */
 async function bytesOf(stream) {

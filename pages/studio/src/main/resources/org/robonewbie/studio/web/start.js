@@ -16,7 +16,7 @@ const painted = new Promise((done) => {
 function showLoadError(error) {
   const place = document.getElementById('stage-opening');
   if (place) {
-    place.textContent = 'The page has not arrived whole. Is the program still running? Then load the page again.';
+    place.textContent = 'The page did not load completely. If the program is still running, reload the page.';
   }
   throw error;
 }

@@ -14,7 +14,7 @@ export const CAMERAS = [
   { mode: 'orbit', name: 'Free', hint: 'Turn with the mouse, move with the right button' },
   { mode: 'follow', name: 'Follow', hint: 'Keeps the chosen robot in the middle' },
   { mode: 'top', name: 'Top', hint: 'The whole pitch from above' },
-  { mode: 'eye', name: 'Robot’s eyes', hint: 'What the chosen robot looks at' },
+  { mode: 'eye', name: 'Robot’s eyes', hint: 'The view through the chosen robot’s eyes' },
   { mode: 'ball', name: 'Ball', hint: 'Follows the ball, as on television' },
 ];
 

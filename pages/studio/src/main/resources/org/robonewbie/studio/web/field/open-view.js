@@ -22,7 +22,7 @@ export function openView(quality) {
   } catch (error) {
     showBanner({
       tone: 'trouble',
-      title: 'This browser does not draw in three dimensions',
+      title: 'This browser does not support 3D graphics',
       text: 'Switch on WebGL (hardware acceleration) in its settings, or open this address in another browser.',
     });
     throw error;

@@ -29,7 +29,7 @@ const OVER_GROUND = 0.002;
 const TIPS = {
   ball: 'Drag the ball to move it; drag its ring to throw it',
   robot: 'Click to follow; drag to move the robot; drag its ring to turn it',
-  'ball-ring': 'Pull to throw the ball, with Shift high',
+  'ball-ring': 'Pull to throw the ball; hold Shift for a high throw',
   'robot-ring': 'Drag around the robot to turn it',
 };
 

@@ -76,7 +76,7 @@ const STEPS_PER_DEGREE = 100;
 export function readFrame(bytes, scene) {
   const view = new DataView(bytes);
   if (view.getUint8(0) !== VERSION) {
-    throw new Error('The studio is newer than this page. Load the page again.');
+    throw new Error('The studio is newer than this page. Reload the page.');
   }
   if (view.getUint16(2, true) !== scene.revision) {
     return undefined;

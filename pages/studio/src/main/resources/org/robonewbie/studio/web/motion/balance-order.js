@@ -16,5 +16,5 @@ export function makeBalanced(editor) {
     text: `Keyframe ${index + 1}: ${reason}`,
     go: () => editor.apply((each) => selected(each, index)),
   }));
-  showFindings('Make it balanced', `${text} These stay as they were:`, places);
+  showFindings('Make it balanced', `${text} These were not changed:`, places);
 }

@@ -159,9 +159,9 @@ export class Editor {
     this.conflict = verdict === 'ask';
     if (verdict === 'reload') {
       await this.reload();
-      this.listener.note(`“${name}” was changed by another program and is shown as it is now.`);
+      this.listener.note(`“${name}” was changed by another program and has been reloaded.`);
     } else if (verdict === 'gone') {
-      this.listener.note(`“${name}” is no longer in the folder. Save it to write it again.`);
+      this.listener.note(`“${name}” is no longer in the folder. Save to create it again.`);
       this.set({ ...this.state, version: '', saved: EMPTY_DOCUMENT });
     }
   }
@@ -174,7 +174,7 @@ export class Editor {
       return;
     }
     this.conflict = false;
-    const taken = edited(this.state, document, 'Load again from the disk');
+    const taken = edited(this.state, document, 'Reload from the disk');
     this.set(selected({ ...taken, version, saved: document }, this.state.last));
   }
 
@@ -210,7 +210,7 @@ export class Editor {
     this.set(withFile(this.state, { name, version: isOwn ? version : '', document, recovered }));
     keepText(LAST_FILE, name);
     if (isNew) {
-      this.listener.note(`Unsaved work on “${name}” was recovered. Undo takes it back.`);
+      this.listener.note(`Unsaved work on “${name}” was recovered. Undo discards it.`);
     }
   }
 
@@ -229,8 +229,8 @@ export class Editor {
   async take(document, name, notes) {
     await this.#begin(document, await this.drafts.newName());
     const count = framesOf(this.state).length;
-    const taken = `${count} keyframes were taken from ${name}.`;
-    this.listener.note([taken, ...notes, 'Save them under a name of your own.'].join(' '));
+    const taken = `${count} keyframes were imported from ${name}.`;
+    this.listener.note([taken, ...notes, 'Save them under a new name.'].join(' '));
     const request = this.requests;
     const isOriginal = isUndescribed(document) && (await this.#isMadeForOriginal(document));
     if (request === this.requests) {
@@ -294,7 +294,7 @@ export class Editor {
     }
     await Promise.all([...new Set([nameBefore, name])].map((each) => this.files.removeDraft(each)));
     await this.refresh();
-    const hides = this.list.library.includes(name) ? ', instead of the library’s' : '';
+    const hides = this.list.library.includes(name) ? ', which now replaces the library’s' : '';
     this.listener.note(`Saved. An agent plays it with motions.start("${name}")${hides}.`);
   }
 

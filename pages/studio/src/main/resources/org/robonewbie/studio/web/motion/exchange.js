@@ -11,7 +11,7 @@ export async function importFile(editor) {
   const file = await askFile(ENDINGS);
   if (file) {
     if (file.size > MAX_BYTES) {
-      throw new Error(`${file.name} was not imported: it is larger than 2 MB, which no motion is.`);
+      throw new Error(`${file.name} was not imported: it is larger than 2 MB, the limit for motions.`);
     }
     const { body, start } = editor.state;
     const bytes = new Uint8Array(await file.arrayBuffer());
@@ -26,7 +26,7 @@ export async function exportFile(editor) {
     title: 'Export the motion',
     label: 'For',
     action: 'Export',
-    hint: 'The file goes to where your browser puts downloads. Import… reads all of these again.',
+    hint: 'The file is saved to your browser’s downloads. Import… can read all of these formats.',
     entries: FORMATS.map((format) => [format.id, format.name]),
   });
   const format = FORMATS.find((each) => each.id === id);

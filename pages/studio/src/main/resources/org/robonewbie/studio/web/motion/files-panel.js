@@ -43,7 +43,7 @@ class FilesPanel {
     const { editor, run } = this;
     const begin = () => (takeTyped(), run(editor.create()));
     const keep = () => run(keepPosture(editor));
-    const create = button('+ New', 'A new motion that begins with standing', begin, { id: 'new-motion' });
+    const create = button('+ New', 'A new motion that starts standing', begin, { id: 'new-motion' });
     return [
       element('div', { class: 'list-head' }, element('h2', {}, 'Your motions'), create),
       this.#own,
@@ -54,7 +54,7 @@ class FilesPanel {
       this.#library,
       element('h2', {}, 'Postures'),
       this.#postures,
-      button('Keep this posture…', 'Remember the posture under a name', keep, { id: 'keep-posture' }),
+      button('Save this posture…', 'Save the posture under a name', keep, { id: 'keep-posture' }),
     ];
   }
 
@@ -111,7 +111,7 @@ class FilesPanel {
     const give = (/** @type {string} */ name, /** @type {readonly number[]} */ degrees) => () =>
       editor.apply((each) => posed({ ...each, symmetric: false }, degrees, `Posture ${name}`));
     this.#postures.replaceChildren(
-      ...all.map(({ name, degrees }) => button(name, `Give the keyframe the posture “${name}”`, give(name, degrees))),
+      ...all.map(({ name, degrees }) => button(name, `Set the keyframe to the posture “${name}”`, give(name, degrees))),
     );
   }
 }
@@ -160,12 +160,12 @@ function entryButton({ name, changed }) {
 async function keepPosture(editor) {
   const degrees = [...postureNow(editor.state)];
   const name = await ask({
-    title: 'Keep this posture',
+    title: 'Save this posture',
     label: 'Name',
     value: 'My posture',
     action: 'Keep',
     problem: (answer) => (/^[^\r\n]{1,40}$/.test(answer) ? '' : 'A name has 1 to 40 characters.'),
-    hint: 'It can be given to any keyframe of any motion.',
+    hint: 'It can be used for any keyframe of any motion.',
   });
   if (name !== undefined) {
     await editor.keepPosture(name, degrees);

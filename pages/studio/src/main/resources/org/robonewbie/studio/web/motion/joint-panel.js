@@ -34,7 +34,7 @@ const MAX_DEGREES = 360;
  */
 export function jointPanel(place, body, editor) {
   const rows = body.joints.map((joint, i) => jointRow(joint, i, editor));
-  const symmetric = check('symmetric', 'Both sides alike', 'What one arm or leg does, the other does too', (on) =>
+  const symmetric = check('symmetric', 'Both sides alike', 'Mirrors each change of one arm or leg to the other', (on) =>
     editor.setSymmetric(on),
   );
   place.append(
@@ -75,7 +75,7 @@ function jointRow({ name, minDegrees, maxDegrees }, index, editor) {
     { inputmode: 'decimal', 'aria-label': label, title },
     MAX_DEGREES,
     (degrees) => editor.turn(index, degrees, ''),
-    (text) => editor.note(`“${text}” is not an angle in degrees; ${jointName(name).toLowerCase()} stays as it is.`),
+    (text) => editor.note(`“${text}” is not an angle in degrees: ${jointName(name).toLowerCase()} stays as it is.`),
   );
   number.dataset.joint = name;
   slider.dataset.slider = name;

@@ -205,12 +205,14 @@ class MotionRoom {
 
   #conflict() {
     const { editor, run } = this;
-    const reload = button('Load theirs', 'Undo brings yours back', () => run(editor.reload()), { id: 'load-theirs' });
+    const reload = button('Load theirs', 'Undo restores your version', () => run(editor.reload()), {
+      id: 'load-theirs',
+    });
     const mine = button('Keep mine', 'The next save replaces the file', () => editor.keepMine(), { id: 'keep-mine' });
     const panel = element(
       'div',
       { id: 'disk-conflict', class: 'panel', role: 'alert' },
-      element('p', {}, 'Another program has changed this file, and so have you.'),
+      element('p', {}, 'This file was changed by another program and also has unsaved changes here.'),
       reload,
       mine,
     );
@@ -225,9 +227,9 @@ class MotionRoom {
     const panel = element(
       'div',
       { id: 'original-rule', class: 'panel', role: 'status' },
-      element('p', {}, 'This motion seems to be made for RoboNewbie 1.1, which played keyframes by another rule.'),
+      element('p', {}, 'This motion seems to be written for RoboNewbie 1.1, which played short keyframes differently.'),
       button('Play it as 1.1 did', 'Writes // play: 1.1 at its top', old, { id: 'play-original' }),
-      button('Leave it', 'Agents play it as other motions', now, { id: 'play-usual' }),
+      button('Leave it', 'Agents play it like other motions', now, { id: 'play-usual' }),
     );
     panel.hidden = true;
     return panel;
@@ -247,7 +249,7 @@ class MotionRoom {
 /** @param {Error} error */
 function problemText(error) {
   return error instanceof TypeError
-    ? 'The studio does not answer. Your work stays in this page; save it when the simulator runs again.'
+    ? 'The studio does not respond. Your work is still in this page; save it when the simulator is running again.'
     : error.message;
 }
 

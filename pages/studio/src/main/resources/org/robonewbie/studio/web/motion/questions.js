@@ -115,7 +115,7 @@ export async function askName(value) {
     value,
     action: 'Save',
     problem: (answer) => nameSentence(composedName(answer)),
-    hint: 'Agents play it by this name.',
+    hint: 'Agents play the motion by this name.',
   });
   return name === undefined ? undefined : composedName(name);
 }

@@ -15,7 +15,7 @@ export function takePosture(take, robotOfRun) {
       made.title =
         robot === ''
           ? 'Start an agent: the posture of its robot can then become a keyframe'
-          : `The posture of ${robot} in the run becomes a keyframe`;
+          : `The posture of ${robot} becomes a keyframe`;
     },
   };
 }

@@ -285,7 +285,7 @@ export class TimelineController {
     const time = timesOf(framesOf(this.#state))[frame];
     const text =
       degrees === undefined
-        ? 'Drag a box to choose several, click to go there'
+        ? 'Drag to select several, click to move the playhead'
         : `${jointName(body.joints[joint].name)} ${degrees}° in keyframe ${frame + 1} at ${secondsText(time)}`;
     this.timeline.tracks.title = text;
   }

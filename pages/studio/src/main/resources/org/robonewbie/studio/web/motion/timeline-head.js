@@ -24,17 +24,17 @@ const TICK_GAP = 56;
 
 /** @type {Array<{kind: Mark['kind'], name: string, meaning: string}>} */
 export const MARK_KINDS = [
-  { kind: 'speed', name: 'too fast', meaning: 'A motor cannot turn its joint so fast: give the way more time.' },
-  { kind: 'range', name: 'out of range', meaning: 'A joint cannot turn so far: the robot stops at its limit.' },
+  { kind: 'speed', name: 'too fast', meaning: 'A motor cannot turn its joint this fast: increase the duration.' },
+  { kind: 'range', name: 'out of range', meaning: 'A joint cannot turn this far: it stops at its limit.' },
   {
     kind: 'collision',
     name: 'limbs touch',
-    meaning: 'Two limbs would be in the same place; a real robot would break.',
+    meaning: 'Two limbs collide; a real robot could be damaged.',
   },
   {
     kind: 'balance',
     name: 'tips over',
-    meaning: 'The centre of mass is not over the feet. Fast motions may do so for a moment.',
+    meaning: 'The centre of mass is not above the feet. That is acceptable for a moment in a fast motion.',
   },
 ];
 

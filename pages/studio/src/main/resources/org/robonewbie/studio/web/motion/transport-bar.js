@@ -23,10 +23,10 @@ import { orderButton } from './toolbar.js';
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
 const TRIAL = 'Try on a physical robot';
-const TRIAL_HINT = 'A robot with weight, motors and ground plays the motion now';
+const TRIAL_HINT = 'Plays the motion on a simulated robot with mass and motors';
 
 const VERDICT_HINT =
-  'What may go wrong on a robot. “Balanced by 2 cm”: the centre of mass lies 2 cm inside the feet; outside of them it tips over.';
+  'What can go wrong on a robot. “Balanced by 2 cm”: the centre of mass is 2 cm inside the edge of the feet; outside of it the robot tips over.';
 
 /** @type {Array<[value: string, text: string]>} */
 const STARTS = [
@@ -60,7 +60,7 @@ function partsOf(editor, orders, actions) {
   const byId = (/** @type {string} */ id) => /** @type {Order} */ (orders.find((order) => order.id === id));
   const play = orderButton(byId('play'));
   play.className = 'primary';
-  const start = choice({ id: 'trial-start', 'aria-label': 'How the robot is before the trial' }, STARTS, () => {});
+  const start = choice({ id: 'trial-start', 'aria-label': 'Position of the robot before the trial' }, STARTS, () => {});
   return {
     play,
     insert: orderButton(byId('insert')),
@@ -80,16 +80,16 @@ function partsOf(editor, orders, actions) {
 
 /** @param {Actions} actions */
 function millisField({ setTime, note }) {
-  const label = 'Time of the way to this keyframe in milliseconds';
+  const label = 'Time to reach this keyframe in milliseconds';
   return numberField({ inputmode: 'numeric', id: 'millis', 'aria-label': label }, MAX_MILLIS, setTime, (text) =>
-    note(`“${text}” is not a time of up to ${MAX_MILLIS} milliseconds; the keyframe stays where it is.`),
+    note(`“${text}” is not a time of up to ${MAX_MILLIS} milliseconds; the keyframe was not moved.`),
   );
 }
 
 /** @param {HTMLInputElement} millis */
 function timeField(millis) {
-  const title = 'Time of the way from the keyframe before, in milliseconds';
-  return element('label', { class: 'field', title }, 'Way', millis, 'ms');
+  const title = 'Time from the previous keyframe in milliseconds';
+  return element('label', { class: 'field', title }, 'Time', millis, 'ms');
 }
 
 /** @typedef {ReturnType<typeof partsOf>} Parts */

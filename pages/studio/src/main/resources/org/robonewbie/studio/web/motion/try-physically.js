@@ -17,7 +17,7 @@ export async function tryPhysically(editor, start) {
     const document = documentOf(editor.state);
     const trial = await files.trial(document, start);
     if (documentOf(editor.state) !== document) {
-      listener.note('The motion was changed meanwhile. Try it again.');
+      listener.note('The motion was changed during the trial. Try again.');
       return;
     }
     editor.set({ ...atTime({ ...editor.state, trial, watching: true }, 0), playing: true });
@@ -42,7 +42,7 @@ function lagText({ lag, state }) {
   }
   const { degrees, time } = lag.worst[lag.joint];
   if (degrees < KEPT_DEGREES) {
-    return 'All joints keep to the plan.';
+    return 'All joints follow the plan.';
   }
-  return `Most behind the plan: ${jointName(state.body.joints[lag.joint].name)}, ${degrees.toFixed(0)}° at ${secondsText(time)}.`;
+  return `Largest lag behind the plan: ${jointName(state.body.joints[lag.joint].name)}, ${degrees.toFixed(0)}° at ${secondsText(time)}.`;
 }

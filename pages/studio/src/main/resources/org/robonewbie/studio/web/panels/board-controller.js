@@ -28,9 +28,7 @@ export class BoardController {
     Object.entries(sets).forEach(([set, shapes]) => this.#sets.set(set, shapes));
     if (isNew) {
       this.panel.hidden = false;
-      this.list.replaceChildren(
-        ...[...this.#sets.keys()].sort().map((set) => this.#check(set, set || 'without a name')),
-      );
+      this.list.replaceChildren(...[...this.#sets.keys()].sort().map((set) => this.#check(set, set || 'unnamed')));
     }
     this.#show();
   }

@@ -18,7 +18,7 @@ export class Commentary {
   constructor(session, announce) {
     this.session = session;
     this.announce = announce;
-    const { box, label } = check('goal-replays', 'Goals again', 'Shows each goal again, slowly', (on) => {
+    const { box, label } = check('goal-replays', 'Replay goals', 'Replays each goal in slow motion', (on) => {
       keep(KEY, on);
       this.#stop();
     });

@@ -32,7 +32,7 @@ export class CoursePanel {
     {
       id: 'course-language',
       'aria-label': 'Language of the exercises',
-      title: 'Language of worksheets, hints and findings',
+      title: 'Language of worksheets, hints and results',
     },
     LANGUAGES,
     (code) => this.#attemptTo(() => this.#speak(code)),
@@ -52,7 +52,7 @@ export class CoursePanel {
     const ghost = check(
       'course-ghost',
       'Ghost of my last trial',
-      'Shows your last trial beside the present one',
+      'Shows your last trial beside the current one',
       showGhost,
     );
     ghost.box.checked = true;
@@ -155,7 +155,7 @@ export class CoursePanel {
     if (this.#chosen) {
       const file = await this.#ask(`course/${this.#chosen.name}`, 'PUT');
       await this.#refresh();
-      this.#note(`${file} is written, the program to begin with. Change it in your editor, then press Start.`);
+      this.#note(`${file} , the starter program, was created. Edit it, then press Start.`);
     }
   }
 
@@ -264,15 +264,15 @@ function controls() {
   );
   trials.value = DEFAULT_TRIALS;
   return {
-    program: element('select', { id: 'course-program', 'aria-label': 'Program that solves it' }),
+    program: element('select', { id: 'course-program', 'aria-label': 'Program to run' }),
     trials,
     here: control(
       'course-here',
-      'Opens the program to begin with, or yours, in the room Program',
+      'Opens the starter program, or yours, in the room Program',
       'Program it beside the robot',
     ),
-    write: control('course-write', 'Writes the program to begin with into the working folder'),
-    start: control('course-start', 'Tries the program on this pitch', 'Start'),
+    write: control('course-write', 'Creates the starter program in the working folder'),
+    start: control('course-start', 'Runs the program on this pitch and judges it', 'Start'),
     stop: control('course-stop', 'Ends the attempt and shows the free pitch', 'Stop'),
   };
 }
@@ -284,6 +284,6 @@ function verdicts() {
     judged: element('ul', { id: 'course-judged' }),
     advice: element('div', { id: 'course-hints' }),
     printed: element('pre', {}),
-    output: element('details', { id: 'course-output' }, element('summary', {}, 'What the program printed')),
+    output: element('details', { id: 'course-output' }, element('summary', {}, 'Output of the program')),
   };
 }

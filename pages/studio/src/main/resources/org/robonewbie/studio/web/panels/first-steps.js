@@ -10,7 +10,7 @@ const KEY = 'robonewbie-first-steps';
 const STEPS = [
   { step: 'ball', text: 'Drag the ball somewhere else' },
   { step: 'puppet', text: 'Add a puppet (Tools), then hold W: it walks' },
-  { step: 'motion', text: 'Shape a motion: the room Motion, above' },
+  { step: 'motion', text: 'Edit a motion: the room Motion, above' },
 ];
 
 export class FirstSteps {
@@ -20,7 +20,7 @@ export class FirstSteps {
   constructor() {
     this.place = byId('first-steps');
     this.items = STEPS.map(({ step, text }) => element('li', { 'data-step': step }, text));
-    const close = button('Got it', 'Takes this away for good', () => this.#finish());
+    const close = button('Got it', 'Hides this list permanently', () => this.#finish());
     this.place.append(element('h2', {}, 'Try this'), element('ol', {}, ...this.items), close);
     this.#draw();
   }

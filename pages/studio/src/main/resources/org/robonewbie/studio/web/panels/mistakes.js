@@ -10,11 +10,11 @@ export class Mistakes {
     this.look = look;
     this.place = byId('mistakes');
     this.list = element('ul', {});
-    const close = button('×', 'Take these away', () => this.clear(), {
+    const close = button('×', 'Dismiss', () => this.clear(), {
       class: 'quiet',
-      'aria-label': 'Take these away',
+      'aria-label': 'Dismiss',
     });
-    this.place.append(element('h2', {}, 'Mistakes of programs'), close, this.list);
+    this.place.append(element('h2', {}, 'Errors of programs'), close, this.list);
   }
 
   clear() {
@@ -25,7 +25,7 @@ export class Mistakes {
   /** @param {{team: string, number: number, level: string, text: string}} mistake */
   add({ team, number, level, text }) {
     const name = `${team} ${number}`.trim();
-    const robot = button(name, 'See this robot with its log', () => this.look(team, number), { class: 'quiet' });
+    const robot = button(name, 'Show this robot with its log', () => this.look(team, number), { class: 'quiet' });
     const words = text.length > LONGEST ? `${text.slice(0, LONGEST)}…` : text;
     this.list.append(element('li', { class: level.toLowerCase() }, robot, ` ${words}`));
     while (this.list.children.length > MAX_ENTRIES) {

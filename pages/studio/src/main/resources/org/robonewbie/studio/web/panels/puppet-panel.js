@@ -31,11 +31,11 @@ export class PuppetPanel {
     this.padDown = new Set();
     this.padWalk = '';
     this.pad = element('p', { class: 'faint', id: 'gamepad', hidden: '' }, PAD_TEXT);
-    this.add = button('Add a puppet', 'A robot that you steer yourself', () => this.#add());
+    this.add = button('Add a puppet', 'A robot under your control', () => this.#add());
     this.add.id = 'add-puppet';
-    this.away = button('Take away', 'Takes this puppet off the pitch', () => this.#order({ do: 'removePuppet' }));
+    this.away = button('Remove', 'Removes this puppet from the pitch', () => this.#order({ do: 'removePuppet' }));
     this.away.id = 'remove-puppet';
-    this.stand = button('Stand', 'Lets all joints go and stands', () =>
+    this.stand = button('Stand', 'Releases all joints and stands up', () =>
       this.#order({ do: 'perform', motion: 'stand' }),
     );
     this.hint = element('p', { class: 'faint' });

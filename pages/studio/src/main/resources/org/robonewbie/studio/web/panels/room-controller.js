@@ -12,18 +12,18 @@ const MOTION_MOUSE = [
   ['Shift, drag', 'the whole arm or leg follows'],
   ['Drag the torso', 'the feet stay where they are'],
   ['Drag the ground', 'turn the view'],
-  ['Drag a keyframe', 'change its time, those after it follow; with Alt they stay'],
+  ['Drag a keyframe', 'change its time and shift those after it; with Alt they stay in place'],
   ['Shift, Ctrl, click', 'choose several keyframes'],
   ['Drag over joints', 'choose what is in the box'],
   ['Drag a point of a curve', 'change the angle'],
-  ['Wheel', 'on the timeline: closer and farther, with Shift scroll'],
+  ['Wheel', 'on the timeline: zoom, with Shift scroll'],
 ];
 
 const ROBOT_MOUSE = [
   ['Click a curve', 'all rooms show this moment'],
-  ['Drag over a curve', 'zoom in; H lets it go on'],
+  ['Drag over a curve', 'zoom in; H resumes'],
   ['Click a log time', 'all rooms show this moment'],
-  ['Drag an edge', 'panels become larger, smaller'],
+  ['Drag an edge', 'resize the panels'],
 ];
 
 const REPLAY_MOUSE = [
@@ -33,8 +33,8 @@ const REPLAY_MOUSE = [
 ];
 
 const PROGRAM_MOUSE = [
-  ['Drag the edge', 'the program gets more or less room'],
-  ['Double click an edge', 'all panels go back to where they were'],
+  ['Drag the edge', 'resize the program'],
+  ['Double click an edge', 'restore the default layout'],
 ];
 
 const MOTION_STYLES = ['motion.css', 'motion-bars.css', 'motion-timeline.css', 'motion-tracks.css'];

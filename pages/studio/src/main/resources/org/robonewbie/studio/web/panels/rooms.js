@@ -7,10 +7,10 @@ import { byId, element } from './elements.js';
 const ROOMS = [
   { room: 'field', place: 'field-room', name: 'Field', hint: 'Watch and steer the game' },
   { room: 'program', place: 'field-room', name: 'Program', hint: 'Write a program beside the robot' },
-  { room: 'robot', place: 'field-room', name: 'Robot', hint: 'See one robot from inside' },
-  { room: 'motion', place: 'motion-room', name: 'Motion', hint: 'Shape motions' },
-  { room: 'replay', place: 'field-room', name: 'Replay', hint: 'See runs again' },
-  { room: 'field', place: 'field-room', name: 'Exercises', hint: 'Let your program be judged', part: '/exercises' },
+  { room: 'robot', place: 'field-room', name: 'Robot', hint: 'Inspect one robot' },
+  { room: 'motion', place: 'motion-room', name: 'Motion', hint: 'Edit motions' },
+  { room: 'replay', place: 'field-room', name: 'Replay', hint: 'Replay runs' },
+  { room: 'field', place: 'field-room', name: 'Exercises', hint: 'Have your program judged', part: '/exercises' },
 ];
 
 /**

@@ -63,19 +63,17 @@ class ScenePanel {
     this.name = element('input', { id: 'scene-name', ...words });
     this.list = element('select', { id: 'scene-list', 'aria-label': 'Saved scenes' });
     this.place = byId('scenes');
-    const save = this.#control('scene-save', 'Save', 'Keeps ball, robots, score and time as they are now', () =>
-      this.#save(),
+    const save = this.#control('scene-save', 'Save', 'Saves ball, robots, score and time', () => this.#save());
+    this.back = this.#control('scene-restore', 'Restore', 'Restores the scene, with the clock stopped', () =>
+      this.#restore(),
     );
-    this.back = this.#control(
-      'scene-restore',
-      'Go back to it',
-      'Puts everything where it was, with the clock stopped',
-      () => this.#restore(),
+    this.rename = this.#control(
+      'scene-rename',
+      'Rename',
+      'Renames the chosen scene to the name in the field above',
+      () => this.#rename(),
     );
-    this.rename = this.#control('scene-rename', 'Rename', 'Gives the chosen scene the name that is written above', () =>
-      this.#rename(),
-    );
-    this.remove = this.#control('scene-remove', 'Delete', 'Takes the chosen scene away; Undo brings it back', () =>
+    this.remove = this.#control('scene-remove', 'Delete', 'Deletes the chosen scene; Undo restores it', () =>
       this.#remove(),
     );
     this.place.append(
@@ -134,7 +132,7 @@ class ScenePanel {
     const [from, to] = [this.list.value, this.name.value.trim()];
     if (to === '') {
       this.name.focus();
-      throw new Error('Write the new name first, in the field above.');
+      throw new Error('Enter the new name in the field above first.');
     }
     await this.#put(to, `?was=${encodeURIComponent(from)}`);
     await this.#refresh(to);
@@ -145,7 +143,7 @@ class ScenePanel {
     const scene = this.list.value;
     await this.#ask(scene, '', 'DELETE');
     await this.#refresh();
-    this.note(`Scene "${scene}" is deleted. Undo brings it back.`);
+    this.note(`Scene "${scene}" was deleted. Undo restores it.`);
   }
 
   /** @param {string} scene */

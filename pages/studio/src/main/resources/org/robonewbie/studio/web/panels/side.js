@@ -97,7 +97,7 @@ function trainerButtons(send) {
   return [
     button('◀ Kick off', 'The left team begins (K)', () => send({ do: 'kickOff', side: 'left' })),
     button('Kick off ▶', 'The right team begins (L)', () => send({ do: 'kickOff', side: 'right' })),
-    button('Drop ball', 'The ball is free where it lies (B)', () => send({ do: 'dropBall' }), { id: 'drop-ball' }),
+    button('Drop ball', 'Drops the ball where it is (B)', () => send({ do: 'dropBall' }), { id: 'drop-ball' }),
     button('Ball to centre', 'Puts the ball on the centre spot', () => send(centre)),
   ];
 }

@@ -14,11 +14,11 @@ export function timeLinePanel(cursor, changed) {
   const line = element('input', {
     type: 'range',
     id: 'moment',
-    'aria-label': 'Moment that is shown',
-    title: 'Go back in time; the simulation goes on',
+    'aria-label': 'Shown moment',
+    title: 'Go back in time; the simulation continues',
   });
   const reading = element('span', { class: 'moment-reading', role: 'status' });
-  const live = button('Live', 'Show what happens now (End)', () => act(() => cursor.goLive()));
+  const live = button('Live', 'Return to the present (End)', () => act(() => cursor.goLive()));
   live.id = 'go-live';
   place.append(element('span', { class: 'faint moment-name' }, 'Running simulation'), live, line, reading);
   /** @param {() => void} action */
@@ -59,8 +59,8 @@ function readingOf({ cycle, recorded, history }) {
 export function timeLineActions(cursor, changed) {
   const go = (/** @type {() => void} */ action) => () => (action(), changed());
   return [
-    { keys: ['<', ';'], shown: '<', text: 'a moment back, the simulation goes on', act: go(() => cursor.step(-5)) },
-    { keys: ['>', ':'], shown: '>', text: 'a moment on', act: go(() => cursor.step(5)) },
-    { keys: ['End'], shown: 'End', text: 'back to now', act: go(() => cursor.goLive()) },
+    { keys: ['<', ';'], shown: '<', text: 'back in time; the simulation continues', act: go(() => cursor.step(-5)) },
+    { keys: ['>', ':'], shown: '>', text: 'forward in time', act: go(() => cursor.step(5)) },
+    { keys: ['End'], shown: 'End', text: 'back to the present', act: go(() => cursor.goLive()) },
   ];
 }

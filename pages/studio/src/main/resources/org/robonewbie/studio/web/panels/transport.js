@@ -9,7 +9,7 @@ import { button, byId, choice, element, setText } from './elements.js';
  */
 
 /** Explains why time cannot be stopped over a monitor port. */
-export const NO_CLOCK = 'The server that is watched keeps its own clock; a monitor cannot stop it.';
+export const NO_CLOCK = 'The watched server has its own clock; a monitor cannot stop it.';
 
 /**
  * Actions of the time controls, shared by buttons and keys.
@@ -61,7 +61,7 @@ export function transportPanel(actions) {
 /** @param {Actions} actions */
 function partsOf(actions) {
   const speeds = SPEEDS.map((each) => /** @type {[string, string]} */ ([String(each), speedText(each)]));
-  const resetHint = 'Robots, ball, time and score back to the start (R)';
+  const resetHint = 'Resets robots, ball, time and score (R)';
   return {
     toggle: button('', '', actions.toggle, { id: 'toggle', class: 'primary' }),
     step: button('Step', '', () => actions.step(1), { id: 'step' }),

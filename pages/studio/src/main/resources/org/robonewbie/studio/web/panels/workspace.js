@@ -18,7 +18,7 @@ const PRESETS = [
   { name: 'Watch', hint: 'The picture alone', room: 'field' },
   { name: 'Understand', hint: 'Picture, curves, joints, log and messages side by side', room: 'robot' },
   { name: 'Program', hint: 'A program beside its robot', room: 'program' },
-  { name: 'Shape', hint: 'Shape motions', room: 'motion' },
+  { name: 'Shape', hint: 'Edit motions', room: 'motion' },
 ];
 
 const KEY = 'robonewbie-workspace';
@@ -127,7 +127,7 @@ export class Workspace {
     const isUnfolded = this.#kept.tools[this.split.isOn ? 'understand' : 'watch'];
     byId('side').dataset.folded = String(!isUnfolded);
     this.tools.setAttribute('aria-expanded', String(isUnfolded));
-    this.tools.title = isUnfolded ? 'Fold camera, game, scenes and puppets' : 'Camera, game, scenes and puppets';
+    this.tools.title = isUnfolded ? 'Hide camera, game, scenes and puppets' : 'Camera, game, scenes and puppets';
   }
 }
 

@@ -19,9 +19,9 @@ export class EncodingNote {
     const inferred = encodingNote({ ...file.source, content: file.content });
     const name = fileName(file.path);
     if (file.problem !== '') {
-      this.#say(`${name} cannot be decoded and is only shown: ${file.problem}`);
+      this.#say(`${name} cannot be decoded and is read-only: ${file.problem}`);
     } else if (encoding !== before) {
-      this.#say(`${name} is saved as ${encoding} now, since ${before} cannot hold all of its letters.`);
+      this.#say(`${name} is saved as ${encoding} now, because ${before} cannot represent all of its characters.`);
     } else if (inferred !== '') {
       this.#say(
         `${name}: ${inferred}`,

@@ -66,7 +66,7 @@ export class ExerciseController {
       this.place.replaceChildren();
       return;
     }
-    const judge = button('Check', 'Saves the program and lets the judge try it', () => {
+    const judge = button('Check', 'Saves the program and has it judged', () => {
       this.room.attempt(() => this.#check(lesson));
     });
     judge.id = 'program-check';

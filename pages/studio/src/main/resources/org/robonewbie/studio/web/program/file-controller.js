@@ -52,7 +52,7 @@ export class FileController {
     );
     this.change = element('div', {});
     this.encoding = new EncodingNote((file) => room.attempt(() => this.#toUtf8(file)));
-    const make = button('New…', 'Makes another program', () => room.attempt(() => makeProgram(this, '')), {
+    const make = button('New…', 'Creates a program', () => room.attempt(() => makeProgram(this, '')), {
       id: 'program-new',
     });
     this.saveButton = button('Save', 'Saves the program (Ctrl+S)', () => room.attempt(() => room.save()), {
@@ -99,14 +99,14 @@ export class FileController {
     if (shared) {
       this.#asShared = this.editor.text;
       this.#sharedVersion = draft.version;
-      this.#showNote('A program that was shared with you. Your own programs are as they were.', [
+      this.#showNote('This program was shared with you. Your own programs have not been changed.', [
         ['Keep a copy', () => this.room.save()],
         ['Back to mine', () => this.#discardShared(shared)],
       ]);
     } else if (isSaved && draft.version !== '' && normal(draft.text.content) !== file.saved) {
-      this.#showNote('This is what you had not saved.', [
-        ['Take the saved one', () => this.#takeSaved()],
-        ['Keep this', async () => this.#showNote('', [])],
+      this.#showNote('This is your unsaved draft.', [
+        ['Use the saved version', () => this.#takeSaved()],
+        ['Keep the draft', async () => this.#showNote('', [])],
       ]);
     }
   }
@@ -164,7 +164,7 @@ export class FileController {
     this.drafts.begin('');
     this.#showNote('', []);
     if (isExample) {
-      this.#showNote('An example, which can only be read. Run makes a copy of your own.', [
+      this.#showNote('This example is read-only. Run creates your own copy.', [
         ['Make my own copy', () => makeProgram(this, file.path)],
       ]);
     }
@@ -237,8 +237,8 @@ export class FileController {
   /** Reports that another window has unsaved changes to the open file. */
   #showDraftConflict() {
     const { path = '' } = this.file ?? {};
-    this.#showNote(`Another window has unsaved work on ${fileName(path)}, too.`, [
-      ['Take the other one', () => this.#takeDraft(path)],
+    this.#showNote(`Another window has unsaved changes to ${fileName(path)}, too.`, [
+      ['Use the other version', () => this.#takeDraft(path)],
       ['Keep mine', () => this.#replaceDraft(path)],
     ]);
   }
@@ -262,7 +262,7 @@ export class FileController {
   /** @param {string} text */
   #showFileConflict(text) {
     this.#showNote(text, [
-      ['Take the other one', () => this.#takeSaved()],
+      ['Use the other version', () => this.#takeSaved()],
       ['Keep mine', () => this.#keepMine()],
     ]);
   }

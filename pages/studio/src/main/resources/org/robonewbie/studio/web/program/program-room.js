@@ -94,7 +94,7 @@ class ProgramRoom {
       act: () => this.attempt(act),
     });
     return [
-      action('s', 'save the program; if it runs, it is changed at once', () => this.save()),
+      action('s', 'save the program; if it is running, it is replaced immediately', () => this.save()),
       action('Enter', 'run the program', () => this.runs.run()),
     ];
   }
@@ -187,7 +187,7 @@ class ProgramRoom {
   /** A panel below its title, which collapses it. @param {'code' | 'said'} name */
   #panel(name) {
     const title = PANEL_TITLES[name];
-    const fold = button(title, 'Fold and unfold', () => this.surroundings.fold(name), {
+    const fold = button(title, 'Collapse or expand', () => this.surroundings.fold(name), {
       class: 'panel-title',
       'aria-expanded': 'true',
     });

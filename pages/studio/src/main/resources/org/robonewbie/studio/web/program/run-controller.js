@@ -51,7 +51,7 @@ export class RunController {
     );
     this.again = button(
       '⟲ Restart',
-      'World and program begin again',
+      'Restarts world and program',
       act(() => this.#start('fresh')),
       {
         id: 'program-restart',
@@ -59,7 +59,7 @@ export class RunController {
     );
     this.stepButton = button(
       'Step',
-      'One cycle of 20 ms, in which the program thinks once; then the world stands still until Play (Space) or Run',
+      'One cycle of 20 ms with one call of think(); then the world pauses until Play (Space) or Run',
       () => room.surroundings.send({ do: 'step', cycles: 1 }),
       { id: 'program-step' },
     );

@@ -3,8 +3,7 @@ import { button, element, setText } from '../panels/elements.js';
 import { valueText } from '../state/program/values.js';
 
 const MAX_LINES = 200;
-const NOTHING =
-  'Here stands what the program says with log.info("…"), nao.plot("name", value) and System.out.println("…").';
+const NOTHING = 'Output of log.info("…"), nao.plot("name", value) and System.out.println("…") appears here.';
 
 export class SaidPanel {
   /** @param {HTMLElement} place @param {(line: number) => void} goTo */
@@ -13,8 +12,8 @@ export class SaidPanel {
     this.place = place;
     /** Place of the judge's verdict. */
     this.verdict = element('div', { id: 'program-verdict' });
-    this.compiler = element('ul', { id: 'program-remarks', 'aria-label': 'Mistakes that the compiler has found' });
-    this.mistakes = element('ul', { id: 'program-mistakes', 'aria-label': 'Mistakes while the program ran' });
+    this.compiler = element('ul', { id: 'program-remarks', 'aria-label': 'Errors found by the compiler' });
+    this.mistakes = element('ul', { id: 'program-mistakes', 'aria-label': 'Errors of the running program' });
     /** Place of the sliders for the program's numbers. */
     this.sliders = element('div', { id: 'program-sliders', role: 'group', 'aria-label': 'Numbers of the program' });
     this.values = element('p', { id: 'program-values', role: 'group', 'aria-label': 'Values that the program plots' });

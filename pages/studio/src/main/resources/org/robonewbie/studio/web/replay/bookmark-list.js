@@ -25,7 +25,7 @@ export class BookmarkList {
     'aria-label': 'Note for this moment',
     maxlength: '300',
   });
-  #undo = button('Undo', 'Brings the bookmark back that was deleted last', () => this.#bringBack(), { hidden: '' });
+  #undo = button('Undo', 'Restores the last deleted bookmark', () => this.#bringBack(), { hidden: '' });
   #drawn = '';
   /** Deleted bookmarks, the most recent last. @type {Bookmark[]} */
   #deleted = [];
@@ -35,7 +35,7 @@ export class BookmarkList {
     this.actions = actions;
     this.recording = '';
     const form = element('form', { class: 'bookmark-form' }, this.#field, this.#undo);
-    form.prepend(element('button', { id: 'bookmark-add', title: 'Keep this moment with the note' }, 'Add'));
+    form.prepend(element('button', { id: 'bookmark-add', title: 'Bookmark this moment with the note' }, 'Add'));
     form.addEventListener('submit', (event) => {
       event.preventDefault();
       this.#add();
@@ -117,9 +117,9 @@ export class BookmarkList {
     history.replaceState(undefined, '', link);
     try {
       await navigator.clipboard.writeText(location.href);
-      this.actions.note('The address of this moment is copied.');
+      this.actions.note('The address of this moment was copied.');
     } catch {
-      this.actions.note('The address of this moment stands in the bar of the browser; copy it from there.');
+      this.actions.note('The address of this moment is in the address bar; copy it from there.');
     }
   }
 

@@ -35,7 +35,7 @@ export class ComparisonPanel {
     this.svg.setAttribute('viewBox', `0 0 ${POINTS} ${HEIGHT}`);
     this.svg.setAttribute('preserveAspectRatio', 'none');
     this.polyline = document.createElementNS(SVG, 'polyline');
-    this.scale = element('span', { class: 'faint', title: 'How far ball and robots are apart over time' });
+    this.scale = element('span', { class: 'faint', title: 'Distance of ball and robots over time' });
     this.svg.append(this.polyline);
     this.line = element('div', { class: 'compare-line', hidden: '' });
     this.line.append(this.scale, this.svg, this.reading);

@@ -87,7 +87,7 @@ export class ExportController {
       return;
     }
     if (this.#line.isBusy) {
-      note('One file after the other: cancel the one that is being made, or wait for it.');
+      note('Another export is running: cancel it, or wait for it to finish.');
       return;
     }
     try {
@@ -96,7 +96,7 @@ export class ExportController {
       });
     } catch (error) {
       const text = /** @type {Error} */ (error).message;
-      note(error instanceof Cancelled ? 'No file was made.' : `The file cannot be made: ${text}`);
+      note(error instanceof Cancelled ? 'The export was cancelled.' : `The export failed: ${text}`);
     }
   }
 }

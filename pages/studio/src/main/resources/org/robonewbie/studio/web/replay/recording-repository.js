@@ -8,8 +8,8 @@ import { RecordingTile } from './recording-tile.js';
 /** @type {Array<[value: string, text: string]>} */
 const FILTERS = [
   ['', 'All runs'],
-  ['project', 'Of this project'],
-  ['starred', 'With a star'],
+  ['project', 'From this project'],
+  ['starred', 'Starred'],
   ['empty', 'Without robots'],
 ];
 
@@ -25,7 +25,7 @@ export class RecordingRepository {
     'aria-label': 'Search recordings',
   });
   #filter = choice({ id: 'recording-filter', 'aria-label': 'Which recordings' }, FILTERS, () => this.#applyFilter());
-  #undo = button('Undo', 'Brings the recording back that was deleted last', () => this.#act(() => this.#bringBack()), {
+  #undo = button('Undo', 'Restores the last deleted recording', () => this.#act(() => this.#bringBack()), {
     id: 'recording-undo',
     hidden: '',
   });
@@ -108,7 +108,7 @@ export class RecordingRepository {
     this.#deleted.push(name);
     this.#undo.hidden = false;
     this.listener.renamed(name, '');
-    this.listener.note(`“${name}” is deleted. Undo brings it back for an hour.`);
+    this.listener.note(`“${name}” was deleted. Undo restores it for an hour.`);
   }
 
   async #bringBack() {
@@ -116,7 +116,7 @@ export class RecordingRepository {
     this.#undo.hidden = this.#deleted.length === 0;
     if (name) {
       await bringBackRecording(name);
-      this.listener.note(`“${name}” is back.`);
+      this.listener.note(`“${name}” was restored.`);
     }
   }
 
@@ -143,5 +143,5 @@ export class RecordingRepository {
 
 /** @param {string} wanted */
 function nothingFound(wanted) {
-  return wanted === '' ? 'There is no such recording.' : `Nothing is found for “${wanted}”.`;
+  return wanted === '' ? 'No recording matches.' : `No recording matches “${wanted}”.`;
 }

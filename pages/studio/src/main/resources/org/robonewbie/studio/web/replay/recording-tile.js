@@ -40,7 +40,7 @@ export class RecordingTile {
     this.open.append(this.#picture, this.#teams, this.#facts, this.#agent, this.#name);
     this.star = button('☆', '', () => actions.star(!this.entry.starred), { class: 'quiet star' });
     this.rename = button('Rename', `Give ${name} another name`, () => this.#askName(), { class: 'quiet' });
-    const remove = button('Delete', `Delete ${name}; Undo brings it back`, actions.remove, { class: 'quiet' });
+    const remove = button('Delete', `Delete ${name}; Undo restores it`, actions.remove, { class: 'quiet' });
     this.tools = element('div', { class: 'recording-tools' }, this.star, this.rename, remove);
     this.card = element('article', { 'data-recording': name }, this.open, this.tools);
     this.update(entry);
@@ -53,8 +53,8 @@ export class RecordingTile {
     const { name, agent, starred, running, bookmarks } = entry;
     setText(this.star, starred ? '★' : '☆');
     this.star.title = starred
-      ? `${name} is kept. Take its star away`
-      : `Give ${name} a star: it is kept when others make room`;
+      ? `${name} is kept. Remove its star`
+      : `Give ${name} a star: it is kept when old recordings are removed`;
     this.star.setAttribute('aria-pressed', String(starred));
     this.star.setAttribute('aria-label', `Star of ${name}`);
     const marks = bookmarks.length === 1 ? '1 bookmark' : `${bookmarks.length} bookmarks`;

@@ -24,8 +24,7 @@ import { legend, ReplayLine } from './replay-line.js';
  */
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8];
-const START_HINT =
-  'The simulation goes on from this moment, with the clock stopped; puppets stand in for missing robots';
+const START_HINT = 'Continues the simulation from this moment, with the clock stopped; puppets replace missing robots';
 
 export class ReplayBar {
   /**
@@ -82,10 +81,10 @@ export class ReplayBar {
       { class: 'replay-bar' },
       this.recording,
       this.name,
-      this.#key('event-before', '|◂', 'Event before', '['),
+      this.#key('event-before', '|◂', 'Previous event', '['),
       this.#key('replay-back', '◂', 'One cycle back', '←'),
       this.play,
-      this.#key('replay-on', '▸', 'One cycle on', '→'),
+      this.#key('replay-on', '▸', 'One cycle forward', '→'),
       this.#key('event-next', '▸|', 'Next event', ']'),
       this.loop,
       bookmarks.element,
@@ -110,10 +109,10 @@ function saveButtons(save) {
   return [
     button('CSV', 'Save all cycles as a table, or those of the loop', save.csv, { id: 'export-csv' }),
     button('Log', 'Save the run as the log of a SimSpark server, for RoboViz', save.log, { id: 'export-log' }),
-    button('HTML', 'Save one file that plays this run, or the loop, in any browser without network', save.html, {
+    button('HTML', 'Save one file that plays this run, or the loop, in any browser, also offline', save.html, {
       id: 'export-html',
     }),
-    button('Video', 'Save a video (WebM, 720p) of this run, or of the loop, as this camera sees it', save.video, {
+    button('Video', 'Save a video (WebM, 720p) of this run, or of the loop, from this camera', save.video, {
       id: 'export-video',
     }),
   ];

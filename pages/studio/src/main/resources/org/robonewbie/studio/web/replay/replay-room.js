@@ -187,12 +187,12 @@ class ReplayRoom {
     return [
       action([' '], 'Space', 'play or pause', () => this.#set({ ...this.#restarted(), playing: !this.state.playing })),
       action(['ArrowLeft', ','], '←', 'one cycle back', () => this.#set(stepped(this.state, -1))),
-      action(['ArrowRight', '.'], '→', 'one cycle on', () => this.#set(stepped(this.state, 1))),
+      action(['ArrowRight', '.'], '→', 'one cycle forward', () => this.#set(stepped(this.state, 1))),
       action(['PageUp'], 'Page up', 'one second back', () => this.#set(stepped(this.state, -MOMENTS_PER_SECOND))),
-      action(['PageDown'], 'Page down', 'one second on', () => this.#set(stepped(this.state, MOMENTS_PER_SECOND))),
+      action(['PageDown'], 'Page down', 'one second forward', () => this.#set(stepped(this.state, MOMENTS_PER_SECOND))),
       action(['Home'], 'Home', 'to the beginning', () => this.#set(atMoment(this.state, 0))),
       action(['End'], 'End', 'to the end', () => this.#set(atMoment(this.state, this.state.count - 1))),
-      action(['['], '[', 'event before', () => this.#jump(-1)),
+      action(['['], '[', 'previous event', () => this.#jump(-1)),
       action([']'], ']', 'next event', () => this.#jump(1)),
       action(['m', 'M'], 'M', 'set a bookmark', () => this.bookmarks.ask()),
       action(['l', 'L'], 'L', 'repeat two seconds around this moment', () => this.#set(looped(this.state))),
@@ -274,7 +274,7 @@ class ReplayRoom {
       const restored = await startFrom(this.file?.name ?? '', Math.round(this.state.index));
       location.hash = '#field';
       this.surroundings.goLive();
-      this.surroundings.note(`${restoredText(restored)} Press play to go on from here.`);
+      this.surroundings.note(`${restoredText(restored)} Press play to continue from here.`);
     } catch (error) {
       this.surroundings.note(/** @type {Error} */ (error).message);
     }

@@ -5,7 +5,7 @@ import { element } from '../panels/elements.js';
 
 const LEVELS = ['DEBUG', 'INFO', 'WARNING', 'ERROR'];
 const MAX_LINES = 300;
-const NOTHING_SAID = 'This robot has said nothing yet. Its program writes here with nao.log("…").';
+const NOTHING_SAID = 'This robot has logged nothing yet. Its program writes here with nao.log("…").';
 const HALF_CYCLE = 0.01;
 
 /**
@@ -14,7 +14,7 @@ const HALF_CYCLE = 0.01;
  * @returns {(log: readonly LogLine[], seconds: number) => void}
  */
 export function logList(place, goTo) {
-  const level = element('select', { id: 'log-level', 'aria-label': 'Lines from this level on' });
+  const level = element('select', { id: 'log-level', 'aria-label': 'Minimum level' });
   level.append(
     ...LEVELS.map((each) =>
       element('option', { value: each }, each === 'DEBUG' ? 'all lines' : `from ${each.toLowerCase()} on`),

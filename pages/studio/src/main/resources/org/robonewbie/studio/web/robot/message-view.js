@@ -38,7 +38,7 @@ function draw(place, message, wanted, unfolded) {
     writeExpression(each).toLowerCase().includes(wanted.toLowerCase()),
   );
   if (message === '' || found.length === 0) {
-    setText(place, message === '' ? 'no message in this moment' : 'nothing found');
+    setText(place, message === '' ? 'no message at this moment' : 'nothing found');
     return;
   }
   place.replaceChildren(...found.map((each) => tree(each, wanted, unfolded)));

@@ -34,10 +34,10 @@ export class PlotController {
     /** @type {RobotMoment | undefined} */
     this.moment = undefined;
     this.list = element('div', { class: 'curves', id: 'curves' });
-    this.pause = button('Hold', 'Let the curves stand still; the simulation goes on', () => this.hold());
+    this.pause = button('Hold', 'Hold the curves; the simulation continues', () => this.hold());
     this.pause.id = 'hold-curves';
     const zoom = choice(
-      { id: 'curve-span', 'aria-label': 'Length of the curves', title: 'How much time the curves show' },
+      { id: 'curve-span', 'aria-label': 'Length of the curves', title: 'Time range of the curves' },
       SPANS.map((seconds) => [String(seconds), `${seconds} s`]),
       (seconds) => {
         this.span = Number(seconds);
@@ -45,7 +45,7 @@ export class PlotController {
     );
     zoom.value = String(this.span);
     const table = button('CSV', 'Save what the plots show as a table', () => this.#offer(), { id: 'curves-csv' });
-    const more = button('+ Plot', 'One more plot; choose its values in the tree', () => this.add([]), {
+    const more = button('+ Plot', 'Add a plot; choose its values in the tree', () => this.add([]), {
       id: 'add-plot',
     });
     this.tree = valueTree((name) => this.toggle(name));
@@ -145,9 +145,9 @@ export class PlotController {
     const key = values.join('\n');
     if (row.head.dataset.key !== key || !row.head.hasChildNodes()) {
       row.head.dataset.key = key;
-      const remove = button('×', 'Take this plot away', () => this.#remove(row));
+      const remove = button('×', 'Remove this plot', () => this.#remove(row));
       remove.className = 'quiet';
-      remove.setAttribute('aria-label', 'Take this plot away');
+      remove.setAttribute('aria-label', 'Remove this plot');
       const parts = values.map((text, i) => element('span', { class: `curve-name curve-${i % 6}` }, ...named(text)));
       row.head.replaceChildren(
         ...(parts.length > 0 ? parts : [element('span', { class: 'faint' }, 'Choose values for this plot')]),

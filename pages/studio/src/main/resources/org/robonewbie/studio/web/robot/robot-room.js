@@ -47,7 +47,7 @@ class RobotRoom {
     const map = element(
       'figure',
       { class: 'map' },
-      element('figcaption', { class: 'faint' }, 'From above: rings are true, filled is believed'),
+      element('figcaption', { class: 'faint' }, 'From above: rings are the truth, filled shapes are beliefs'),
     );
     const senses = element('div', { class: 'senses-row' });
     const head = element('div', { class: 'robot-head' }, this.choice, this.facts);
@@ -63,7 +63,7 @@ class RobotRoom {
   /** A panel below its title, which collapses it. @param {import('../state/layout.js').PanelName} name */
   #panel(name) {
     const title = PANEL_TITLES[name];
-    const fold = button(title, 'Fold and unfold', () => this.surroundings.fold(name), {
+    const fold = button(title, 'Collapse or expand', () => this.surroundings.fold(name), {
       class: 'panel-title',
       'aria-expanded': 'true',
     });
@@ -79,7 +79,7 @@ class RobotRoom {
     const messages = element('div', { class: 'sheet', id: 'message-sheet' });
     const sheets = [log, messages];
     const tabs = ['Log', 'Messages'].map((name, i) =>
-      button(name, i === 0 ? 'What the program of the robot says (G)' : 'What goes over the wire (M)', () => show(i)),
+      button(name, i === 0 ? 'Log of the robot’s program (G)' : 'Messages on the wire (M)', () => show(i)),
     );
     tabs[0].id = 'log-tab';
     tabs[1].id = 'message-tab';
@@ -107,7 +107,7 @@ class RobotRoom {
       },
       { keys: ['g', 'G'], shown: 'G', text: 'log', act: () => this.showSheet?.(0) },
       { keys: ['m', 'M'], shown: 'M', text: 'messages', act: () => this.showSheet?.(1) },
-      { keys: ['h', 'H'], shown: 'H', text: 'hold the curves, or let them go on', act: () => this.plots.hold() },
+      { keys: ['h', 'H'], shown: 'H', text: 'hold or resume the curves', act: () => this.plots.hold() },
     ];
   }
 
@@ -142,7 +142,7 @@ class RobotRoom {
     if (moment) {
       this.#draw(moment, shown.tense === 'live');
     } else {
-      setText(this.facts, 'No robot is there yet. Run an agent.');
+      setText(this.facts, 'There is no robot yet. Run an agent.');
     }
   }
 
@@ -152,7 +152,7 @@ class RobotRoom {
     const place = placeOf(frame, robot);
     setText(
       this.facts,
-      `x ${fixed(place.x, 2)} m, y ${fixed(place.y, 2)} m, looks to ${fixed(place.heading, 0)}°, ${place.stands ? 'stands' : 'lies'}`,
+      `x ${fixed(place.x, 2)} m, y ${fixed(place.y, 2)} m, heading ${fixed(place.heading, 0)}°, ${place.stands ? 'stands' : 'lies'}`,
     );
     const { name, keyframe } = thoughts.motion;
     setText(this.motion, name ? `Motion ${name}, on the way to keyframe ${keyframe}` : 'No motion is running');

@@ -52,7 +52,7 @@ function believedSelf(torso, side, self) {
   return shape(
     'path',
     { class: 'belief-self', d: ARROW, transform: `translate(${x} ${y}) rotate(${turn.toFixed(1)})` },
-    title('where the robot believes to be'),
+    title('believed position of the robot'),
   );
 }
 

@@ -47,7 +47,7 @@ function draw() {
   const look = byId('look');
   look.hidden = place === '';
   look.setAttribute('href', `./${place}`);
-  setText(look, phase === 'ended' ? 'Look at the motion that came out' : 'Look at the motion as it is now');
+  setText(look, phase === 'ended' ? 'Show the resulting motion' : 'Show the current motion');
   valuePlot.setData(valueCurves(search));
   stepPlot.setData(stepCurve(search));
   const shown = bars(numbers, MAX_NUMBERS);

@@ -42,7 +42,7 @@ export function progressText(attempt) {
   if (attempt.state === 'WAITING') {
     return attempt.program
       ? `${trial}: ${attempt.program} is starting…`
-      : `${trial} waits for your agent. Start it with: ./robonewbie run MyAgent.java --port ${attempt.port} --team Students`;
+      : `${trial} is waiting for your agent. Start it with: ./robonewbie run MyAgent.java --port ${attempt.port} --team Students`;
   }
   if (attempt.state === 'RUNNING') {
     return `${trial} is running and being judged.`;

@@ -62,7 +62,7 @@ export function lineUpChanges(before, after) {
     players.filter(({ number }) => number > 0).map(({ team, number }) => `${team} ${number}`);
   const [were, are] = [names(before), names(after)];
   return [
-    ...were.filter((name) => !are.includes(name)).map((name) => `${name} leaves the game`),
-    ...are.filter((name) => !were.includes(name)).map((name) => `${name} comes in`),
+    ...were.filter((name) => !are.includes(name)).map((name) => `${name} leaves`),
+    ...are.filter((name) => !were.includes(name)).map((name) => `${name} joins`),
   ];
 }

@@ -7,7 +7,7 @@ const FOULS = {
   ILLEGAL_DEFENCE: 'too many defenders in the penalty area',
   ILLEGAL_ATTACK: 'too many attackers in the penalty area',
   INCAPABLE: 'lies on the ground for too long',
-  ILLEGAL_KICK_OFF: 'mistake at the kick-off',
+  ILLEGAL_KICK_OFF: 'illegal kick-off',
   CHARGING: 'runs into an opponent',
   SELF_COLLISION: 'its own limbs collide',
   BALL_HOLDING: 'keeps the ball for too long',

@@ -25,7 +25,7 @@ export const PANEL_TITLES = {
   joints: 'Joints',
   surroundings: 'Surroundings and senses',
   code: 'Program',
-  said: 'What it says',
+  said: 'Output',
 };
 
 /** Gap between panels, with its margins wide enough for touch input. */

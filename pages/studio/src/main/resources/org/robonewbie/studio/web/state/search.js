@@ -88,7 +88,7 @@ export function facts({ task, rounds, before, after, phase }) {
     ['Best of this round', value(last?.best)],
     ['Mean', value(last?.mean)],
     ...(after === undefined ? [] : [/** @type {[string, string]} */ (['Result', value(after)])]),
-    ['Trials that succeed', last ? `${Math.round(100 * last.success)} %` : '–'],
+    ['Successful trials', last ? `${Math.round(100 * last.success)} %` : '–'],
     [
       'Trials per second',
       last && last.trialsPerSecond > 0 ? last.trialsPerSecond.toFixed(last.trialsPerSecond < 10 ? 1 : 0) : '–',
@@ -102,7 +102,7 @@ export function sentence(search) {
   return phaseSentence(search, {
     waiting: 'Waiting for the optimisation …',
     running: search.rounds.length === 0 ? 'The first candidates are being tried …' : '',
-    lost: 'An interrupted run goes on with the same command and --resume.',
+    lost: 'To continue an interrupted run, repeat the command with --resume.',
     ended: search.outcome,
   });
 }

@@ -138,22 +138,25 @@ function lastGoal(state, frame, now) {
  */
 export function message(state, now) {
   if (state.refusal) {
-    return trouble('The simulator does not let this page in', state.refusal);
+    return trouble('The simulator refused this page', state.refusal);
   }
   if (state.connection === 'lost') {
-    return trouble('The simulator has ended', 'Start it again; this page comes back by itself.');
+    return trouble('The simulator has ended', 'Restart it; this page reconnects automatically.');
   }
   if (state.connection === 'opening' || !state.scene) {
     return waiting(
       'Looking for the simulator…',
-      'If this stays, start the simulator again and open the address that it prints.',
+      'If this does not change, restart the simulator and open the address that it prints.',
     );
   }
   if (state.scene.robots.length === 0) {
     return waiting('Waiting for a robot…', joinHint(state.scene));
   }
   if (state.frame && !state.frame.paused && now - state.movedMilliseconds > STANDSTILL_MILLISECONDS) {
-    return waiting('The world waits for an agent', 'Is one at a breakpoint? It goes on when the agent does.');
+    return waiting(
+      'The world is waiting for an agent',
+      'Is one at a breakpoint? The world continues when the agent does.',
+    );
   }
   return undefined;
 }
@@ -161,11 +164,11 @@ export function message(state, now) {
 /** @param {Scene} scene */
 function joinHint({ clock: hasClock, agentPort = DEFAULT_AGENT_PORT }) {
   if (agentPort === NO_PORT) {
-    return 'Choose an agent in the bar above, or run a program in the room Program.';
+    return 'Choose an agent in the toolbar above, or run a program in the room Program.';
   }
   const port = agentPort === DEFAULT_AGENT_PORT ? '' : ` --port ${agentPort}`;
   return hasClock === false
-    ? 'Run an agent that joins the server that is watched.'
+    ? 'Run an agent that joins the watched server.'
     : `Add a puppet, or run an agent: ./robonewbie run Agent_BasicStructure${port}`;
 }
 

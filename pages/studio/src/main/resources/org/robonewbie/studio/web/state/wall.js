@@ -98,7 +98,7 @@ export function wallSentence(wall) {
   return phaseSentence(wall, {
     waiting: 'Waiting for the competition …',
     running: wall.tiles.some(({ running }) => running) ? '' : 'The next trials begin …',
-    lost: 'The same command goes on where the competition was.',
+    lost: 'Repeat the command to continue the competition.',
     ended: `The competition is over. ${wall.outcome}`,
   });
 }
@@ -112,7 +112,7 @@ export function wallSentence(wall) {
 export function tileWords({ trial, moment, running }) {
   const teams = trial.teams.join(' – ');
   if (!moment) {
-    return { teams, time: '', mode: running ? 'The robots come …' : '' };
+    return { teams, time: '', mode: running ? 'The robots are joining …' : '' };
   }
   const { left, right, score } = moment;
   return {

@@ -44,7 +44,7 @@ export class TrialTile {
     setText(this.#teams, teams);
     setText(this.#time, time);
     setText(this.#mode, `${trial.id} · ${mode}`);
-    setText(this.#link, running ? 'see it large' : 'see it again');
+    setText(this.#link, running ? 'enlarge' : 'replay');
     this.root.setAttribute('href', running ? trial.studio : this.recording(trial.id));
     this.root.setAttribute('target', running ? `robonewbie-${trial.id}` : 'robonewbie-replay');
     this.root.dataset.running = String(running);

@@ -81,7 +81,7 @@ export function bodyMarks(body, frames, manner) {
         'balance',
         time,
         step,
-        'The centre of mass is outside of the support: standing still it would tip over',
+        'The centre of mass is outside the support polygon: a robot that stands still would tip over',
       );
     }
   }

@@ -100,7 +100,7 @@ function tableOf(all) {
   const time = TIMES.find((each) => each.names.includes(names[timeAt]));
   if (!time) {
     throw new Error(
-      'This table is no motion: its first line must name a time (way_ms, time_ms or time_s) and joints such as LEFT_KNEE_PITCH.',
+      'This table is not a motion: its first line must name a time (way_ms, time_ms or time_s) and joints such as LEFT_KNEE_PITCH.',
     );
   }
   const isEmpty = (/** @type {Row} */ row) => withoutEmptyEnd(cellsOf(row.text)).length === 0;

@@ -89,7 +89,7 @@ function straightened(state) {
       );
     return { ...frame, degrees: withJoints(frame.degrees, state.rows, between) };
   });
-  return edited(state, document, `Take out angles of ${jointsText(state.rows.length)}`);
+  return edited(state, document, `Remove angles of ${jointsText(state.rows.length)}`);
 }
 
 /**

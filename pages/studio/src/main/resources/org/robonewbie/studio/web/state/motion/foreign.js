@@ -68,7 +68,7 @@ export function problemNotes({ lines }) {
     return [];
   }
   const others = problems.length > 1 ? `, and ${problems.length - 1} more` : '';
-  return [`Not read and kept as it is: ${problems[0]}${others}. Agents refuse the file until it is mended.`];
+  return [`Skipped and kept unchanged: ${problems[0]}${others}. Agents refuse the file until it is corrected.`];
 }
 
 /** Collects remarks about rows and merges equal ones into one sentence with a count. */
@@ -106,7 +106,7 @@ export function columnsOf(row, written, columnOf) {
   const columns = names.map(columnOf);
   const nameless = names.indexOf('');
   if (nameless >= 0) {
-    throw new Error(`line ${row.number} has no name for its ${nameless + 1}. column of angles. Write one there.`);
+    throw new Error(`line ${row.number} has no name for its angle column ${nameless + 1}. Add one.`);
   }
   if (!columns.some(Boolean)) {
     const found = names.length > 0 ? `: found “${names.slice(0, 3).join('”, “')}”` : '';
@@ -117,7 +117,7 @@ export function columnsOf(row, written, columnOf) {
   if (twice >= 0) {
     const other = names[joints.indexOf(joints[twice])];
     const both = other === names[twice] ? `“${other}” twice` : `one joint twice, as “${other}” and “${names[twice]}”`;
-    throw new Error(`line ${row.number} names ${both}. Leave one of the columns out.`);
+    throw new Error(`line ${row.number} names ${both}. Remove one of the columns.`);
   }
   return { names, columns };
 }
@@ -129,7 +129,7 @@ export function columnNotes({ names, columns }, { joints }) {
   const missing = joints.filter((_, i) => !named.has(i)).map(({ name }) => name);
   return [
     ...(unknown.length > 0 ? [`Without ${unknown.join(', ')}, which this robot does not have.`] : []),
-    ...(missing.length > 0 ? [`No column for ${listText(missing)}: as in the posture at the start.`] : []),
+    ...(missing.length > 0 ? [`No column for ${listText(missing)}: angles of the start posture are used.`] : []),
   ];
 }
 
@@ -167,7 +167,7 @@ export function postureOf({ row, cells, expected, toDegrees }, { names, columns 
   const next = [...before];
   columns.forEach((column, i) => {
     if (column && values[i] === '') {
-      remarks.add('Where a cell is empty (#) the joint keeps its angle.', row);
+      remarks.add('If a cell is empty (#), the joint keeps its angle.', row);
     } else if (column && values[i] !== '*') {
       next[column.joint] = fourDecimals(column.sign * toDegrees(numberIn(values[i], expected)));
     }
@@ -190,7 +190,7 @@ export function waysBetween(remarks) {
     }
     const way = Math.round(millis - reached);
     if (before >= 0 && way < MIN_WAY) {
-      remarks.add('Ways shorter than a cycle of 20 ms are played in 20 ms (#).', row);
+      remarks.add('Times shorter than a cycle of 20 ms are played in 20 ms (#).', row);
     }
     before = millis;
     reached += Math.max(MIN_WAY, way);

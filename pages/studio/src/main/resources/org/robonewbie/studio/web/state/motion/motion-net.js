@@ -59,7 +59,7 @@ export function writeNet(frames, start) {
 export function readNet(text, body, start) {
   const [head, ...rows] = rowsOf(text);
   if (head?.text !== 'nao') {
-    throw new Error('This is no net of the original motion editor: its first line is not “nao”.');
+    throw new Error('This is not a net of the original motion editor: its first line is not “nao”.');
   }
   const net = netOf(rows, start);
   const { steps, end } = chainOf(net);
@@ -88,7 +88,7 @@ function isTransition({ text }) {
 /** @param {Net} net @param {number} taken */
 function branchNotes({ transitions }, taken) {
   const others = transitions.length - taken;
-  return others > 0 ? [`A motion has one way: ${others} other transitions are kept as comments.`] : [];
+  return others > 0 ? [`A motion has a single path: ${others} other transitions are kept as comments.`] : [];
 }
 
 /** @param {readonly Row[]} rows @param {readonly number[]} start @returns {Net} */
@@ -132,7 +132,7 @@ function addRow(net, row, start) {
   } else if (!row.text.startsWith('#')) {
     withoutEmptyEnd(cells).forEach(refuseOther);
     if (net.columns) {
-      throw new UnreadableRow(`found “${cells[0]}”, but the joints are named already`);
+      throw new UnreadableRow(`found “${cells[0]}”, but the joints have already been named`);
     }
     net.columns = columnsOf(row, cells, (name) => ({ joint: ORIGINAL_JOINTS.indexOf(name), sign: 1 }));
   }
@@ -145,7 +145,7 @@ function addKeyframe(net, row, cells, start) {
     throw new UnreadableRow('found a keyframe, expected a line with the names of the joints before it');
   }
   if (net.postures.has(id)) {
-    throw new UnreadableRow(`found keyframe ${id}, which the file has already`);
+    throw new UnreadableRow(`found keyframe ${id}, which is already defined`);
   }
   const angles = { row, cells: cells.slice(4), expected: 'an angle in degrees, such as -12.5' };
   const degrees = postureOf({ ...angles, toDegrees: (value) => value }, net.columns, start, net.remarks);
@@ -170,7 +170,7 @@ function chainOf({ postures, transitions }) {
       return { steps, end: [] };
     }
     if (visited.has(step.to)) {
-      return { steps, end: [`The net goes on at keyframe ${step.to} again; the motion ends there.`] };
+      return { steps, end: [`The net continues at keyframe ${step.to} again; the motion ends there.`] };
     }
     steps.push(step);
     visited.add(step.to);

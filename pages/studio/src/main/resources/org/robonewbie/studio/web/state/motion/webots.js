@@ -127,7 +127,7 @@ export function readWebots(text, body, start) {
 function tableOf([head, ...rest]) {
   const [magic, version = '', ...written] = (head?.text ?? '').split(',').map((cell) => cell.trim());
   if (!magic.startsWith('#WEBOTS_MOTION')) {
-    throw new Error('This is no Webots motion: its first line does not begin with #WEBOTS_MOTION.');
+    throw new Error('This is not a Webots motion: its first line does not begin with #WEBOTS_MOTION.');
   }
   if (!/^V1\.[01]$/.test(version)) {
     throw new Error(`This Webots motion is of version “${version}”; V1.0 and V1.1 can be read.`);
@@ -167,9 +167,9 @@ function readAs(reading, { head, names, rows, separator }, start) {
     const toDegrees = (/** @type {number} */ radians) => (radians * 180) / Math.PI;
     const expected = 'an angle in radians, such as -0.35';
     const next = postureOf({ row, cells, expected, toDegrees }, columns, degrees, remarks);
-    const millis = isPlay ? 1000 * positiveIn(all[all.length - 1], 'the seconds of the way') : wayTo(moment, row);
+    const millis = isPlay ? 1000 * positiveIn(all[all.length - 1], 'the duration in seconds') : wayTo(moment, row);
     if (isPlay) {
-      remarks.add('The number at the end of each line was read as the seconds of its way (from # on).', head);
+      remarks.add('The number at the end of each line was read as its duration in seconds (from # on).', head);
     }
     degrees = next;
     return { millis: Math.max(1, Math.round(millis)), degrees };

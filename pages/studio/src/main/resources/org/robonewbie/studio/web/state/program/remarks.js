@@ -49,9 +49,9 @@ export function remarksText(remarks) {
   const serious = remarks.filter((remark) => remark.serious).length;
   const first = remarks.find((remark) => remark.serious && remark.line > 0);
   if (serious === 0) {
-    return remarks.length === 0 ? 'No mistakes' : 'No mistakes, but a warning';
+    return remarks.length === 0 ? 'No errors' : 'No errors, but a warning';
   }
-  return `${serious === 1 ? '1 mistake' : `${serious} mistakes`}${first ? `, line ${first.line}` : ''}`;
+  return `${serious === 1 ? '1 error' : `${serious} errors`}${first ? `, line ${first.line}` : ''}`;
 }
 
 /**

@@ -27,11 +27,11 @@ export function runText(run) {
     case 'STOPPED':
       return `${name} was stopped.`;
     case 'REFUSED':
-      return `${name} has mistakes and was not started.`;
+      return `${name} has errors and was not started.`;
     case 'ENDED':
       return endText(name, run);
     default:
-      return 'Nothing runs yet. Press Run.';
+      return 'No program is running. Press Run.';
   }
 }
 
@@ -41,7 +41,7 @@ function endText(name, { output, exitCode }) {
   if (endless && exitCode !== 0) {
     return `${name} was stopped: think() did not return (${endless[1]}). Is there an endless loop?`;
   }
-  return exitCode === 0 ? `${name} has ended.` : `${name} has ended with a mistake; it is named below.`;
+  return exitCode === 0 ? `${name} has ended.` : `${name} has failed; see the error below.`;
 }
 
 /**
