@@ -89,7 +89,7 @@ export class PageStorage {
     return Array.from({ length: this.#store.length }, (_, index) => this.#store.key(index) ?? '');
   }
 
-  /** Copies the data of the whole host once; it is not removed, because another edition on the host may need it too. */
+  /** Copies the data of the whole host once and keeps the original if possible, because another edition may need it too. */
   #migrate() {
     if (this.get(MIGRATED) !== null) {
       return;

@@ -91,6 +91,6 @@ export class WorldConnection {
 
   /** @param {string} reason */
   #fail(reason) {
-    this.listener.refused(`The simulator of this page has failed: ${reason}. Load the page again.`);
+    this.listener.refused(`The simulator of this page has failed: ${reason}. Reload the page.`);
   }
 }

@@ -100,7 +100,8 @@ class FieldHandPageTest {
 
     private double ringOf(String kind) {
         String thing = kind.equals("ball") ? "{kind: 'ball'}" : "{kind: 'robot', robot: 0}";
-        return browser.evaluate("studio.pointer.pointing.radiusOf(" + thing + ")").getAsDouble();
+        return browser.evaluate("studio.pointer.pointing.radiusOf(" + thing + ")")
+                .getAsDouble();
     }
 
     @Test

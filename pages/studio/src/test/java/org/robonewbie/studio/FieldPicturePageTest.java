@@ -146,7 +146,8 @@ class FieldPicturePageTest {
         browser.press("2");
 
         browser.await("document.querySelector('[data-camera=orbit]').ariaPressed === 'true'");
-        assertThat(browser.evaluate("studio.camera.view.distance").getAsDouble()).isEqualTo(distance);
+        assertThat(browser.evaluate("studio.camera.view.distance").getAsDouble())
+                .isEqualTo(distance);
     }
 
     @Test

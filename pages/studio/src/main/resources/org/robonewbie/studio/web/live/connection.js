@@ -54,7 +54,7 @@ export class Connection {
     socket.binaryType = 'arraybuffer';
     socket.onopen = () => {
       if (this.#wasRefused) {
-        location.reload(); // the simulator is serving this browser again; reload to repeat the refused requests
+        location.reload(); // another page has authorised this browser; reload to repeat the refused requests
       }
       wasOpen = true;
       this.silentLooks = 0;

@@ -50,7 +50,7 @@ export function notes() {
 
 /** Shows a note when a script of this page fails. @param {(text: string) => void} note */
 export function reportMistakes(note) {
-  const report = (/** @type {unknown} */ what) => note(`This page has failed: ${what}. Load it again.`);
+  const report = (/** @type {unknown} */ what) => note(`This page has failed: ${what}. Reload it.`);
   window.addEventListener('error', (event) => report(event.message));
   window.addEventListener('unhandledrejection', (event) => report(event.reason));
 }

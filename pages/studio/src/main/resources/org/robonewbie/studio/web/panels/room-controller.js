@@ -163,7 +163,7 @@ function loadStyles(sheets) {
     document.head.append(link);
     return new Promise((done, failed) => {
       link.addEventListener('load', done);
-      link.addEventListener('error', () => failed(new Error(`${href} is missing. Load the page again.`)));
+      link.addEventListener('error', () => failed(new Error(`${href} is missing. Reload the page.`)));
     });
   });
   return Promise.all(loads);
