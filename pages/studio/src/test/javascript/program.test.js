@@ -179,10 +179,10 @@ test('a restarted program gets the chosen value unless its default has changed',
   const chosen = new ChosenNumbers();
   chosen.choose(gain, 0.8, 1000);
   assert.equal(chosen.shown(gain), 0.8);
-  assert.equal(chosen.wish(gain, 1100), undefined);
-  assert.equal(chosen.wish(gain, 2000), 0.8);
-  assert.equal(chosen.wish(gain, 2100), undefined);
-  assert.equal(chosen.wish({ ...gain, value: 0.8 }, 4000), undefined);
-  assert.equal(chosen.wish({ ...gain, defaultValue: 0.6, value: 0.6 }, 5000), undefined);
+  assert.equal(chosen.pendingValue(gain, 1100), undefined);
+  assert.equal(chosen.pendingValue(gain, 2000), 0.8);
+  assert.equal(chosen.pendingValue(gain, 2100), undefined);
+  assert.equal(chosen.pendingValue({ ...gain, value: 0.8 }, 4000), undefined);
+  assert.equal(chosen.pendingValue({ ...gain, defaultValue: 0.6, value: 0.6 }, 5000), undefined);
   assert.equal(chosen.shown({ ...gain, defaultValue: 0.6, value: 0.6 }), 0.6);
 });

@@ -51,11 +51,11 @@ function announceStart(exports, begun) {
 /**
  * @param {any} exports
  * @param {Int8Array[]} classes
- * @param {() => string} beginning starts the program and returns why it cannot run here, or empty
+ * @param {() => string} start starts the program and returns why it cannot run here, or empty
  */
-function beginWith(exports, classes, beginning) {
+function startProgram(exports, classes, start) {
   take(exports, classes);
-  const refusal = beginning();
+  const refusal = start();
   if (refusal) {
     postMessage({ refusal });
   } else {
@@ -93,7 +93,7 @@ const ACTIONS = {
     if (keep && exports.isProgramRunning()) {
       swap(exports, classes);
     } else {
-      beginWith(exports, classes, () => exports.beginProgram(seed, others.join(' ')));
+      startProgram(exports, classes, () => exports.beginProgram(seed, others.join(' ')));
     }
   },
   motions: (exports, motions) => {
@@ -110,7 +110,7 @@ const ACTIONS = {
   },
   exercise: (exports, wanted) => {
     language = wanted.language;
-    beginWith(exports, wanted.classes, () => exports.beginExercise(wanted.name, wanted.trials));
+    startProgram(exports, wanted.classes, () => exports.beginExercise(wanted.name, wanted.trials));
   },
   language: (_, code) => {
     language = code;

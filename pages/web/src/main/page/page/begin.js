@@ -11,7 +11,7 @@ import { answerInsteadOfServer } from './page-server.js';
 import { PageRecordings } from './page-recordings.js';
 import { ProgramServer } from './program-server.js';
 import { ProgramRepository } from './program-repository.js';
-import { addTakeaways } from './program-takeaway.js';
+import { addExportButtons } from './program-takeaway.js';
 import { RecordingStore } from './recording-store.js';
 import { addRecordingTools } from './recording-tools.js';
 import { ReplayServer } from './replay-server.js';
@@ -79,7 +79,7 @@ async function begin(worker) {
     (listener) => new WorldConnection(worker, listener, choice, { programs, course, questions, recordings, scenes }),
   );
   Object.assign(window, { studio });
-  addTakeaways(() => studio.rooms.program, repository);
+  addExportButtons(() => studio.rooms.program, repository);
   addRecordingTools(() => studio, recordings);
   studio.start();
   if (trouble) {

@@ -37,7 +37,7 @@ export class CourseServer {
   /** @type {Attempt} */
   #attempt = NONE;
   /** @type {((refusal: string) => void) | undefined} */
-  #begun;
+  #resolveStart;
   /** Shows the free pitch again. */
   freePitch = () => {};
 
@@ -59,10 +59,10 @@ export class CourseServer {
 
   /** @param {string} refusal why the program cannot be judged; empty if its trials are running */
   answered(refusal) {
-    const resolveBegun = this.#begun;
-    this.#begun = undefined;
-    resolveBegun?.(refusal);
-    return resolveBegun !== undefined;
+    const resolveStart = this.#resolveStart;
+    this.#resolveStart = undefined;
+    resolveStart?.(refusal);
+    return resolveStart !== undefined;
   }
 
   /** @param {string} text progress of the judge, a JSON object */
@@ -192,7 +192,7 @@ export class CourseServer {
     }
     const classes = await this.#programs.compiled(program);
     const refusal = await new Promise((done) => {
-      this.#begun = done;
+      this.#resolveStart = done;
       this.world.postMessage({ exercise: { name, trials, classes, language: this.#language } });
     });
     if (refusal) {

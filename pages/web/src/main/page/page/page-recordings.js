@@ -59,7 +59,7 @@ export class PageRecordings {
     this.#enqueue(async () => {
       if (isFirst || !this.#running) {
         await this.#write();
-        this.#running = await this.#beginning();
+        this.#running = await this.#create();
       }
       if (this.#running.content.length + bytes.length <= MAX_BYTES_OF_ONE) {
         this.#running.content.push(bytes);
@@ -76,7 +76,7 @@ export class PageRecordings {
     });
   }
 
-  async #beginning() {
+  async #create() {
     const entry = this.#fresh(dateName(new Date()), this.agent);
     const content = await this.#empty();
     this.#keepOpen(entry.id, Promise.resolve(content));

@@ -5,7 +5,7 @@ import { linkOf } from './share.js';
 import { zip } from './zip.js';
 
 /** @param {() => any} room @param {import('./program-repository.js').ProgramRepository} repository */
-export function addTakeaways(room, repository) {
+export function addExportButtons(room, repository) {
   const place = byId('program-room');
   const watch = new MutationObserver(() => {
     const foot = place.querySelector('.program-foot');

@@ -1,7 +1,7 @@
 /** WebSocket connection to the simulator: opens and reopens it, and forwards what arrives. */
 
 const RETRY_MILLISECONDS = 400;
-const MAX_SILENT_LOOKS = 10;
+const MAX_MISSED_CHECKS = 10;
 
 /**
  * @typedef {object} Listener
@@ -40,11 +40,11 @@ export class Connection {
     this.address = address;
     this.listener = listener;
     /** Number of checks since data last arrived. */
-    this.silentLooks = 0;
+    this.missedChecks = 0;
     /** @type {WebSocket | undefined} */
     this.socket = undefined;
     document.addEventListener('visibilitychange', () => {
-      this.silentLooks = 0;
+      this.missedChecks = 0;
     });
   }
 
@@ -57,7 +57,7 @@ export class Connection {
         location.reload(); // another page has authorised this browser; reload to repeat the refused requests
       }
       wasOpen = true;
-      this.silentLooks = 0;
+      this.missedChecks = 0;
       this.listener.opened();
     };
     socket.onmessage = (event) => this.#receive(event.data);
@@ -88,8 +88,8 @@ export class Connection {
    * are counted rather than seconds, so a page that was blocked itself does not time out.
    */
   checkSilence() {
-    this.silentLooks += 1;
-    if (this.silentLooks > MAX_SILENT_LOOKS && !document.hidden && this.socket?.readyState === WebSocket.OPEN) {
+    this.missedChecks += 1;
+    if (this.missedChecks > MAX_MISSED_CHECKS && !document.hidden && this.socket?.readyState === WebSocket.OPEN) {
       const stalled = this.socket;
       this.#lose();
       stalled.close();
@@ -98,7 +98,7 @@ export class Connection {
 
   /** @param {string | ArrayBuffer} data */
   #receive(data) {
-    this.silentLooks = 0;
+    this.missedChecks = 0;
     if (typeof data === 'string') {
       this.listener.messageArrived(JSON.parse(data));
     } else {

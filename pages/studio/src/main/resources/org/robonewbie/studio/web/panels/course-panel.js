@@ -26,7 +26,7 @@ export class CoursePanel {
   /** @type {Lesson | undefined} */
   #chosen;
   #shown = '';
-  #looking = false;
+  #isPolling = false;
   #help = new CourseHelp((path, method) => this.#ask(path, method));
   #language = choice(
     {
@@ -92,8 +92,8 @@ export class CoursePanel {
     const panel = byId('course');
     panel.hidden = location.hash !== PLACE || this.#lessons.length === 0;
     byId('field-room').dataset.exercises = panel.hidden ? 'off' : 'on';
-    if (!panel.hidden && !this.#looking) {
-      this.#looking = true;
+    if (!panel.hidden && !this.#isPolling) {
+      this.#isPolling = true;
       this.#look();
     }
   }
@@ -183,7 +183,7 @@ export class CoursePanel {
       }
       await new Promise((done) => setTimeout(done, LOOK_MILLISECONDS));
     }
-    this.#looking = false;
+    this.#isPolling = false;
   }
 
   /** @param {Attempt} attempt */

@@ -28,7 +28,7 @@ import { note } from './note.js';
 const LOOK_MILLISECONDS = 1000;
 
 export class FileController {
-  #looking = false;
+  #isPolling = false;
   /** Original text of the shared program that was opened last. */
   #asShared = '';
   #sharedVersion = '';
@@ -80,8 +80,8 @@ export class FileController {
       const path = folderOfNew(list.own) + FIRST_NAME;
       this.#show(opened('own', path, newText(await this.service.newProgram(path))), '');
     }
-    if (!this.#looking) {
-      this.#looking = true;
+    if (!this.#isPolling) {
+      this.#isPolling = true;
       setInterval(() => this.#look(), LOOK_MILLISECONDS);
     }
   }
@@ -290,7 +290,7 @@ export class FileController {
       const isOther = JSON.stringify(list) !== JSON.stringify(this.list);
       this.list = list;
       if (file && file === this.file && file.kind === 'own' && now && now !== file.version) {
-        await this.#takeOver(file);
+        await this.#reloadChanged(file);
       } else if (isOther && document.activeElement !== this.choice) {
         this.#draw();
       }
@@ -300,7 +300,7 @@ export class FileController {
   }
 
   /** @param {OpenFile} file */
-  async #takeOver(file) {
+  async #reloadChanged(file) {
     if (file.version !== '' && !isUnsaved(file, this.editor.text)) {
       await this.#takeSaved();
       await this.room.runs.saved();

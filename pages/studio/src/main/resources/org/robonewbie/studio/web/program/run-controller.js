@@ -15,7 +15,7 @@ const LOOK_MILLISECONDS = 400;
 const VALUE_MILLISECONDS = 200;
 
 export class RunController {
-  #looking = false;
+  #isPolling = false;
   #valuesAt = 0;
   #robot = '';
   /** @type {string[]} */
@@ -49,7 +49,7 @@ export class RunController {
       act(() => this.stop()),
       { id: 'program-stop' },
     );
-    this.again = button(
+    this.restartButton = button(
       '⟲ Restart',
       'Restarts world and program',
       act(() => this.#start('fresh')),
@@ -66,7 +66,7 @@ export class RunController {
     this.world = worldChoice();
     this.state = element('p', { id: 'program-state', role: 'status' });
     this.sliders = this.#newSliders();
-    room.bar.append(this.start, this.stopButton, this.again, this.stepButton);
+    room.bar.append(this.start, this.stopButton, this.restartButton, this.stepButton);
     room.foot.append(this.state, this.world);
   }
 
@@ -131,10 +131,10 @@ export class RunController {
 
   /** Polls as long as the program runs. */
   async #watch() {
-    if (this.#looking) {
+    if (this.#isPolling) {
       return;
     }
-    this.#looking = true;
+    this.#isPolling = true;
     while (isUnderWay(this.now)) {
       this.#listen();
       await new Promise((done) => setTimeout(done, LOOK_MILLISECONDS));
@@ -144,7 +144,7 @@ export class RunController {
         // The studio is down or restarting, which the connection banner reports.
       }
     }
-    this.#looking = false;
+    this.#isPolling = false;
   }
 
   /** @param {ProgramRun} run */
@@ -158,7 +158,7 @@ export class RunController {
     const { file } = this.room.files;
     const isRunning = isUnderWay(this.now);
     this.start.hidden = isRunning && this.now.program === file?.path;
-    this.stopButton.hidden = this.again.hidden = this.stepButton.hidden = !isRunning;
+    this.stopButton.hidden = this.restartButton.hidden = this.stepButton.hidden = !isRunning;
     const isTrouble = this.now.state === 'ENDED' && this.now.exitCode !== 0;
     this.#showState(runText(this.now), isTrouble ? 'trouble' : '');
   }
@@ -235,7 +235,7 @@ export class RunController {
     }
     for (const each of lines.map(readTelemetry)) {
       if (each.kind === 'log') {
-        this.#hearLine(each.log);
+        this.#addLogLine(each.log);
       } else if (each.kind === 'plot') {
         this.#values.set(each.name, each.value);
       } else if (each.kind === 'number') {
@@ -246,7 +246,7 @@ export class RunController {
   }
 
   /** @param {import('../state/robot/telemetry.js').LogLine} log */
-  #hearLine(log) {
+  #addLogLine(log) {
     this.room.said.addLine(log);
     const line = lineOf(log.text, this.now.program);
     if (line > 0 && ['WARNING', 'ERROR'].includes(log.level) && this.now.program === this.room.files.file?.path) {

@@ -38,9 +38,9 @@ export class SliderController {
   receive(number) {
     const slider = this.#sliders.get(number.name) ?? this.#add(number);
     slider.number = number;
-    const wish = this.#chosen.wish(number, performance.now());
-    if (wish !== undefined) {
-      this.program.tune(number.name, wish);
+    const pendingValue = this.#chosen.pendingValue(number, performance.now());
+    if (pendingValue !== undefined) {
+      this.program.tune(number.name, pendingValue);
     }
     this.#show(slider, this.#chosen.shown(number));
   }

@@ -39,7 +39,7 @@ export class RecordingFile {
     this.run.summary = index;
     this.run.grow(index);
     await this.#readOn(index.whole);
-    await this.#hearNotes();
+    await this.#loadNotes();
     this.isWhole = true;
     this.grown();
     this.#follow(follows);
@@ -68,7 +68,7 @@ export class RecordingFile {
     }
   }
 
-  async #hearNotes() {
+  async #loadNotes() {
     const { lines, bytes } = await loadNotes(this.name, this.noteBytes);
     this.noteBytes += bytes;
     const pictures = picturesOf(lines);
@@ -82,7 +82,7 @@ export class RecordingFile {
     if (follows && this.open) {
       const look = async () => {
         await this.#readOn(false);
-        await this.#hearNotes();
+        await this.#loadNotes();
       };
       this.timer = window.setTimeout(
         () =>

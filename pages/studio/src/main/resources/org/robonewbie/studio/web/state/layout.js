@@ -101,14 +101,14 @@ export function widthOf(pixels) {
  * @returns {Layout} the stored layout, or the default if it does not contain each panel exactly once
  */
 export function restoredLayout(kept, width, preset = 'understand') {
-  const usual = LAYOUTS[preset][width];
+  const defaultLayout = LAYOUTS[preset][width];
   const columns = Array.isArray(kept) ? kept : [];
   const panels = columns.flatMap((column) => (Array.isArray(column?.panels) ? column.panels : []));
   const names = panels.map((panel) => String(panel?.name)).sort();
   const parts = [...columns, ...panels].map((each) => each?.part);
-  const isWhole = names.join() === namesOf(usual).join();
-  const isSound = columns.length === usual.length && parts.every((part) => part > 0 && part <= 1);
-  return isWhole && isSound ? columns : usual;
+  const isWhole = names.join() === namesOf(defaultLayout).join();
+  const isSound = columns.length === defaultLayout.length && parts.every((part) => part > 0 && part <= 1);
+  return isWhole && isSound ? columns : defaultLayout;
 }
 
 /** @param {Layout} layout */

@@ -16,14 +16,14 @@ export function retimed(ways, chosen, by, alone) {
   if (first === undefined) {
     return [...ways];
   }
-  const wish = wholeCycles(Math.max(CYCLE_MILLIS, ways[first] + by)) - ways[first];
+  const requested = wholeCycles(Math.max(CYCLE_MILLIS, ways[first] + by)) - ways[first];
   if (!alone) {
-    return [...ways].with(first, ways[first] + wish);
+    return [...ways].with(first, ways[first] + requested);
   }
   const growing = chosen.filter((index) => !chosen.includes(index - 1));
   const shrinking = chosen.map((index) => index + 1).filter((index) => index < ways.length && !chosen.includes(index));
   const min = Math.max(...growing.map((index) => Math.min(0, CYCLE_MILLIS - ways[index])));
   const max = Math.min(Infinity, ...shrinking.map((index) => Math.max(0, ways[index] - CYCLE_MILLIS)));
-  const step = Math.max(min, Math.min(max, wish));
+  const step = Math.max(min, Math.min(max, requested));
   return ways.map((way, index) => way + (growing.includes(index) ? step : 0) - (shrinking.includes(index) ? step : 0));
 }

@@ -58,13 +58,13 @@ export function written(file, text) {
   const parts = file.content.split(/(\r\n|\r|\n)/);
   const before = parts.flatMap((line, i) => (i % 2 === 0 ? [{ line, end: parts[i + 1] ?? '' }] : []));
   const after = text.split('\n');
-  const usual = before[0].end || '\n';
+  const defaultEnd = before[0].end || '\n';
   const same = sameLines(before, after);
   const rest = sameLines(before.slice(same).reverse(), after.slice(same).reverse());
   const endOf = (/** @type {number} */ i) => {
     const fromEnd = after.length - 1 - i;
     const known = i < same ? before[i] : fromEnd < rest ? before[before.length - 1 - fromEnd] : undefined;
-    return known?.end || usual;
+    return known?.end || defaultEnd;
   };
   return after.map((line, i) => (i === after.length - 1 ? line : line + endOf(i))).join('');
 }

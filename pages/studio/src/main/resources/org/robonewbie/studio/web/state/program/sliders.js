@@ -71,7 +71,7 @@ export class ChosenNumbers {
    * @param {number} now milliseconds
    * @returns {number | undefined} the chosen value, if it must be sent again because the program has not adopted it
    */
-  wish(number, now) {
+  pendingValue(number, now) {
     const shown = this.shown(number);
     const chosen = this.#chosen.get(number.name);
     if (!chosen || shown === number.value || now - chosen.sentAt < RESEND_MILLISECONDS) {

@@ -29,10 +29,10 @@ export function webmOf(film, pictures) {
     at += length;
     return at - length;
   });
-  return joined(beginning(), element(0x18538067, ...head, cuesOf(clusters, places), ...bodies));
+  return joined(fileHeader(), element(0x18538067, ...head, cuesOf(clusters, places), ...bodies));
 }
 
-function beginning() {
+function fileHeader() {
   return element(
     0x1a45dfa3,
     element(0x4286, number(1)),
@@ -74,12 +74,12 @@ function clustersOf(pictures) {
   /** @type {EncodedPicture[][]} */
   const clusters = [];
   for (const picture of pictures) {
-    const begun = clusters.at(-1);
-    const isLong = begun && picture.milliseconds - begun[0].milliseconds > LONGEST_CLUSTER_MILLISECONDS;
-    if (!begun || picture.isKey || isLong) {
+    const current = clusters.at(-1);
+    const isLong = current && picture.milliseconds - current[0].milliseconds > LONGEST_CLUSTER_MILLISECONDS;
+    if (!current || picture.isKey || isLong) {
       clusters.push([picture]);
     } else {
-      begun.push(picture);
+      current.push(picture);
     }
   }
   return clusters;

@@ -55,15 +55,15 @@ function sense(senses, expression) {
       senses.game = Object.fromEntries(expression.slice(1).map((each) => [each[0], String(each[1])]));
       break;
     case 'GYR':
-      senses.gyro = ours(numbers(part(expression, 'rt')));
+      senses.gyro = toBodyFrame(numbers(part(expression, 'rt')));
       break;
     case 'ACC':
-      senses.acceleration = ours(numbers(part(expression, 'a')));
+      senses.acceleration = toBodyFrame(numbers(part(expression, 'a')));
       break;
     case 'FRP':
       senses.feet[String(part(expression, 'n')?.[1])] = {
-        contact: ours(numbers(part(expression, 'c'))),
-        force: ours(numbers(part(expression, 'f'))),
+        contact: toBodyFrame(numbers(part(expression, 'c'))),
+        force: toBodyFrame(numbers(part(expression, 'f'))),
       };
       break;
     case 'hear':
@@ -76,7 +76,7 @@ function sense(senses, expression) {
 }
 
 /** @param {number[]} raw right, forward, up @returns {number[]} forward, left, up */
-function ours([right, forward, up]) {
+function toBodyFrame([right, forward, up]) {
   return [forward, right === 0 ? 0 : -right, up];
 }
 
