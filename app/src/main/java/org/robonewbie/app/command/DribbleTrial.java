@@ -5,60 +5,43 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.team.skill.CloseDribbleNumbers;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Performer;
-import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 
 /**
  * A robot dribbles 5 m on the league's pitch, with noise, from the stance.
  *
  * @param seconds how long it took, infinite if it did not get there
- * @param metres how far the ball got ahead
  * @param farthest how far the ball was from the robot at most, metres
- * @param fell whether the robot lay on the ground at the end
  */
-record DribbleTrial(double seconds, double metres, double farthest, boolean fell) {
+record DribbleTrial(double seconds, double farthest) {
 
     /** How far ahead of the robot the ball lies at first. */
     static final double BALL_AHEAD = 0.25;
 
     private static final double DRIBBLED_METRES = 5;
     private static final double MOST_SECONDS = 10;
+    private static final double GIVE_UP_SECONDS = 30;
     private static final double MOST_METRES = 0.5;
-
-    /** When a dribbling is given up. */
-    record Patience(double seconds, double farthest) {
-
-        static final Patience LONG = new Patience(30, Double.POSITIVE_INFINITY);
-        static final Patience SHORT = new Patience(12, 0.62);
-    }
 
     /** Dribbles with a whole simulator. */
     static DribbleTrial served(RobotType type, CloseDribbleNumbers numbers, long seed) {
         try (Trial trial = Trial.served(
                 PlayerChecks.scene(type, BALL_AHEAD, seed), seed, Performer.ofAgent(new Dribbler(numbers)))) {
-            return run(trial, Patience.LONG);
+            return run(trial);
         }
     }
 
-    /** Dribbles in the physical world alone, and gives up soon. */
-    static DribbleTrial direct(CloseDribbleNumbers numbers, long seed) {
-        Scene scene = PlayerChecks.scene(RobotType.TYPE_0, BALL_AHEAD, seed);
-        try (Trial trial = Trial.direct(scene, seed, Performer.ofAgent(new Dribbler(numbers)))) {
-            return run(trial, Patience.SHORT);
-        }
-    }
-
-    private static DribbleTrial run(Trial trial, Patience patience) {
+    private static DribbleTrial run(Trial trial) {
         Vector3 begin = trial.now().ball();
         double farthest = 0;
         double metres = 0;
-        while (metres < DRIBBLED_METRES && trial.seconds() < patience.seconds && farthest < patience.farthest) {
+        while (metres < DRIBBLED_METRES && trial.seconds() < GIVE_UP_SECONDS) {
             Moment now = trial.step();
             farthest = Math.max(farthest, now.place().distance(now.ball()));
             metres = now.ball().x() - begin.x();
         }
         double seconds = metres < DRIBBLED_METRES ? Double.POSITIVE_INFINITY : trial.seconds();
-        return new DribbleTrial(seconds, metres, farthest, trial.robot(0).isFallen());
+        return new DribbleTrial(seconds, farthest);
     }
 
     /** Whether the ball was 5 m ahead within 10 s. */
@@ -69,17 +52,5 @@ record DribbleTrial(double seconds, double metres, double farthest, boolean fell
     /** Whether it was, and never further away than 0.5 m. */
     boolean isClose() {
         return isInTime() && farthest <= MOST_METRES;
-    }
-
-    /** What a search pays for it: seconds, and what is beyond the limits. A dribbling that was given up costs the more the sooner it was. */
-    double cost() {
-        if (Double.isInfinite(seconds)) {
-            return 6 + 8 * (1 - Math.max(0, metres) / DRIBBLED_METRES) + (fell ? 1 : 0);
-        }
-        return 0.1 * seconds
-                + 1.5 * Math.max(0, seconds - 9.3)
-                + 12 * Math.max(0, farthest - 0.44)
-                + (isInTime() ? 0 : 1.5)
-                + (farthest <= MOST_METRES ? 0 : 1.5);
     }
 }

@@ -1,16 +1,18 @@
 package org.robonewbie.learning.optimise;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import org.robonewbie.agent.walk.Stance;
-import org.robonewbie.learning.design.Costs;
 import org.robonewbie.learning.rehearsal.Lying;
 import org.robonewbie.learning.rehearsal.Poise;
 import org.robonewbie.learning.rehearsal.Rehearsal;
+import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.BallPlace;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.trial.Measure;
 import org.robonewbie.trial.Place;
@@ -131,8 +133,20 @@ final class MotionScene {
         return 0.001 * poise.meanRocking() + 0.03 * poise.meanJointsAtLimit();
     }
 
+    /** Adds up the degrees by which a motion, played in a loop, asks for more than the motors can do. */
     private static double beyondMotors(Motion motion) {
-        return Costs.degreesBeyondMotors(motion);
+        double sum = 0;
+        List<Keyframe> keyframes = motion.keyframes();
+        Posture before = keyframes.get(keyframes.size() - 1).posture();
+        for (Keyframe keyframe : keyframes) {
+            double seconds = keyframe.durationMillis() / 1000.0;
+            for (Joint joint : Joint.values()) {
+                double way = Math.abs(keyframe.posture().degrees(joint) - before.degrees(joint));
+                sum += Math.max(0, way - joint.maxDegreesPerSecond() * seconds);
+            }
+            before = keyframe.posture();
+        }
+        return sum;
     }
 
     private static Optional<Lying> lying(String words) {
