@@ -99,10 +99,10 @@ final class Build {
 
     private List<Path> sources() throws IOException {
         List<Path> places = new ArrayList<>();
-        try (Stream<Path> modules = Files.list(home)) {
-            modules.forEach(module -> places.addAll(List.of(module.resolve("pom.xml"), module.resolve("src/main"))));
+        try (Stream<Path> builds = Files.find(home, 3, (file, attributes) -> file.endsWith("pom.xml"))) {
+            builds.forEach(build -> places.addAll(List.of(build, build.resolveSibling("src/main"))));
         }
-        List.of("pom.xml", "docs", "LICENSE", "NOTICE").forEach(name -> places.add(home.resolve(name)));
+        List.of("docs", "LICENSE", "NOTICE").forEach(name -> places.add(home.resolve(name)));
         places.removeIf(place -> !Files.exists(place));
         return places;
     }

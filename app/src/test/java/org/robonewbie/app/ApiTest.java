@@ -104,7 +104,7 @@ class ApiTest {
         try (ZipOutputStream out = new ZipOutputStream(Files.newOutputStream(jar))) {
             for (String name : packages()) {
                 String path = name.replace('.', '/');
-                for (Path classes : places(path)) {
+                for (Path classes : below("target/classes/" + path)) {
                     add(classes, path, out);
                 }
             }
@@ -125,29 +125,23 @@ class ApiTest {
         }
     }
 
-    private static List<Path> places(String path) throws IOException {
-        try (Stream<Path> modules = Files.list(Project.ROOT)) {
-            return modules.map(module -> module.resolve("target/classes").resolve(path))
-                    .filter(Files::isDirectory)
-                    .sorted()
-                    .toList();
-        }
+    /** The folders of that name in all modules that have one. */
+    private static List<Path> below(String path) {
+        return Project.modules().stream()
+                .map(module -> module.resolve(path))
+                .filter(Files::isDirectory)
+                .toList();
     }
 
     private static NavigableSet<String> packages() throws IOException {
         NavigableSet<String> packages = new TreeSet<>();
-        try (Stream<Path> modules = Files.list(Project.ROOT)) {
-            for (Path sources : modules.map(module -> module.resolve("src/main/java"))
-                    .filter(Files::isDirectory)
-                    .toList()) {
-                try (Stream<Path> files = Files.walk(sources)) {
-                    files.filter(file -> file.endsWith("package-info.java"))
-                            .filter(file -> !Project.read(file).contains("<strong>Internal</strong>"))
-                            .map(file -> sources.relativize(file.getParent())
-                                    .toString()
-                                    .replaceAll("[/\\\\]", "."))
-                            .forEach(packages::add);
-                }
+        for (Path sources : below("src/main/java")) {
+            try (Stream<Path> files = Files.walk(sources)) {
+                files.filter(file -> file.endsWith("package-info.java"))
+                        .filter(file -> !Project.read(file).contains("<strong>Internal</strong>"))
+                        .map(file ->
+                                sources.relativize(file.getParent()).toString().replaceAll("[/\\\\]", "."))
+                        .forEach(packages::add);
             }
         }
         return packages;

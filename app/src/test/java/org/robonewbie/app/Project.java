@@ -17,11 +17,20 @@ public final class Project {
 
     /** Lists the files with an ending that belong to the sources of any module. */
     public static List<Path> sources(String ending) {
-        try (Stream<Path> modules = Files.list(ROOT)) {
-            return modules.map(module -> module.resolve("src"))
-                    .filter(Files::isDirectory)
-                    .flatMap(Project::filesBelow)
-                    .filter(file -> file.toString().endsWith(ending))
+        return modules().stream()
+                .map(module -> module.resolve("src"))
+                .filter(Files::isDirectory)
+                .flatMap(Project::filesBelow)
+                .filter(file -> file.toString().endsWith(ending))
+                .sorted()
+                .toList();
+    }
+
+    /** Lists the folders of all modules: those with a {@code pom.xml}, at the root or in one of its folders. */
+    public static List<Path> modules() {
+        try (Stream<Path> files = Files.find(ROOT, 3, (file, attributes) -> file.endsWith("pom.xml"))) {
+            return files.map(Path::getParent)
+                    .filter(module -> !module.equals(ROOT))
                     .sorted()
                     .toList();
         } catch (IOException unreadable) {
@@ -32,7 +41,7 @@ public final class Project {
     /** Lists the files with an ending that belong to the product, without those of its tests. */
     public static List<Path> productSources(String ending) {
         return sources(ending).stream()
-                .filter(file -> ROOT.relativize(file).subpath(1, 3).equals(Path.of("src", "main")))
+                .filter(file -> modules().stream().anyMatch(module -> file.startsWith(module.resolve("src/main"))))
                 .toList();
     }
 

@@ -16,7 +16,8 @@ import org.junit.jupiter.api.io.TempDir;
 @Tag("slow")
 class PythonPackageTest {
 
-    private static final Path PACKAGE = Path.of("..", "python").toAbsolutePath().normalize();
+    private static final Path PACKAGE =
+            Path.of("..", "research", "python").toAbsolutePath().normalize();
 
     @TempDir
     private Path scratch;

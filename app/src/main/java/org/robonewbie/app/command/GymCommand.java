@@ -26,7 +26,7 @@ import picocli.CommandLine.Parameters;
         },
         footer = {
             "",
-            "In Python, after \"pip install ./python\":",
+            "In Python, after \"pip install ./research/python\":",
             "  import gymnasium, robonewbie",
             "  env = gymnasium.make(\"RoboNewbie/Walk-v1\")",
             "",

@@ -1,0 +1,142 @@
+package org.robonewbie.site;
+
+import com.google.gson.GsonBuilder;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+
+/**
+ * Builds the documentation site: all Markdown pages of the project as HTML that works from a folder, from the studio and without
+ * a network. A link that leads nowhere ends the build.
+ */
+public final class SiteBuilder {
+
+    private static final List<String> ASSETS = List.of("site.css", "print.css", "site.js");
+
+    private final Path root;
+    private final String version;
+    private final Addresses addresses;
+
+    /**
+     * Looks at a project.
+     *
+     * @param root its folder, in which {@code docs} lies
+     * @param version its version, which each page tells
+     */
+    public SiteBuilder(Path root, String version) {
+        this.root = root.toAbsolutePath().normalize();
+        this.version = version;
+        this.addresses = new Addresses(this.root);
+    }
+
+    /**
+     * Builds the site.
+     *
+     * @param arguments folder of the project, folder of the site, version; one more if API pages are wanted
+     * @throws IOException if a file cannot be read or written
+     */
+    public static void main(String[] arguments) throws IOException {
+        Path root = Path.of(arguments[0]).toAbsolutePath().normalize();
+        Path site = Path.of(arguments[1]);
+        new SiteBuilder(root, arguments[2]).build(site);
+        if (arguments.length > 3) {
+            new ApiPages(root, arguments[2]).build(site);
+        }
+    }
+
+    /**
+     * Builds the site.
+     *
+     * @param site folder to write into; what is there is overwritten
+     * @throws BrokenLinksException if a link leads nowhere
+     * @throws IOException if a file cannot be read or written
+     */
+    public void build(Path site) throws IOException {
+        Map<Path, Article> articles = articles();
+        Article start = Objects.requireNonNull(articles.get(root.resolve("docs/README.md")), "docs/README.md");
+        Navigation navigation = Navigation.of(start, articles);
+        Links links = new Links(addresses, articles);
+        articles.values().forEach(links::translate);
+        if (!links.broken().isEmpty()) {
+            throw new BrokenLinksException(links.broken());
+        }
+        PageFrame frame = new PageFrame(resource("page.html"), version, navigation);
+        for (Article article : articles.values()) {
+            write(site, article.address(), frame.around(article));
+        }
+        writeFiles(site, links, frame);
+        for (String asset : ASSETS) {
+            write(site, asset, resource(asset));
+        }
+        write(site, "search-index.js", searchIndex(articles));
+    }
+
+    private Map<Path, Article> articles() throws IOException {
+        List<Path> files;
+        try (Stream<Path> atRoot = Files.list(root);
+                Stream<Path> docs = Files.walk(root.resolve("docs"))) {
+            files = Stream.of(atRoot, docs, Stream.of(root.resolve("research/python/README.md")))
+                    .flatMap(stream -> stream)
+                    .filter(file -> file.toString().endsWith(".md") && Files.isRegularFile(file))
+                    .sorted()
+                    .toList();
+        }
+        Map<Path, Article> articles = new TreeMap<>();
+        for (Path file : files) {
+            articles.put(file, Article.read(file, addresses.of(file)));
+        }
+        return articles;
+    }
+
+    private void writeFiles(Path site, Links links, PageFrame frame) throws IOException {
+        for (Path picture : links.pictures()) {
+            Path file = site.resolve(addresses.of(picture));
+            Files.createDirectories(Objects.requireNonNull(file.getParent()));
+            Files.copy(picture, file, StandardCopyOption.REPLACE_EXISTING);
+        }
+        SourcePages sources = new SourcePages(addresses);
+        for (Path target : links.files()) {
+            for (Map.Entry<String, SourcePages.Content> page :
+                    sources.of(target).entrySet()) {
+                SourcePages.Content content = page.getValue();
+                write(site, page.getKey(), frame.around(page.getKey(), content.title(), content.html()));
+            }
+        }
+    }
+
+    /** One entry for each section; a script rather than JSON, since pages opened from a folder may load scripts only. */
+    private static String searchIndex(Map<Path, Article> articles) {
+        List<Map<String, String>> sections = articles.values().stream()
+                .flatMap(article -> article.sections().stream()
+                        .map(section -> Map.of(
+                                "address", article.address() + "#" + section.anchor(),
+                                "page", article.title(),
+                                "title", section.title(),
+                                "text", section.text())))
+                .map(TreeMap::new)
+                .<Map<String, String>>map(entry -> entry)
+                .toList();
+        return "globalThis.searchIndex = " + new GsonBuilder().create().toJson(sections) + ";\n";
+    }
+
+    private static void write(Path site, String address, String text) throws IOException {
+        Path file = site.resolve(address);
+        Files.createDirectories(Objects.requireNonNull(file.getParent()));
+        Files.writeString(file, text);
+    }
+
+    private static String resource(String name) throws IOException {
+        try (InputStream stream =
+                Objects.requireNonNull(SiteBuilder.class.getResourceAsStream(name), "There is no resource " + name)) {
+            return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
+        }
+    }
+}

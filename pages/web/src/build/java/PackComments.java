@@ -1,0 +1,56 @@
+import com.google.gson.Gson;
+import com.sun.source.tree.CompilationUnitTree;
+import com.sun.source.util.JavacTask;
+import com.sun.source.util.Trees;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+import javax.tools.JavaCompiler;
+import javax.tools.StandardJavaFileManager;
+import javax.tools.ToolProvider;
+import org.robonewbie.studio.completion.ApiDocumentation;
+import org.robonewbie.web.compiling.ProgramLibrary;
+
+/**
+ * Writes what the classes of RoboNewbie that programs may use and their members do, for the proposals of the editor: plain texts by
+ * class and member.
+ *
+ * <p>Usage: {@code java -cp CLASS_PATH PackComments.java ROOT FILE}
+ */
+final class PackComments {
+
+    private static final List<String> MODULES = List.of("core/nao", "core/agent", "course/team");
+
+    private PackComments() {}
+
+    public static void main(String[] args) throws IOException {
+        Map<String, Map<String, String>> comments = new TreeMap<>();
+        for (String module : MODULES) {
+            Path sources = Path.of(args[0], module, "src", "main", "java");
+            try (Stream<Path> files = Files.walk(sources)) {
+                for (Path file : files.filter(each -> each.toString().endsWith(".java")).toList()) {
+                    String name = sources.relativize(file).toString().replaceAll("[/\\\\]", ".").replaceFirst("\\.java$", "");
+                    if (ProgramLibrary.has(name)) {
+                        comments.put(name, comments(file));
+                    }
+                }
+            }
+        }
+        Files.writeString(Path.of(args[1]), new Gson().toJson(comments) + "\n");
+        System.out.println("documentation of " + comments.size() + " classes");
+    }
+
+    private static Map<String, String> comments(Path file) throws IOException {
+        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+        try (StandardJavaFileManager files = compiler.getStandardFileManager(null, null, StandardCharsets.UTF_8)) {
+            JavacTask task = (JavacTask) compiler.getTask(null, files, null, null, null, files.getJavaFileObjects(file));
+            CompilationUnitTree unit = task.parse().iterator().next();
+            return new TreeMap<>(ApiDocumentation.comments(unit, Trees.instance(task)));
+        }
+    }
+}

@@ -1,0 +1,145 @@
+"""Measures RoboNewbie beside MuJoCo and Gymnasium, by turns in one run: ``python research/python/benchmarks/beside_peers.py``.
+
+Needs ``pip install ./research/python "gymnasium[mujoco]"``. All figures are processor time of all processes together, in microseconds; a machine that does something else
+changes them less than it changes the clock, and all rows alike. The median of the rounds counts.
+"""
+
+import argparse
+import json
+import os
+import statistics
+import subprocess
+import tempfile
+from pathlib import Path
+
+import gymnasium
+import mujoco
+import numpy as np
+
+import robonewbie  # noqa: F401 registers the tasks
+from robonewbie import simulator
+
+HERE = Path(__file__).resolve().parent
+ROBOTS = 64
+CYCLE_SECONDS = 0.02
+
+
+def spent(process=None):
+    """Processor time of this process so far, and of another one, in seconds."""
+    own = sum(os.times()[:2])
+    if process is None:
+        return own
+    fields = Path(f"/proc/{process}/stat").read_text(encoding="ascii").rsplit(")", 1)[1].split()
+    return own + (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def mujoco_steps(integrator, timestep, steps=3000):
+    """What MuJoCo needs for 20 ms of its humanoid, whose joints keep moving."""
+    path = Path(gymnasium.__file__).parent / "envs" / "mujoco" / "assets" / "humanoid.xml"
+    model = mujoco.MjModel.from_xml_path(str(path))
+    model.opt.integrator, model.opt.timestep = integrator, timestep
+    data = mujoco.MjData(model)
+    actions = np.random.default_rng(1).uniform(-0.4, 0.4, (steps, model.nu))
+    before = spent()
+    for i, action in enumerate(actions):
+        if i % 40 == 0:
+            mujoco.mj_resetData(model, data)
+        data.ctrl[:] = action
+        mujoco.mj_step(model, data)
+    return (spent() - before) * 1e6 / steps * CYCLE_SECONDS / timestep
+
+
+def humanoid(steps=2000):
+    """What Gymnasium's Humanoid-v5 needs for 20 ms, with random actions."""
+    env = gymnasium.make("Humanoid-v5")
+    env.reset(seed=1)
+    env.action_space.seed(1)
+    seconds = env.unwrapped.dt
+    before = spent()
+    for _ in range(steps):
+        _, _, over, late, _ = env.step(env.action_space.sample())
+        if over or late:
+            env.reset()
+    used = spent() - before
+    env.close()
+    return used * 1e6 / steps * CYCLE_SECONDS / seconds
+
+
+def robots(task, sway, steps=250, warm_up=2000):
+    """What a step of one of 64 robots needs through Python; ``sway`` is the largest action."""
+    env = gymnasium.make_vec(f"RoboNewbie/{task}-v1", num_envs=ROBOTS)
+    env.reset(seed=1)
+    random = np.random.default_rng(1)
+    process = simulator._process.process.pid
+    java = _java_below(process)
+
+    def act(count):
+        for _ in range(count):
+            env.step(random.uniform(-sway, sway, env.action_space.shape).astype(np.float32))
+
+    act(warm_up)
+    before = spent(java)
+    act(steps)
+    used = spent(java) - before
+    env.close()
+    return used * 1e6 / steps / ROBOTS
+
+
+def _java_below(process):
+    """The launcher may have started Java as its child."""
+    children = Path(f"/proc/{process}/task/{process}/children").read_text(encoding="ascii").split()
+    return _java_below(int(children[0])) if children else process
+
+
+def java(*words):
+    """Runs a command of RoboNewbie and returns what it prints."""
+    return subprocess.run([*simulator._command(), *words], capture_output=True, text=True, check=True).stdout
+
+
+def trial():
+    """Step and reset without Python."""
+    return json.loads(java("run", str(HERE / "TrialSpeed.java")))
+
+
+def servers(seconds):
+    """Whole servers."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder, "runs.json")
+        java("bench", "speed", "--robots", "1,22", "--scene", "walking,heap", "--seconds", str(seconds), "--json", str(file))
+        return {(run["robots"], run["scene"]): run for run in json.loads(file.read_text(encoding="utf-8"))["runs"]}
+
+
+def measure(seconds):
+    """One round of all rows: name and figure."""
+    yield "MuJoCo's mj_step, Humanoid, RK4 of 3 ms", mujoco_steps(mujoco.mjtIntegrator.mjINT_RK4, 0.003)
+    yield "the same, Euler of 5 ms", mujoco_steps(mujoco.mjtIntegrator.mjINT_EULER, 0.005)
+    alone = trial()
+    yield "engine: one moving robot, no camera", alone["step"]
+    yield "Gymnasium's Humanoid-v5, random actions", humanoid()
+    yield "through Python: 64 robots on their feet, moving", robots("Walk", 0.05)
+    yield "through Python: 64 robots, random actions with falls", robots("Walk", 1)
+    yield "reset to a settled start", alone["reset"]
+    runs = servers(seconds)
+    yield "whole server, 1 walking robot", 1000 * runs[1, "walking"]["cpuMillisPerCycle"]
+    yield "whole server, 22 walking", 1000 * runs[22, "walking"]["cpuMillisPerCycle"]
+    yield "whole server, 22 in a heap", 1000 * runs[22, "heap"]["cpuMillisPerCycle"]
+    yield "allocated by the server per walking robot, bytes", runs[22, "walking"]["allocatedBytesPerCycle"] / 22
+
+
+def main(words=None):
+    """Measures, and prints the table."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--rounds", type=int, default=3, help="how often all is measured (3)")
+    parser.add_argument("--seconds", type=float, default=20, help="simulated seconds of each whole server (20)")
+    wanted = parser.parse_args(words)
+    rows = {}
+    for _ in range(wanted.rounds):
+        for name, figure in measure(wanted.seconds):
+            rows.setdefault(name, []).append(figure)
+    print("| per 20 ms, processor time | µs, median | of the rounds |\n|---|---|---|")
+    for name, figures in rows.items():
+        print(f"| {name} | {statistics.median(figures):.0f} | {', '.join(f'{figure:.0f}' for figure in figures)} |")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,289 @@
+"""Finds and starts the simulator, and talks to it. The messages are described in docs/gym-protocol.md."""
+
+import atexit
+import contextlib
+import json
+import os
+import re
+import shutil
+import socket
+import struct
+import subprocess
+import tempfile
+import threading
+import uuid
+from pathlib import Path
+
+import numpy as np
+
+try:
+    import fcntl
+except ImportError:  # Windows
+    fcntl = None
+
+SKIP, STEP, RESET, STEP_AND_RESET = 0, 1, 2, 3
+OVER, LATE = 1, 2
+_START_SECONDS = 600  # the first start builds the program
+_PATIENCE_SECONDS = 60
+_OLDEST_JAVA = 17
+_HOW_TO_GET_JAVA = (
+    "Install Java 17 or newer, for example from https://adoptium.net, and if it is installed already, set JAVA_HOME to its folder."
+)
+
+
+class RoboNewbieError(RuntimeError):
+    """Something is wrong; the text says what to do."""
+
+
+def _launcher_in(folder):
+    launcher = folder / ("robonewbie.cmd" if os.name == "nt" else "robonewbie")
+    return launcher if launcher.is_file() and (folder / "mvnw").is_file() else None
+
+
+def _command():
+    """Finds the program: ROBONEWBIE names the launcher or the jar; else it is looked for."""
+    wanted = os.environ.get("ROBONEWBIE")
+    if wanted:
+        path = Path(wanted).expanduser()
+        if path.is_dir():
+            path = _launcher_in(path) or path
+        if not path.is_file():
+            raise RoboNewbieError(
+                f"The environment variable ROBONEWBIE is \"{wanted}\", where there is no program. "
+                "Set it to the folder of RoboNewbie, its launcher or robonewbie.jar."
+            )
+        return _command_for_jar(path) if path.suffix == ".jar" else [str(path)]
+    jar = Path(__file__).with_name("robonewbie.jar")
+    if jar.is_file():
+        return _command_for_jar(jar)
+    home = Path(__file__).with_name("home.txt")
+    folders = [Path(home.read_text(encoding="utf-8"))] if home.is_file() else []
+    folders += [*Path(__file__).resolve().parents, Path.cwd(), *Path.cwd().parents]
+    for folder in folders:
+        if _launcher_in(folder):
+            return [str(_launcher_in(folder))]
+    raise RoboNewbieError(
+        "RoboNewbie was not found. Set the environment variable ROBONEWBIE to its folder or to robonewbie.jar, "
+        "or install this package again from there: pip install ./research/python"
+    )
+
+
+def _command_for_jar(jar):
+    return [_java(), "-XX:+UseParallelGC", "-jar", str(jar)]
+
+
+def _java():
+    home = os.environ.get("JAVA_HOME")
+    java = shutil.which("java", path=str(Path(home, "bin")) if home else None) or shutil.which("java")
+    if not java:
+        raise RoboNewbieError(f"Java was not found. {_HOW_TO_GET_JAVA}")
+    told = subprocess.run([java, "-version"], capture_output=True, text=True).stderr
+    version = re.search(r'version "(?:1\.)?(\d+)', told)
+    if not version or int(version.group(1)) < _OLDEST_JAVA:
+        found = version.group(1) if version else "does not start"
+        raise RoboNewbieError(f"Java {_OLDEST_JAVA} or newer is needed. Found: {java} ({found}). {_HOW_TO_GET_JAVA}")
+    return java
+
+
+def _environment():
+    """Java decodes names of files by the locale, and needs UTF-8 for letters such as ü; robonewbie's launcher does the same."""
+    if os.name == "nt":
+        return None
+    try:
+        charmap = subprocess.run(["locale", "charmap"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True).stdout
+    except OSError:
+        charmap = ""
+    return None if charmap.strip() == "UTF-8" else {**os.environ, "LC_ALL": "C.UTF-8"}
+
+
+class _Process:
+    """The simulator, which serves all environments of this Python program and ends with it."""
+
+    def __init__(self):
+        command = _command() + ["gym"]
+        try:
+            self.process = subprocess.Popen(
+                command,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                text=True,
+                start_new_session=os.name != "nt",
+                env=_environment(),
+            )
+        except OSError as wrong:
+            raise RoboNewbieError(f"The simulator cannot be started with {command[0]}: {wrong}") from wrong
+        watchdog = threading.Timer(_START_SECONDS, self.process.kill)
+        watchdog.daemon = True
+        watchdog.start()
+        for line in self.process.stdout:
+            if line.startswith("gym "):
+                self.port = int(line.split()[1])
+                break
+        else:
+            code = self.process.wait()
+            raise RoboNewbieError(
+                f"The simulator ended at once with exit code {code}; its messages stand above. "
+                f"Does this work in a terminal? {' '.join(command)} --help"
+            )
+        watchdog.cancel()
+
+    def stop(self):
+        try:
+            self.process.stdin.close()
+            self.process.wait(timeout=5)
+        except (OSError, subprocess.TimeoutExpired):
+            self.process.kill()
+            self.process.wait()
+        self.process.stdout.close()
+
+
+_process = None
+_owner = None
+_lock = threading.Lock()
+
+# The processes of a program find the simulator that one of them has started by this file, which its name is inherited for.
+_meeting_place = os.environ.setdefault(
+    "ROBONEWBIE_MEETING_PLACE", str(Path(tempfile.gettempdir(), f"robonewbie-{uuid.uuid4().hex}"))
+)
+
+
+@contextlib.contextmanager
+def _one_at_a_time():
+    """Lets one thread of one process look for the simulator, or start it."""
+    with _lock, open(_meeting_place + ".lock", "w", encoding="ascii") as file:
+        if fcntl:
+            fcntl.flock(file, fcntl.LOCK_EX)
+        yield
+
+
+def _connect():
+    """Connects to the simulator of this program, which is started if it does not run."""
+    global _process, _owner
+    with _one_at_a_time():
+        try:
+            port = int(Path(_meeting_place).read_text(encoding="ascii"))
+            return socket.create_connection(("127.0.0.1", port), timeout=_PATIENCE_SECONDS / 2)
+        except (OSError, ValueError):
+            _process, _owner = _Process(), os.getpid()
+            Path(_meeting_place).write_text(str(_process.port), encoding="ascii")
+            return socket.create_connection(("127.0.0.1", _process.port), timeout=_PATIENCE_SECONDS / 2)
+
+
+@atexit.register
+def _stop():
+    if _process is not None and _owner == os.getpid():
+        _process.stop()
+        for file in (_meeting_place, _meeting_place + ".lock"):
+            Path(file).unlink(missing_ok=True)
+
+
+def _lines(options):
+    """Writes options as the simulator reads them; a pair is a range."""
+    return [f"{name}={_text(name, value)}" for name, value in options.items()]
+
+
+def _text(name, value):
+    try:
+        if isinstance(value, (tuple, list)):
+            low, high = value
+            return f"{float(low)!r}..{float(high)!r}"
+        return repr(float(value))
+    except (TypeError, ValueError):
+        raise RoboNewbieError(
+            f'The option "{name}" is {value!r}. It takes a number, or for a range a pair of numbers such as (0.5, 2).'
+        ) from None
+
+
+class Connection:
+    """Some environments of one task in the simulator."""
+
+    def __init__(self, task, count, reward="", options=None):
+        self._socket = _connect()
+        self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        try:
+            order = "\n".join([task, f"reward={reward}", *_lines(options or {})])
+            self.description = json.loads(self._ask(b"M" + struct.pack("<i", count) + order.encode("utf-8")))
+        except RoboNewbieError:
+            self.close()
+            raise
+        rows = count * len(self.description["robots"])
+        actions, quantities = len(self.description["action"]), len(self.description["observation"])
+        self._orders = np.zeros(rows, dtype=[("what", "u1"), ("seed", "<i8"), ("action", "<f4", (actions,))])
+        self.truth_names = self.description["truth"]
+        self._answer = np.dtype(
+            [
+                ("observation", "<f4", (quantities,)),
+                ("reward", "<f8"),
+                ("truth", "<f8", (len(self.truth_names),)),
+                ("state", "u1"),
+            ]
+        )
+        self.truth = np.zeros((rows, len(self.truth_names)))
+        self.state = np.zeros(rows, dtype=np.uint8)
+        self.fresh = np.zeros((0, quantities), dtype=np.float32)
+
+    def act(self, what, seeds, actions):
+        """Lets environments step, begin anew or wait; gives observations, rewards and whether they are over.
+
+        ``state`` says which are OVER or LATE, ``fresh`` has the first observations of those that began again after their step."""
+        self._orders["what"] = what
+        self._orders["seed"] = seeds
+        self._orders["action"] = actions
+        reply = self._ask(b"A" + self._orders.tobytes())
+        answer = np.frombuffer(reply, dtype=self._answer, count=len(self._orders))
+        self.truth, self.state = answer["truth"], answer["state"]
+        begun = np.frombuffer(reply, dtype="<f4", offset=len(self._orders) * self._answer.itemsize)
+        self.fresh = begun.reshape(-1, self._answer["observation"].shape[0])
+        return answer["observation"].copy(), answer["reward"].copy(), self.state == OVER
+
+    def change(self, options):
+        """Changes the episodes that begin from now on."""
+        self._ask(b"C" + "\n".join(_lines(options)).encode("utf-8"))
+
+    def picture(self, index):
+        """Gives the places of limbs and ball in one environment."""
+        return json.loads(self._ask(b"P" + struct.pack("<i", index)))
+
+    def show(self, index):
+        """Starts the studio with one environment, which runs in real time from now on; gives the addresses of its page, which
+        opens once, and of a file that opens it."""
+        address, file = self._ask(b"V" + struct.pack("<i", index)).decode("utf-8").split("\n")
+        self._socket.settimeout(None)  # people may stop the clock
+        return address, file
+
+    def _ask(self, message):
+        if self._socket.fileno() < 0:
+            raise RoboNewbieError("The environment was closed. Make it again.")
+        try:
+            self._socket.sendall(struct.pack("<i", len(message)) + message)
+            (length,) = struct.unpack("<i", self._receive(4))
+            reply = self._receive(length)
+        except TimeoutError as silent:
+            self.close()
+            raise RoboNewbieError(
+                f"The simulator has not answered for {_PATIENCE_SECONDS} s. Is it stopped, or the computer overloaded? "
+                "Make the environment again."
+            ) from silent
+        except OSError as broken:
+            raise RoboNewbieError(
+                f"The connection to the simulator broke ({broken}). Make the environment again."
+            ) from broken
+        if reply[0]:
+            raise RoboNewbieError(reply[1:].decode("utf-8"))
+        return reply[1:]
+
+    def _receive(self, length):
+        data = bytearray(length)
+        view = memoryview(data)
+        while view:
+            try:
+                count = self._socket.recv_into(view)
+            except TimeoutError:  # a program that was stopped (Control-Z) finds its wait over as soon as it goes on
+                count = self._socket.recv_into(view)
+            if not count:
+                raise OSError("it was closed at the other end")
+            view = view[count:]
+        return bytes(data)
+
+    def close(self):
+        self._socket.close()
