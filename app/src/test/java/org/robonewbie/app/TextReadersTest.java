@@ -49,6 +49,7 @@ class TextReadersTest {
             Map.entry("simulator/recording/ByteSource", WRITTEN),
             Map.entry("simulator/recording/RecordCursor", WRITTEN),
             Map.entry("workshop/fidelity/FidelityBench", RESOURCE),
+            Map.entry("workshop/jmh/ReplayLink", WIRE),
             Map.entry("workshop/fidelity/ReferenceReader", "recordings of a server, written by a program"),
             Map.entry("learning/series/TrialJournal", WRITTEN),
             Map.entry("learning/policy/TrainingState", WRITTEN),

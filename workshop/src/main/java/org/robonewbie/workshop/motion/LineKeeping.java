@@ -1,7 +1,7 @@
 package org.robonewbie.workshop.motion;
 
-import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 
 /**
  * A controller that keeps a walking robot on a line: it heads for the line, and turns the faster the more the heading is wrong.
@@ -30,7 +30,7 @@ record LineKeeping(double degreesForAMetre, double mostDegrees, double turnForAD
      * @param now where the robot is
      * @return how fast to turn, degrees per second to the left
      */
-    double turn(GroundPose line, GroundPose now) {
+    double turn(Pose2d line, Pose2d now) {
         double left = line.fromFrame(new Vector3(now.x(), now.y(), 0)).y();
         double heading = line.headingDegrees() - within(mostDegrees, degreesForAMetre * left);
         return within(mostTurn, turnForADegree * Math.IEEEremainder(heading - now.headingDegrees(), 360));
