@@ -3,10 +3,10 @@ package org.robonewbie.app.command;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.team.skill.CloseDribbleNumbers;
-import org.robonewbie.trial.Moment;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /**
  * A robot dribbles 5 m on the league's pitch, with noise, from the stance.
@@ -35,7 +35,7 @@ record DribbleTrial(double seconds, double metres, double farthest, boolean fell
     /** Dribbles with a whole simulator. */
     static DribbleTrial served(RobotType type, CloseDribbleNumbers numbers, long seed) {
         try (Trial trial = Trial.served(
-                PlayerChecks.scene(type, BALL_AHEAD, seed), seed, Performer.ofAgent(new Dribbler(numbers)))) {
+                PlayerChecks.scene(type, BALL_AHEAD, seed), seed, Controller.ofAgent(new Dribbler(numbers)))) {
             return run(trial, Patience.LONG);
         }
     }
@@ -43,7 +43,7 @@ record DribbleTrial(double seconds, double metres, double farthest, boolean fell
     /** Dribbles in the physical world alone, and gives up soon. */
     static DribbleTrial direct(CloseDribbleNumbers numbers, long seed) {
         Scene scene = PlayerChecks.scene(RobotType.TYPE_0, BALL_AHEAD, seed);
-        try (Trial trial = Trial.direct(scene, seed, Performer.ofAgent(new Dribbler(numbers)))) {
+        try (Trial trial = Trial.direct(scene, seed, Controller.ofAgent(new Dribbler(numbers)))) {
             return run(trial, Patience.SHORT);
         }
     }
@@ -53,7 +53,7 @@ record DribbleTrial(double seconds, double metres, double farthest, boolean fell
         double farthest = 0;
         double metres = 0;
         while (metres < DRIBBLED_METRES && trial.seconds() < patience.seconds && farthest < patience.farthest) {
-            Moment now = trial.step();
+            WorldState now = trial.step();
             farthest = Math.max(farthest, now.place().distance(now.ball()));
             metres = now.ball().x() - begin.x();
         }

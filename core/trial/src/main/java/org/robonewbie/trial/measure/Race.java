@@ -1,6 +1,6 @@
 package org.robonewbie.trial.measure;
 
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 
 /**
  * How long the robot takes to a line across the pitch, in seconds; while it has not crossed the line on its feet, 10 s more for
@@ -30,7 +30,7 @@ public final class Race extends MeasureFromStart {
     }
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         if (isDecided()) {
             return;
         }

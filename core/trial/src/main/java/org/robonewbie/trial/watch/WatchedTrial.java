@@ -13,14 +13,14 @@ import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.WorldSnapshot;
-import org.robonewbie.trial.Audience;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.TrialListener;
 
 /**
  * A trial that is watched: it runs in real time, and the clock can be stopped. Ball and robots cannot be moved, since the trial
  * counts.
  */
-public final class WatchedTrial implements SimulationControl, Audience {
+public final class WatchedTrial implements SimulationControl, TrialListener {
 
     private static final long REPORT_MILLISECONDS = 100;
     private static final double SLOWEST = 0.1;

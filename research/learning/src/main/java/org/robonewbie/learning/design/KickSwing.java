@@ -17,8 +17,8 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.BallPlace;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.trial.Measure;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.WorldState;
 
 /**
  * A kick with the right foot into the air: the way of the foot, from which follows what it would do to a ball in any place. The ball is light;
@@ -107,7 +107,7 @@ record KickSwing(
         }
 
         @Override
-        public void see(Moment moment) {
+        public void see(WorldState state) {
             Map<String, Pose> now = links.stream().collect(Collectors.toMap(link -> link, robot::link));
             poses.add(now);
             overlap += limbs.metres(robot::link);

@@ -7,7 +7,7 @@ import org.robonewbie.learning.search.SearchPlan;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.trial.Measure;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 
 /** Rolling over from one side to another: a sketch whose keyframes are searched for. */
 public final class RollOverDesign extends SketchedDesign {
@@ -57,8 +57,8 @@ public final class RollOverDesign extends SketchedDesign {
         private double now;
 
         @Override
-        public void see(Moment moment) {
-            now = moment.robot().torso().rotation().apply(FORWARD).z();
+        public void see(WorldState state) {
+            now = state.robot().torso().rotation().apply(FORWARD).z();
             most = Math.max(most, now);
         }
 

@@ -4,7 +4,7 @@ import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.motion.Motion;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 
 /** An agent as puppet, with all that lies between an agent and its motors. */
 class AgentPuppet extends Agent implements Puppet {
@@ -14,8 +14,8 @@ class AgentPuppet extends Agent implements Puppet {
     }
 
     @Override
-    public Performer performer() {
-        return Performer.ofAgent(this);
+    public Controller controller() {
+        return Controller.ofAgent(this);
     }
 
     @Override

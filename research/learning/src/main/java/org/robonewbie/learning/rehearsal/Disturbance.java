@@ -5,14 +5,14 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.motion.Posture;
-import org.robonewbie.trial.Script;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.TrialHook;
 
 /**
  * What makes one rehearsal different from the next: joints that are not quite where they should be, and a hand that pushes the
  * torso for a tenth of a second in each second. The same seed disturbs in the same way.
  */
-final class Disturbance implements Script {
+final class Disturbance implements TrialHook {
 
     private static final int CYCLES_BETWEEN = 50;
     private static final int CYCLES_OF_PUSH = 5;

@@ -5,8 +5,8 @@ import java.util.Random;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyPoses;
 import org.robonewbie.nao.motion.Motion;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.MeasureFromStart;
 
 /**
@@ -71,7 +71,7 @@ public record DiveTrial(boolean blocked, double passesAt, double reachInTime, do
         }
 
         @Override
-        protected void see(Moment first, Moment now) {
+        protected void see(WorldState first, WorldState now) {
             passed |= place.ahead(now.ball()) < BEHIND;
             double seconds = now.seconds() - first.seconds() + REACTION_SECONDS;
             if (Math.abs(seconds - ARRIVAL_SECONDS) < 0.011) {

@@ -8,7 +8,7 @@ import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Motion;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.MeasureFromStart;
 
 /**
@@ -110,7 +110,7 @@ public record GetUpTrial(
         }
 
         @Override
-        protected void see(Moment first, Moment now) {
+        protected void see(WorldState first, WorldState now) {
             if (now.seconds() - first.seconds() > fromSeconds) {
                 best = Math.max(best, promise(now.robot()));
             }

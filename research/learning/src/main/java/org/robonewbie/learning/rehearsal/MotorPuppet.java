@@ -15,7 +15,7 @@ import org.robonewbie.nao.motion.MotionPlayer;
 import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.motion.PostureFollower;
 import org.robonewbie.protocol.perceptor.FootForce;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.SensorReadings;
 
 /**
@@ -41,8 +41,8 @@ public final class MotorPuppet implements Puppet {
     }
 
     @Override
-    public Performer performer() {
-        return Performer.ofPolicy(this::degreesPerSecond);
+    public Controller controller() {
+        return Controller.ofPolicy(this::degreesPerSecond);
     }
 
     @Override

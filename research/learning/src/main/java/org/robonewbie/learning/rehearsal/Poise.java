@@ -5,7 +5,7 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.MeasureFromStart;
 
 /** How steadily a robot keeps on its feet and how smoothly it moves: how fast its torso rocks in the mean. */
@@ -27,7 +27,7 @@ public final class Poise extends MeasureFromStart {
     }
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         BodyState body = now.robot();
         Vector3 up = up(body);
         cycles++;

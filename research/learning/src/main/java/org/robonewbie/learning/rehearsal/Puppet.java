@@ -2,13 +2,13 @@ package org.robonewbie.learning.rehearsal;
 
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.motion.Motion;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 
 /** A robot that does what a {@link Rehearsal} says; told nothing, it holds its joints. */
 public interface Puppet {
 
     /** {@return what moves it in a trial} */
-    Performer performer();
+    Controller controller();
 
     /**
      * Starts a motion.

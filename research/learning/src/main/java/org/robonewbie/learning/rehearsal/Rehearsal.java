@@ -27,12 +27,12 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.trial.Measure;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
-import org.robonewbie.trial.Script;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.TrialHook;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.Turn;
 
 /**
@@ -66,7 +66,7 @@ public final class Rehearsal implements AutoCloseable {
     private final Puppet puppet;
     private final Consumer<Trial> end;
     private final List<Measure> guests = new ArrayList<>();
-    private Moment start;
+    private WorldState start;
     private Poise poise;
     private Turn turn = new Turn();
     private boolean endsWithFall;
@@ -86,9 +86,9 @@ public final class Rehearsal implements AutoCloseable {
         Trial trial = idle.poll();
         if (trial == null) {
             Scene scene = Scene.of(ROBOT.withType(type)).withBall(BALL_ASIDE).withoutNoise();
-            return new Rehearsal(Trial.direct(scene, 0, puppet.performer()), puppet, idle::add);
+            return new Rehearsal(Trial.direct(scene, 0, puppet.controller()), puppet, idle::add);
         }
-        trial.reset(0, puppet.performer());
+        trial.reset(0, puppet.controller());
         return new Rehearsal(trial, puppet, idle::add);
     }
 
@@ -100,7 +100,7 @@ public final class Rehearsal implements AutoCloseable {
     /** Returns to the moment that was kept, with motors that hold their joints, and with friction and mass times these factors. */
     Rehearsal again(double grip, double mass) {
         MotorPuppet rested = new MotorPuppet(new PolicyWalk(WalkStyle.STANDARD, WalkReflex.NONE));
-        trial.reset(0, rested.performer());
+        trial.reset(0, rested.controller());
         trial.setGrip(grip);
         trial.robot(0).setMassFactor(mass);
         return new Rehearsal(trial, rested, kept -> {});
@@ -179,7 +179,7 @@ public final class Rehearsal implements AutoCloseable {
 
     /** Lets an agent do what it is told, on a whole simulator with noise and a referee. */
     static Rehearsal served(Scene scene, long seed, Puppet puppet) {
-        Rehearsal rehearsal = new Rehearsal(Trial.served(scene, seed, puppet.performer()), puppet, Trial::close);
+        Rehearsal rehearsal = new Rehearsal(Trial.served(scene, seed, puppet.controller()), puppet, Trial::close);
         rehearsal.begin(true);
         return rehearsal;
     }
@@ -213,12 +213,12 @@ public final class Rehearsal implements AutoCloseable {
     }
 
     /**
-     * Adds a script for what happens to the robot, instead of the one before.
+     * Adds a hook for what happens to the robot, instead of the one before.
      *
-     * @param script acts after each cycle from now on
+     * @param hook acts after each cycle from now on
      */
-    public void with(Script script) {
-        trial.with(script);
+    public void with(TrialHook hook) {
+        trial.with(hook);
     }
 
     /**
@@ -284,10 +284,10 @@ public final class Rehearsal implements AutoCloseable {
     private boolean runWhile(BooleanSupplier goOn) {
         double latest = trial.seconds() + MOST_SECONDS;
         while (!isOver() && trial.seconds() < latest && goOn.getAsBoolean()) {
-            Moment moment = trial.step();
-            poise.see(moment);
-            turn.see(moment);
-            guests.forEach(guest -> guest.see(moment));
+            WorldState state = trial.step();
+            poise.see(state);
+            turn.see(state);
+            guests.forEach(guest -> guest.see(state));
         }
         return !isOver();
     }
@@ -314,7 +314,7 @@ public final class Rehearsal implements AutoCloseable {
     }
 
     /** {@return what is true now} */
-    public Moment now() {
+    public WorldState now() {
         return trial.now();
     }
 

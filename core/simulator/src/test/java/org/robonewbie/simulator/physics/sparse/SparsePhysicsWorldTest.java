@@ -18,7 +18,6 @@ import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.model.Shape;
-import org.robonewbie.simulator.world.PhysicsEngine;
 import org.robonewbie.simulator.physics.Assembly;
 import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.Contact;
@@ -32,6 +31,7 @@ import org.robonewbie.simulator.physics.RigidBody;
 import org.robonewbie.simulator.physics.ode.OdePhysicsWorld;
 import org.robonewbie.simulator.server.ThreadCrew;
 import org.robonewbie.simulator.world.BallProperties;
+import org.robonewbie.simulator.world.PhysicsEngine;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 

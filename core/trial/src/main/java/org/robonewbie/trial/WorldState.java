@@ -20,7 +20,7 @@ import org.robonewbie.simulator.landscape.Thing;
  * @param leftGoals goals of the team that plays towards the right
  * @param rightGoals goals of the other team
  */
-public record Moment(
+public record WorldState(
         double seconds,
         List<BodyState> robots,
         Vector3 ball,
@@ -31,7 +31,7 @@ public record Moment(
         int rightGoals) {
 
     /** Copies the lists. */
-    public Moment {
+    public WorldState {
         robots = List.copyOf(robots);
         things = List.copyOf(things);
     }
@@ -47,7 +47,7 @@ public record Moment(
      * @param leftGoals goals of the team that plays towards the right
      * @param rightGoals goals of the other team
      */
-    public Moment(
+    public WorldState(
             double seconds,
             List<BodyState> robots,
             Vector3 ball,

@@ -3,13 +3,13 @@ package org.robonewbie.trial;
 import org.robonewbie.agent.Agent;
 
 /** An agent that does nothing but walk with one velocity; from elsewhere it goes into the stance first. */
-final class WalkPerformer extends Agent {
+final class WalkingAgent extends Agent {
 
     private final double forward;
     private final double left;
     private final double turn;
 
-    WalkPerformer(double forwardMetresPerSecond, double leftMetresPerSecond, double turnDegreesPerSecond) {
+    WalkingAgent(double forwardMetresPerSecond, double leftMetresPerSecond, double turnDegreesPerSecond) {
         forward = forwardMetresPerSecond;
         left = leftMetresPerSecond;
         turn = turnDegreesPerSecond;

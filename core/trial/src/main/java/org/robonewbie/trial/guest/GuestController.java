@@ -13,14 +13,14 @@ import org.robonewbie.protocol.effector.EffectorMessageReader;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.tcp.FrameInput;
 import org.robonewbie.protocol.tcp.FrameOutput;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.SensorReadings;
 
 /**
  * An agent of another process. It believes to talk with a simulator: it builds a robot, joins a team and takes its place, all of
  * which is read and forgotten, since the trial has let in a robot for it.
  */
-final class GuestPerformer implements Performer {
+final class GuestController implements Controller {
 
     private static final int MOST_BYTES = 1 << 20;
 
@@ -34,7 +34,7 @@ final class GuestPerformer implements Performer {
     private final MessageBuffer answer = new MessageBuffer();
     private boolean synchronising;
 
-    private GuestPerformer(SocketChannel channel, double patienceSeconds) throws IOException {
+    private GuestController(SocketChannel channel, double patienceSeconds) throws IOException {
         this.channel = channel;
         this.patienceSeconds = patienceSeconds;
         if (channel.getRemoteAddress() instanceof InetSocketAddress) {
@@ -50,8 +50,8 @@ final class GuestPerformer implements Performer {
     }
 
     /** Admits an agent, and reads its request for a robot. */
-    static GuestPerformer welcome(SocketChannel channel, double patienceSeconds) throws IOException {
-        GuestPerformer guest = new GuestPerformer(channel, patienceSeconds);
+    static GuestController welcome(SocketChannel channel, double patienceSeconds) throws IOException {
+        GuestController guest = new GuestController(channel, patienceSeconds);
         guest.listen();
         return guest;
     }

@@ -7,14 +7,14 @@ import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.protocol.effector.EffectorCommand;
 
 /** Plays a motion as an agent does, and then holds the joints. */
-final class MotionPerformer implements Performer {
+final class MotionController implements Controller {
 
     private final JointStates joints = new JointStates();
     private final Motors motors = new Motors(joints);
     private final MotionPlayer player;
     private final JointSpeeds speeds = new JointSpeeds();
 
-    MotionPerformer(MotionPlayer player) {
+    MotionController(MotionPlayer player) {
         this.player = player;
     }
 

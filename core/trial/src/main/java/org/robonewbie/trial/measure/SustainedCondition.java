@@ -2,20 +2,20 @@ package org.robonewbie.trial.measure;
 
 import java.util.function.Predicate;
 import org.robonewbie.trial.Measure;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 
 /**
  * When something has been true for a while without a break, in seconds since the first moment that it has seen; the
  * seconds so far until then.
  *
  * <pre>{@code
- * Measure up = new Held(1, moment -> moment.robot().isStanding());
+ * Measure up = new SustainedCondition(1, moment -> moment.robot().isStanding());
  * }</pre>
  */
-public final class Held implements Measure {
+public final class SustainedCondition implements Measure {
 
     private final double seconds;
-    private final Predicate<Moment> condition;
+    private final Predicate<WorldState> condition;
     private double first = Double.NaN;
     private double since = Double.NaN;
     private double now;
@@ -27,19 +27,19 @@ public final class Held implements Measure {
      * @param seconds how long it has to be true
      * @param condition what has to be true
      */
-    public Held(double seconds, Predicate<Moment> condition) {
+    public SustainedCondition(double seconds, Predicate<WorldState> condition) {
         this.seconds = seconds;
         this.condition = condition;
     }
 
     @Override
-    public void see(Moment moment) {
+    public void see(WorldState state) {
         if (reached) {
             return;
         }
-        first = Double.isNaN(first) ? moment.seconds() : first;
-        now = moment.seconds() - first;
-        if (!condition.test(moment)) {
+        first = Double.isNaN(first) ? state.seconds() : first;
+        now = state.seconds() - first;
+        if (!condition.test(state)) {
             since = Double.NaN;
         } else if (Double.isNaN(since)) {
             since = now;

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Random;
 
 /** What is left to chance in a scene: numbers that are the same for the same seed. */
-public final class Chance {
+public final class RandomSource {
 
     private final long seed;
     private final Random random;
@@ -16,7 +16,7 @@ public final class Chance {
      *
      * @param seed the seed of the trial
      */
-    public Chance(long seed) {
+    public RandomSource(long seed) {
         this.seed = seed;
         this.random = new Random(31 * seed + 17);
     }

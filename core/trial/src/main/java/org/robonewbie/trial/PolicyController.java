@@ -5,12 +5,12 @@ import java.util.function.Function;
 import org.robonewbie.protocol.effector.EffectorCommand;
 
 /** Joint speeds as a function of what the robot feels. */
-final class PolicyPerformer implements Performer {
+final class PolicyController implements Controller {
 
     private final Function<SensorReadings, double[]> policy;
     private final JointSpeeds speeds = new JointSpeeds();
 
-    PolicyPerformer(Function<SensorReadings, double[]> policy) {
+    PolicyController(Function<SensorReadings, double[]> policy) {
         this.policy = policy;
     }
 

@@ -2,10 +2,10 @@ package org.robonewbie.trial;
 
 /** Watches a running trial. */
 @FunctionalInterface
-public interface Audience {
+public interface TrialListener {
 
     /** An audience that is not there. */
-    Audience NOBODY = trial -> {};
+    TrialListener NONE = trial -> {};
 
     /**
      * Sees the world after a cycle, also while the scene is still being set; the next cycle waits until this method returns.

@@ -9,12 +9,12 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.effector.EffectorCommand;
 
 /** An agent of this process. */
-final class AgentPerformer implements Performer {
+final class AgentController implements Controller {
 
     private final AgentDriver agent;
     private RobotType type = RobotType.TYPE_0;
 
-    AgentPerformer(Agent agent) {
+    AgentController(Agent agent) {
         this.agent = new AgentDriver(agent);
     }
 

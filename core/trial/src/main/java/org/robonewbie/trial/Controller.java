@@ -15,41 +15,41 @@ import org.robonewbie.protocol.effector.EffectorCommand;
  * What moves a robot in a {@link Trial}: an agent of this process, a program of another process,
  * a motion, a walk, a policy or bare joint speeds.
  *
- * <p>A performer answers each cycle's sensor readings with commands. It keeps its own state, so each robot of each trial needs
- * a performer of its own.
+ * <p>A controller answers each cycle's sensor readings with commands. It keeps its own state, so each robot of each trial needs
+ * a controller of its own.
  */
 @FunctionalInterface
-public interface Performer extends AutoCloseable {
+public interface Controller extends AutoCloseable {
 
     /**
-     * Returns a performer for an agent of this process.
+     * Returns a controller for an agent of this process.
      *
      * @param agent the agent; its {@code main} and {@code defaults} have no effect
-     * @return the performer
+     * @return the controller
      */
-    static Performer ofAgent(Agent agent) {
-        return new AgentPerformer(agent);
+    static Controller ofAgent(Agent agent) {
+        return new AgentController(agent);
     }
 
     /**
      * Plays a motion once and then holds the joints.
      *
      * @param motion the motion
-     * @return the performer
+     * @return the controller
      */
-    static Performer ofMotion(Motion motion) {
-        return new MotionPerformer(new MotionPlayer(motion, Interpolation.LINEAR));
+    static Controller ofMotion(Motion motion) {
+        return new MotionController(new MotionPlayer(motion, Interpolation.LINEAR));
     }
 
     /**
      * Plays the motion of a file once, by the rule that the file names, and then holds the joints.
      *
      * @param file the file, see {@link MotionPlayer#of}
-     * @return the performer
+     * @return the controller
      * @throws org.robonewbie.nao.motion.MotionFormatException if the file cannot be understood
      */
-    static Performer ofMotion(MotionFile file) {
-        return new MotionPerformer(MotionPlayer.of(file, 1, Interpolation.LINEAR));
+    static Controller ofMotion(MotionFile file) {
+        return new MotionController(MotionPlayer.of(file, 1, Interpolation.LINEAR));
     }
 
     /**
@@ -58,10 +58,10 @@ public interface Performer extends AutoCloseable {
      * @param forwardMetresPerSecond speed ahead
      * @param leftMetresPerSecond speed to the left
      * @param turnDegreesPerSecond turning speed to the left
-     * @return the performer
+     * @return the controller
      */
-    static Performer ofWalk(double forwardMetresPerSecond, double leftMetresPerSecond, double turnDegreesPerSecond) {
-        return ofAgent(new WalkPerformer(forwardMetresPerSecond, leftMetresPerSecond, turnDegreesPerSecond));
+    static Controller ofWalk(double forwardMetresPerSecond, double leftMetresPerSecond, double turnDegreesPerSecond) {
+        return ofAgent(new WalkingAgent(forwardMetresPerSecond, leftMetresPerSecond, turnDegreesPerSecond));
     }
 
     /**
@@ -70,10 +70,10 @@ public interface Performer extends AutoCloseable {
      *
      * @param policy calculates the speed of each joint in degrees per second, in the order of {@link
      *     org.robonewbie.nao.Joint}
-     * @return the performer
+     * @return the controller
      */
-    static Performer ofPolicy(Function<SensorReadings, double[]> policy) {
-        return new PolicyPerformer(policy);
+    static Controller ofPolicy(Function<SensorReadings, double[]> policy) {
+        return new PolicyController(policy);
     }
 
     /**
@@ -81,9 +81,9 @@ public interface Performer extends AutoCloseable {
      *
      * @param degreesPerSecond the speed of each joint in the order of {@link org.robonewbie.nao.Joint}; none for a robot that
      *     holds still
-     * @return the performer
+     * @return the controller
      */
-    static Performer ofSpeeds(double... degreesPerSecond) {
+    static Controller ofSpeeds(double... degreesPerSecond) {
         double[] copy = JointSpeeds.checked(degreesPerSecond);
         return ofPolicy(readings -> copy);
     }
@@ -96,7 +96,7 @@ public interface Performer extends AutoCloseable {
     default void embody(RobotType type) {}
 
     /**
-     * Sets the performer's identity, before anything that it senses.
+     * Sets the controller's identity, before anything that it senses.
      *
      * @param team its team
      * @param number its number
@@ -120,17 +120,17 @@ public interface Performer extends AutoCloseable {
      */
     List<EffectorCommand> respond(SensorReadings readings);
 
-    /** {@return whether the performer reads whole messages with pictures; without them a direct trial is faster} */
+    /** {@return whether the controller reads whole messages with pictures; without them a direct trial is faster} */
     default boolean readsMessages() {
         return true;
     }
 
-    /** {@return whether the performance is over; performers without an end never finish} */
+    /** {@return whether the controller has finished; one without an end never does} */
     default boolean isFinished() {
         return false;
     }
 
-    /** Sends the performer away. */
+    /** Releases what the controller holds. */
     @Override
     default void close() {}
 }
