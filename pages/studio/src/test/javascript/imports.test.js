@@ -8,7 +8,9 @@ const ROOT = fileURLToPath(new URL('../../main/resources/org/robonewbie/studio/w
 
 /** The scripts that a script imports; types in comments are not imports. @param {string} script @returns {string[]} */
 function imports(script) {
-  const found = readFileSync(script, 'utf8').matchAll(/^(?:import|export|\})[^;]*? from '(\.[^']+)'|\bimport '(\.[^']+)'/gmu);
+  const found = readFileSync(script, 'utf8').matchAll(
+    /^(?:import|export|\})[^;]*? from '(\.[^']+)'|\bimport '(\.[^']+)'/gmu,
+  );
   return [...found].map(([, from, bare]) => join(dirname(script), from ?? bare ?? ''));
 }
 
@@ -16,7 +18,9 @@ test('scripts do not import each other in a circle', () => {
   const scripts = readdirSync(ROOT, { recursive: true, encoding: 'utf8' })
     .filter((name) => name.endsWith('.js') && !name.startsWith('vendor'))
     .map((name) => join(ROOT, name));
-  const remaining = new Map(scripts.map((script) => [script, imports(script).filter((other) => scripts.includes(other))]));
+  const remaining = new Map(
+    scripts.map((script) => [script, imports(script).filter((other) => scripts.includes(other))]),
+  );
   assert.ok([...remaining.values()].flat().length > scripts.length);
 
   let before;

@@ -89,7 +89,7 @@ class LanguageTest {
             sources = files.filter(Files::isRegularFile).map(LanguageTest::read).reduce("", String::concat);
         }
 
-        assertThat(Phrasebook.read("/org/robonewbie/exercises/hints-de.txt").phrases())
+        assertThat(Translations.read("/org/robonewbie/exercises/hints-de.txt").phrases())
                 .hasSizeGreaterThan(30)
                 .allSatisfy((english, german) -> {
                     assertThat(sources).contains("\"" + english.replace("\"", "\\\"") + "\"");

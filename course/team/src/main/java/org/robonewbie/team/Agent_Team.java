@@ -57,7 +57,7 @@ public class Agent_Team extends Agent {
     private final GetUp getUp = new GetUp(body);
     private final Goalkeeping keeping = new Goalkeeping(body);
     private final Gaze gaze = new Gaze(body);
-    private final Board board = new Board(nao, world);
+    private final DecisionDrawing board = new DecisionDrawing(nao, world);
     private List<Translation2d> way = List.of();
     private double beamedSeconds = Double.NEGATIVE_INFINITY;
 
