@@ -22,7 +22,7 @@ import org.robonewbie.trial.SensorReadings;
  */
 final class GuestController implements Controller {
 
-    private static final int MOST_BYTES = 1 << 20;
+    private static final int MAX_BYTES = 1 << 20;
 
     private static final int MILLISECONDS_PER_SECOND = 1000;
 
@@ -41,10 +41,10 @@ final class GuestController implements Controller {
             Socket socket = channel.socket();
             socket.setTcpNoDelay(true);
             socket.setSoTimeout((int) (patienceSeconds * MILLISECONDS_PER_SECOND));
-            input = new FrameInput(socket.getInputStream(), MOST_BYTES);
+            input = new FrameInput(socket.getInputStream(), MAX_BYTES);
             output = new FrameOutput(socket.getOutputStream());
         } else {
-            input = new FrameInput(Channels.newInputStream(channel), MOST_BYTES);
+            input = new FrameInput(Channels.newInputStream(channel), MAX_BYTES);
             output = new FrameOutput(Channels.newOutputStream(channel));
         }
     }

@@ -9,7 +9,7 @@ import org.robonewbie.trial.WorldState;
 public final class Race extends MeasureFromStart {
 
     private static final double SECONDS_FOR_EACH_METRE = 10;
-    private static final double USUAL_METRES = 3;
+    private static final double DEFAULT_METRES = 3;
 
     private final double lineMetres;
     private double metres;
@@ -17,7 +17,7 @@ public final class Race extends MeasureFromStart {
 
     /** Creates a measure of a race over 3 m. */
     public Race() {
-        this(USUAL_METRES);
+        this(DEFAULT_METRES);
     }
 
     /**

@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.Quantity;
-import org.robonewbie.agent.walk.LearnedReflex;
+import org.robonewbie.agent.walk.ResidualPolicy;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Joint;
@@ -134,7 +134,7 @@ public abstract class GymTask extends MeasureFromStart implements Challenge {
     final List<Quantity> outputs() {
         String unit = String.format(Locale.ROOT, "%.0f degrees", rangeDegrees());
         return walk().isPresent()
-                ? LearnedReflex.OUTPUTS
+                ? ResidualPolicy.OUTPUTS
                 : joints().stream()
                         .map(joint -> new Quantity("joint." + joint, unit))
                         .toList();
