@@ -6,7 +6,7 @@ import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.learning.motion.ScriptedMotors;
 import org.robonewbie.learning.motion.ScriptedRobot;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.Trial;
 
@@ -24,10 +24,10 @@ public record WalkDash(double metres, double seconds, boolean fallen) {
     /** Runs until the robot has gone the way, has fallen, or is much too slow. */
     static WalkDash run(Trial room, PolicyWalk walk, long seed, double newtons, double metres) {
         ScriptedRobot student = new ScriptedMotors(walk);
-        room.reset(seed, student.performer());
+        room.reset(seed, student.controller());
         student.walk(new WalkVelocity(walk.style().most().forward(), 0, 0));
         Place start = room.now().place();
-        Moment now = room.now();
+        WorldState now = room.now();
         HandPushes pushes = new HandPushes(new Random(seed), newtons);
         int cycle = 0;
         while (!now.robot().isFallen()
