@@ -185,7 +185,7 @@ final class OptimiseCommand implements Callable<Integer> {
         var plan = new OptimisationPlan(seed, generations, candidates, trials, firstStep(), where.threads(), plain);
         Optimisation optimisation = where.isLocal()
                 ? new Optimisation(subject, wanted, plan, file)
-                : Optimisation.on(where.engine(), where.master(), subject, wanted, plan, file);
+                : Optimisation.on(where.runner(), subject, wanted, plan, file);
         System.out.printf(
                 Locale.ROOT,
                 "%s: %d numbers, %d generations of %d candidates with %d trials each, on %s%n",

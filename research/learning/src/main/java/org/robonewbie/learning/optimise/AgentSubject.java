@@ -95,8 +95,28 @@ public final class AgentSubject implements Subject {
     }
 
     @Override
-    public Map<String, String> recipe() {
-        return SubjectRecipe.ofAgent(maker.get().getClass().getName(), numbers, scene, objective);
+    public Recipe recipe() {
+        String className = maker.get().getClass().getName();
+        List<TunableNumber> known = numbers;
+        AgentScene where = scene;
+        String label = objective.label();
+        return classes -> new AgentSubject(
+                className, () -> agent(className, classes), Objective.named(label, classes), where, known);
+    }
+
+    private static Agent agent(String className, ClassLoader classes) {
+        try {
+            return Class.forName(className, true, classes)
+                    .asSubclass(Agent.class)
+                    .getConstructor()
+                    .newInstance();
+        } catch (ReflectiveOperationException | ClassCastException wrong) {
+            throw new IllegalArgumentException(
+                    "The robot's class " + className + " cannot be created where the trials run (" + wrong
+                            + "). It has to be public, with a public constructor without parameters, in a jar that goes to"
+                            + " the workers.",
+                    wrong);
+        }
     }
 
     @Override

@@ -79,8 +79,9 @@ public final class EngineSubject implements Subject {
     }
 
     @Override
-    public Map<String, String> recipe() {
-        return SubjectRecipe.ofEngine(objective);
+    public Recipe recipe() {
+        String label = objective.label();
+        return classes -> new EngineSubject(Objective.named(label, classes));
     }
 
     @Override

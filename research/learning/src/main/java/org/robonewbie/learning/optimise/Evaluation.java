@@ -1,5 +1,6 @@
 package org.robonewbie.learning.optimise;
 
+import java.io.Serializable;
 import java.util.List;
 import org.robonewbie.learning.search.CautiousMean;
 
@@ -10,7 +11,7 @@ import org.robonewbie.learning.search.CautiousMean;
  * @param success share of the trials that ended as they should, 0 to 1
  * @param flaws what is wrong with it besides, in parts of what the candidate is worth; 0 is nothing
  */
-public record Evaluation(double value, double success, double flaws) {
+public record Evaluation(double value, double success, double flaws) implements Serializable {
 
     private static final double COST_OF_FAILURE = 2;
 

@@ -81,8 +81,11 @@ public final class MotionSubject implements Subject {
     }
 
     @Override
-    public Map<String, String> recipe() {
-        return SubjectRecipe.ofMotion(file, objective);
+    public Recipe recipe() {
+        String title = file.name();
+        String text = file.text();
+        String label = objective.label();
+        return classes -> new MotionSubject(title, MotionFile.parse(title, text), Objective.named(label, classes));
     }
 
     @Override

@@ -1,6 +1,7 @@
 package org.robonewbie.learning.optimise;
 
 import java.io.IOException;
+import java.io.Serializable;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -12,7 +13,9 @@ import java.util.stream.LongStream;
 import org.robonewbie.learning.optimise.Generation.Pace;
 import org.robonewbie.learning.optimise.Generation.Score;
 import org.robonewbie.learning.search.AskAndTell;
-import org.robonewbie.learning.series.ExperimentEngine;
+import org.robonewbie.trial.batch.BatchRunner;
+import org.robonewbie.trial.batch.Job;
+import org.robonewbie.trial.batch.ThreadRunner;
 
 /**
  * Improves a subject with respect to an objective: candidates around the present state are tried under several circumstances,
@@ -37,10 +40,11 @@ public final class Optimisation {
     private final Objective objective;
     private final OptimisationPlan plan;
     private final Path output;
-    private final Supplier<Evaluator> evaluators;
+    private final Supplier<BatchRunner> runners;
+    private final Job<CandidateTrial, Evaluation> job;
 
     /**
-     * Prepares an optimisation whose trials are carried out by threads of this program.
+     * Prepares an optimisation whose trials run on threads of this program.
      *
      * @param subject what is to be improved
      * @param objective what is measured
@@ -48,38 +52,54 @@ public final class Optimisation {
      * @param output where the result is written; the checkpoint lies next to it
      */
     public Optimisation(Subject subject, Objective objective, OptimisationPlan plan, Path output) {
-        this(subject, objective, plan, output, () -> new Workers(subject, plan.threads()));
+        this(
+                subject,
+                objective,
+                plan,
+                output,
+                () -> new ThreadRunner(plan.threads()),
+                trial -> subject.evaluate(trial.candidate, trial.seed));
     }
 
     /**
-     * Prepares an optimisation whose trials an engine carries out, which is closed at the end. The result is the same.
+     * Prepares an optimisation whose trials run elsewhere. The result is the same.
      *
-     * @param engine carries out the trials
-     * @param master where, in the engine's own notation; empty for its usual place
+     * @param runner runs the trials, and is closed at the end
      * @param subject what is to be improved
      * @param objective what is measured
      * @param plan the plan of the search
      * @param output where the result is written; the checkpoint lies next to it
      * @return the optimisation
+     * @throws IllegalArgumentException if the subject exists in this program only
      */
     public static Optimisation on(
-            ExperimentEngine engine,
-            String master,
-            Subject subject,
-            Objective objective,
-            OptimisationPlan plan,
-            Path output) {
-        return new Optimisation(subject, objective, plan, output, () -> new EngineEvaluator(subject, engine, master));
+            BatchRunner runner, Subject subject, Objective objective, OptimisationPlan plan, Path output) {
+        return new Optimisation(subject, objective, plan, output, () -> runner, job(subject.recipe()));
+    }
+
+    private static Job<CandidateTrial, Evaluation> job(Subject.Recipe recipe) {
+        return trial ->
+                recipe.create(Thread.currentThread().getContextClassLoader()).evaluate(trial.candidate, trial.seed);
     }
 
     private Optimisation(
-            Subject subject, Objective objective, OptimisationPlan plan, Path output, Supplier<Evaluator> evaluators) {
+            Subject subject,
+            Objective objective,
+            OptimisationPlan plan,
+            Path output,
+            Supplier<BatchRunner> runners,
+            Job<CandidateTrial, Evaluation> job) {
         this.subject = subject;
         this.objective = objective;
         this.plan = plan;
         this.output = output.toAbsolutePath();
-        this.evaluators = evaluators;
+        this.runners = runners;
+        this.job = job;
     }
+
+    /** One trial of a candidate. */
+    @SuppressWarnings("ArrayRecordComponent")
+    private record CandidateTrial(double[] candidate, long seed) implements Serializable {}
 
     /**
      * Searches, compares, and writes the result if it is better than the start.
@@ -90,14 +110,14 @@ public final class Optimisation {
      * @throws IOException if a file cannot be read or written
      */
     public OptimisationResult run(boolean resume, OptimisationListener listener) throws IOException {
-        Checkpoint checkpoint = resume
-                ? Checkpoint.resume(checkpointFile(), question())
-                : Checkpoint.begin(checkpointFile(), question());
-        try (Evaluator workers = evaluators.get()) {
-            Evaluation before = compared(workers, new double[subject.dimension()]);
+        try (Checkpoint checkpoint = resume
+                        ? Checkpoint.resume(checkpointFile(), question())
+                        : Checkpoint.begin(checkpointFile(), question());
+                BatchRunner runner = runners.get()) {
+            Evaluation before = compared(runner, new double[subject.dimension()]);
             listener.begins(before);
-            double[] found = search(workers, checkpoint, scale(before), listener);
-            Evaluation after = compared(workers, found);
+            double[] found = search(runner, checkpoint, scale(before), listener);
+            Evaluation after = compared(runner, found);
             OptimisationResult result =
                     new OptimisationResult(objective, before, after, TRIALS_OF_COMPARISON, subject.advice(found));
             if (result.isBetter()) {
@@ -124,7 +144,7 @@ public final class Optimisation {
         return output.resolveSibling(name.substring(0, name.length() - ending.length()) + "-so-far" + ending);
     }
 
-    private double[] search(Evaluator workers, Checkpoint checkpoint, double scale, OptimisationListener listener)
+    private double[] search(BatchRunner runner, Checkpoint checkpoint, double scale, OptimisationListener listener)
             throws IOException {
         AskAndTell cloud = plan.search(subject.dimension());
         List<Checkpoint.Line> known = checkpoint.generations();
@@ -135,7 +155,7 @@ public final class Optimisation {
                 cloud.tell(known.get(i).costs());
                 listener.reached(generation(i, known.get(i).score(), cloud, Pace.UNKNOWN));
             } else {
-                List<List<Evaluation>> evaluations = evaluations(workers, candidates, firstSeed(i));
+                List<List<Evaluation>> evaluations = evaluations(runner, candidates, firstSeed(i), plan.trials());
                 double[] costs = evaluations.stream()
                         .mapToDouble(trials -> Evaluation.cost(trials, sign(), scale))
                         .toArray();
@@ -164,19 +184,22 @@ public final class Optimisation {
         return new Score(means.get(best).value(), all.value(), all.success());
     }
 
-    private List<List<Evaluation>> evaluations(Evaluator workers, List<double[]> candidates, long firstSeed) {
-        List<Evaluation> all = workers.all(candidates, seeds(firstSeed, plan.trials()));
+    /** Evaluates each candidate with each seed. */
+    private List<List<Evaluation>> evaluations(
+            BatchRunner runner, List<double[]> candidates, long firstSeed, int trials) {
+        List<CandidateTrial> all = candidates.stream()
+                .flatMap(candidate -> LongStream.range(firstSeed, firstSeed + trials)
+                        .mapToObj(seed -> new CandidateTrial(candidate, seed)))
+                .toList();
+        List<Evaluation> evaluations = runner.run(all, job);
         return IntStream.range(0, candidates.size())
-                .mapToObj(i -> all.subList(i * plan.trials(), (i + 1) * plan.trials()))
+                .mapToObj(i -> evaluations.subList(i * trials, (i + 1) * trials))
                 .toList();
     }
 
-    private Evaluation compared(Evaluator workers, double[] coordinates) {
-        return Evaluation.mean(workers.all(List.of(coordinates), seeds(SEEDS_OF_COMPARISON, TRIALS_OF_COMPARISON)));
-    }
-
-    private static List<Long> seeds(long first, int count) {
-        return LongStream.range(first, first + count).boxed().toList();
+    private Evaluation compared(BatchRunner runner, double[] coordinates) {
+        return Evaluation.mean(evaluations(runner, List.of(coordinates), SEEDS_OF_COMPARISON, TRIALS_OF_COMPARISON)
+                .get(0));
     }
 
     private long firstSeed(int generation) {

@@ -1,6 +1,7 @@
 package org.robonewbie.learning.optimise;
 
 import java.io.IOException;
+import java.io.Serializable;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -49,13 +50,27 @@ public interface Subject {
      */
     Evaluation evaluate(double[] coordinates, long seed);
 
+    /** Creates the same parametrization on another computer. */
+    @FunctionalInterface
+    interface Recipe extends Serializable {
+
+        /**
+         * Creates the parametrization.
+         *
+         * @param classes knows the classes of programs and measures
+         * @return the parametrization
+         * @throws IllegalArgumentException if a class is missing; the message names it
+         */
+        Subject create(ClassLoader classes);
+    }
+
     /**
-     * Returns what another computer needs to try the same candidates.
+     * Returns what another computer needs to evaluate the same candidates.
      *
-     * @return texts by their names
-     * @throws IllegalArgumentException if candidates can be tried in this program only
+     * @return the recipe
+     * @throws IllegalArgumentException if candidates can be evaluated in this program only
      */
-    default Map<String, String> recipe() {
+    default Recipe recipe() {
         throw new IllegalArgumentException(name() + " can be tried in this program only; use the engine local.");
     }
 

@@ -3,7 +3,11 @@ package org.robonewbie.learning.optimise;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.ObjectInputStream;
+import java.io.ObjectOutputStream;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -14,11 +18,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.TunableNumber;
-import org.robonewbie.learning.series.LocalEngine;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.motion.file.ShippedMotions;
+import org.robonewbie.trial.batch.ThreadRunner;
 
-class EngineEvaluatorTest {
+class RecipeTest {
 
     private static final Objective FAR = NamedObjective.named("kick-distance");
     private static final Objective WALKED = NamedObjective.named("distance-walked");
@@ -38,41 +42,47 @@ class EngineEvaluatorTest {
 
     @ParameterizedTest
     @MethodSource("subjects")
-    void measuresTheSameAsThisProgram(Subject subject) {
+    void copyOnAnotherComputerEvaluatesTheSame(Subject subject) throws Exception {
         double[] changed = new double[subject.dimension()];
         changed[0] = 0.5;
-        List<double[]> candidates = List.of(new double[subject.dimension()], changed);
-        List<Evaluation> here;
-        List<Evaluation> there;
 
-        try (Evaluator workers = new Workers(subject, 2);
-                Evaluator engine = new EngineEvaluator(subject, new LocalEngine(2), "")) {
-            here = workers.all(candidates, List.of(3L, 4L));
-            there = engine.all(candidates, List.of(3L, 4L));
+        Subject copy = sent(subject.recipe()).create(getClass().getClassLoader());
+
+        assertThat(copy.evaluate(changed, 3)).isEqualTo(subject.evaluate(changed, 3));
+    }
+
+    private static Subject.Recipe sent(Subject.Recipe recipe) throws IOException, ClassNotFoundException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
+            out.writeObject(recipe);
         }
-
-        assertThat(there).isEqualTo(here);
-        assertThat(here).hasSize(4).doesNotHaveDuplicates();
+        try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray()))) {
+            return (Subject.Recipe) in.readObject();
+        }
     }
 
     @Test
-    void leadsToTheSameResult() throws IOException {
+    void anotherRunnerLeadsToTheSameResult() throws IOException {
         Subject kick = new MotionSubject("kick-right", ShippedMotions.file("kick-right"), FAR);
         OptimisationPlan plan = new OptimisationPlan(1, 2, 4, 1, 0.05, 2, false);
 
         OptimisationResult here =
                 new Optimisation(kick, FAR, plan, folder.resolve("here.txt")).run(false, new ArrayList<>()::add);
-        OptimisationResult there = Optimisation.on(new LocalEngine(2), "", kick, FAR, plan, folder.resolve("there.txt"))
+        OptimisationResult there = Optimisation.on(new ThreadRunner(2), kick, FAR, plan, folder.resolve("there.txt"))
                 .run(false, new ArrayList<>()::add);
 
         assertThat(there).isEqualTo(here);
     }
 
     @Test
-    void refusesWhatOtherComputersCannotMake() {
-        assertThatThrownBy(() -> new EngineEvaluator(new Hill(), new LocalEngine(1), ""))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("hill can be tried in this program only; use the engine local.");
+    void refusesWhatOtherComputersCannotCreate() {
+        OptimisationPlan plan = new OptimisationPlan(1, 2, 4, 1, 0.05, 2, false);
+
+        try (ThreadRunner runner = new ThreadRunner(1)) {
+            assertThatThrownBy(() -> Optimisation.on(runner, new Hill(), FAR, plan, folder))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessage("hill can be tried in this program only; use the engine local.");
+        }
     }
 
     /** Walks ahead. */
