@@ -168,8 +168,9 @@ class ArchitectureTest {
     }
 
     @Test
-    void modulesHaveNoCycles() {
+    void modulesAndPackagesHaveNoCycles() {
         slices().matching("org.robonewbie.(*)..").should().beFreeOfCycles().check(HOUSE);
+        slices().matching("org.robonewbie.(**)").should().beFreeOfCycles().check(HOUSE);
     }
 
     @Test

@@ -17,8 +17,8 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.course.Coach;
-import org.robonewbie.app.studio.CourseDesk;
-import org.robonewbie.app.studio.ProgramWorkshop;
+import org.robonewbie.app.studio.LocalCourseService;
+import org.robonewbie.app.studio.ProcessCompilerService;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
@@ -139,9 +139,10 @@ class ProgramRoomMeasurement {
                 .build();
         StudioFolders folders = new StudioFolders(folder.resolve("motions"), Optional.empty());
         try (Simulator simulator = Simulator.start(pitch, Console.silent());
-                ProgramWorkshop workshop = new ProgramWorkshop(folder)) {
+                ProcessCompilerService workshop = new ProcessCompilerService(folder)) {
             ShownSimulation shown = new ShownSimulation(simulator.control());
-            try (CourseDesk course = new CourseDesk(folder, simulator.control(), shown, Coach.ofUser());
+            try (LocalCourseService course =
+                            new LocalCourseService(folder, simulator.control(), shown, Coach.ofUser());
                     StudioServer studio =
                             StudioServer.start(shown, 0, AccessToken.random(), folders, course, workshop)) {
                 cookie = StudioCookie.of(studio.oneTimeAddress());

@@ -2,12 +2,12 @@ package org.robonewbie.app.command;
 
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.perception.CameraTransformation;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.skill.CloseDribble;
 import org.robonewbie.team.skill.CloseDribbleNumbers;
 import org.robonewbie.team.skill.Footwork;
 import org.robonewbie.team.skill.Gaze;
 import org.robonewbie.team.skill.Limbs;
-import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
 
 /** A robot that dribbles straight along the pitch and keeps the ball near. It stands in the stance at first, so it walks as soon as it has seen the ball. */
@@ -30,7 +30,7 @@ final class Dribbler extends Agent {
         world.update(nao, fieldView);
         gaze.look(world);
         if (Double.isFinite(world.ballAgeSeconds())) {
-            dribble.bring(world, new Spot(world.place().x() + FAR_METRES, 0));
+            dribble.bring(world, new Translation2d(world.place().x() + FAR_METRES, 0));
         }
     }
 }

@@ -25,7 +25,7 @@ import org.robonewbie.studio.PageFeed;
 import org.robonewbie.web.bytecode.Program;
 
 /** The beginners' world, in which everybody may do everything, with shipped agents and one program of a student. */
-final class FreePitch implements OpenWorld {
+final class FreePitch implements EditableWorld {
 
     private static final String GUESTS = "Guests";
     private static final int TEAMS = 2;

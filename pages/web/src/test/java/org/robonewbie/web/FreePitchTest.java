@@ -140,7 +140,7 @@ class FreePitchTest {
 
     private static FreePitch pitch(PageRecording recording) {
         List<FreePitch> made = new ArrayList<>();
-        new LiveWorld(new SilentPage(), feed -> {
+        new PacedWorld(new SilentPage(), feed -> {
             made.add(new FreePitch(1, feed, recording));
             return made.get(0);
         });

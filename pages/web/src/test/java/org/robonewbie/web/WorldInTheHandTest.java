@@ -26,7 +26,7 @@ class WorldInTheHandTest {
 
     private final List<JsonObject> told = new ArrayList<>();
     private final List<FreePitch> pitches = new ArrayList<>();
-    private final LiveWorld world = new LiveWorld(
+    private final PacedWorld world = new PacedWorld(
             new PageFeed.Page() {
 
                 @Override

@@ -3,7 +3,7 @@ package org.robonewbie.bench.speed;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.List;
-import org.robonewbie.simulator.Crew;
+import org.robonewbie.simulator.physics.Crew;
 import org.robonewbie.simulator.server.ThreadCrew;
 
 /** Lets robots think on several threads between two cycles. What they say does not depend on how many there are. */

@@ -10,8 +10,8 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
-import org.robonewbie.simulator.Crew;
 import org.robonewbie.simulator.landscape.Landscape;
+import org.robonewbie.simulator.physics.Crew;
 import org.robonewbie.simulator.physics.PhysicsWorld;
 import org.robonewbie.simulator.state.WorldState;
 

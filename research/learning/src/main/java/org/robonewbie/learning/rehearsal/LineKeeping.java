@@ -1,7 +1,7 @@
 package org.robonewbie.learning.rehearsal;
 
-import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 
 /**
  * How somebody who walks keeps to a line: who is beside it heads for it, and turns the faster the more the heading is wrong.
@@ -30,7 +30,7 @@ public record LineKeeping(double degreesForAMetre, double mostDegrees, double tu
      * @param now where the robot is
      * @return how fast to turn, degrees per second to the left
      */
-    public double turn(GroundPose line, GroundPose now) {
+    public double turn(Pose2d line, Pose2d now) {
         double left = line.fromFrame(new Vector3(now.x(), now.y(), 0)).y();
         double heading = line.headingDegrees() - within(mostDegrees, degreesForAMetre * left);
         return within(mostTurn, turnForADegree * Math.IEEEremainder(heading - now.headingDegrees(), 360));

@@ -3,11 +3,11 @@ package org.robonewbie.learning.rehearsal;
 import java.util.Arrays;
 import java.util.Random;
 import org.robonewbie.agent.Agent;
-import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.agent.localisation.SelfLocalisation;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.kinematics.ForwardKinematics;
 import org.robonewbie.nao.kinematics.Pose;
@@ -107,7 +107,7 @@ public record LocalisationTrial(double[] metres, double[] degrees, double[] came
         for (int i = 0; i < cycles; i++) {
             BodyState truth = trial.now().robot();
             trial.step();
-            GroundPose belief = self.pose();
+            Pose2d belief = self.pose();
             Pose torso = believed(self);
             errors[0][i] = Math.hypot(
                     truth.position().x() - belief.x(), truth.position().y() - belief.y());
@@ -123,7 +123,7 @@ public record LocalisationTrial(double[] metres, double[] degrees, double[] came
     }
 
     private static Pose believed(SelfLocalisation self) {
-        GroundPose place = self.pose();
+        Pose2d place = self.pose();
         return new Pose(
                 new Vector3(place.x(), place.y(), self.heightMetres()),
                 Rotation.ofYawPitchRoll(place.headingDegrees(), self.leanDegrees(), self.rollDegrees()));
@@ -184,7 +184,7 @@ public record LocalisationTrial(double[] metres, double[] degrees, double[] came
         }
 
         private boolean isNearBorder() {
-            GroundPose pose = self.pose();
+            Pose2d pose = self.pose();
             return Math.abs(pose.x()) > self.field().length() / 2 - BORDER
                     || Math.abs(pose.y()) > self.field().width() / 2 - BORDER;
         }

@@ -1,10 +1,10 @@
 package org.robonewbie.learning.rehearsal;
 
-import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.agent.localisation.SelfLocalisation;
 import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.nao.geometry.Pose2d;
 
 /**
  * An agent that walks as it has learned and keeps to the line ahead of the place where it began to walk. Where it is it knows from
@@ -15,7 +15,7 @@ final class RunnerPuppet extends AgentPuppet {
     private final SelfLocalisation self = new SelfLocalisation();
     private final LineKeeping keeping;
     private WalkVelocity wanted = WalkVelocity.ZERO;
-    private GroundPose start = GroundPose.ORIGIN;
+    private Pose2d start = Pose2d.ORIGIN;
 
     RunnerPuppet(PolicyWalk learned, LineKeeping keeping) {
         super(WalkStyle.STANDARD);
