@@ -1,11 +1,9 @@
 package org.robonewbie.app.command;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.robonewbie.app.program.AgentFinder;
 import org.robonewbie.app.program.CalledWronglyException;
@@ -81,8 +79,6 @@ final class ExperimentCommand implements Callable<Integer> {
         } catch (IllegalStateException failed) {
             System.err.println(failed.getMessage());
             return ExitCode.SOFTWARE;
-        } catch (UncheckedIOException full) {
-            throw Objects.requireNonNull(full.getCause());
         }
     }
 

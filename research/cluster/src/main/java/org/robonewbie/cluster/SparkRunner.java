@@ -1,11 +1,11 @@
 package org.robonewbie.cluster;
 
+import java.io.IOException;
 import java.io.Serializable;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.function.BiConsumer;
 import java.util.stream.IntStream;
 import org.apache.spark.SparkConf;
 import org.apache.spark.api.java.JavaSparkContext;
@@ -39,7 +39,8 @@ public final class SparkRunner implements BatchRunner {
     }
 
     @Override
-    public <P, R> List<R> run(List<P> parameters, Job<P, R> job, BiConsumer<? super P, ? super R> results) {
+    public <P, R> List<R> run(List<P> parameters, Job<P, R> job, Receiver<? super P, ? super R> results)
+            throws IOException {
         if (parameters.isEmpty()) {
             return List.of();
         }
@@ -65,10 +66,13 @@ public final class SparkRunner implements BatchRunner {
     }
 
     /** Spark throws checked exceptions without declaring them, and wraps what the receiver of results has thrown. */
-    private static RuntimeException unchecked(Exception failed) {
+    private static RuntimeException unchecked(Exception failed) throws IOException {
         Throwable cause = failed.getCause();
-        return cause instanceof UncheckedIOException || cause instanceof JobFailedException
-                ? (RuntimeException) cause
+        if (cause instanceof UncheckedIOException unwritable && unwritable.getCause() != null) {
+            throw unwritable.getCause();
+        }
+        return cause instanceof JobFailedException job
+                ? job
                 : new IllegalStateException("Spark has given up: " + failed.getMessage(), failed);
     }
 
@@ -138,10 +142,10 @@ public final class SparkRunner implements BatchRunner {
     private static final class Results<P, R> extends AbstractFunction2<Object, List<Outcome<R>>, BoxedUnit> {
 
         private final List<P> parameters;
-        private final BiConsumer<? super P, ? super R> receiver;
+        private final Receiver<? super P, ? super R> receiver;
         private final Object[] results;
 
-        Results(List<P> parameters, BiConsumer<? super P, ? super R> receiver) {
+        Results(List<P> parameters, Receiver<? super P, ? super R> receiver) {
             this.parameters = parameters;
             this.receiver = receiver;
             this.results = new Object[parameters.size()];
@@ -155,7 +159,11 @@ public final class SparkRunner implements BatchRunner {
                     throw new JobFailedException(outcome.failure());
                 }
                 results[outcome.index()] = result;
-                receiver.accept(parameters.get(outcome.index()), result);
+                try {
+                    receiver.accept(parameters.get(outcome.index()), result);
+                } catch (IOException unwritable) {
+                    throw new UncheckedIOException(unwritable);
+                }
             }
             return BoxedUnit.UNIT;
         }

@@ -2,6 +2,7 @@ package org.robonewbie.trial.batch;
 
 import java.io.PrintStream;
 import java.util.Locale;
+import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 
 /**
@@ -91,12 +92,11 @@ public final class BatchProgress implements AutoCloseable {
      * @param output where the line goes
      * @param line the text
      */
-    public synchronized void print(PrintStream output, String line) {
+    public synchronized void print(Consumer<String> output, String line) {
         boolean wasVisible = visible;
         close();
-        output.println(line);
+        output.accept(line);
         if (wasVisible) {
-            output.flush();
             show();
         }
     }

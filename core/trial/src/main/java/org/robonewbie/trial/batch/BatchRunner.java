@@ -1,7 +1,7 @@
 package org.robonewbie.trial.batch;
 
+import java.io.IOException;
 import java.util.List;
-import java.util.function.BiConsumer;
 
 /**
  * Runs the jobs of a batch in parallel. The choice of a runner never changes a result. Runners of add-ons are found by {@link
@@ -27,11 +27,10 @@ public interface BatchRunner extends AutoCloseable {
      * @param job the work
      * @param results receives each result as soon as it is known, in any order, one at a time
      * @return all results in the order of the parameters
-     * @throws java.io.UncheckedIOException if a job failed with an {@link java.io.IOException}
-     * @throws RuntimeException what a job or the receiver has thrown
+     * @throws IOException the I/O failure of a job or of the receiver
      * @throws IllegalStateException if a job failed with another checked exception, or this thread was interrupted
      */
-    <P, R> List<R> run(List<P> parameters, Job<P, R> job, BiConsumer<? super P, ? super R> results);
+    <P, R> List<R> run(List<P> parameters, Job<P, R> job, Receiver<? super P, ? super R> results) throws IOException;
 
     /**
      * Runs all jobs and waits for the last one.
@@ -41,9 +40,29 @@ public interface BatchRunner extends AutoCloseable {
      * @param parameters the parameters of each job
      * @param job the work
      * @return all results in the order of the parameters
+     * @throws IOException the I/O failure of a job
      */
-    default <P, R> List<R> run(List<P> parameters, Job<P, R> job) {
+    default <P, R> List<R> run(List<P> parameters, Job<P, R> job) throws IOException {
         return run(parameters, job, (one, result) -> {});
+    }
+
+    /**
+     * Receives results.
+     *
+     * @param <P> the parameters of a job
+     * @param <R> the result of a job
+     */
+    @FunctionalInterface
+    interface Receiver<P, R> {
+
+        /**
+         * Receives one result.
+         *
+         * @param parameters the parameters of the job
+         * @param result its result
+         * @throws IOException if the result cannot be kept; the batch ends then
+         */
+        void accept(P parameters, R result) throws IOException;
     }
 
     /** Releases threads and connections. */

@@ -1,7 +1,6 @@
 package org.robonewbie.trial.batch;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -38,7 +37,7 @@ public final class Journal implements AutoCloseable {
      * Opens a journal and keeps what it has of the same run.
      *
      * @param file the file; it is created if it is missing
-     * @param header one line that says what is run, with all options on which a result depends
+     * @param header one line that says what is run, with all options on which a result depends; empty if another file says it
      * @return the journal
      * @throws IOException if the file cannot be read or written
      * @throws IllegalArgumentException if it belongs to another run; the message says what to do
@@ -48,16 +47,17 @@ public final class Journal implements AutoCloseable {
             String text = Files.exists(file) ? Files.readString(file) : "";
             String complete = text.substring(0, text.lastIndexOf('\n') + 1);
             List<String> lines = complete.lines().toList();
-            if (!lines.isEmpty() && !lines.get(0).equals(header)) {
+            int headers = header.isEmpty() ? 0 : Math.min(1, lines.size());
+            if (headers > 0 && !lines.get(0).equals(header)) {
                 throw new IllegalArgumentException(
                         file + " belongs to another run:\n  " + lines.get(0) + "\nand not to:\n  " + header
                                 + "\nGive the same options as before, or delete the file to begin again.");
             }
             if (lines.isEmpty() || complete.length() < text.length()) {
-                AtomicFile.write(file, lines.isEmpty() ? header + "\n" : complete);
+                AtomicFile.write(file, lines.isEmpty() && !header.isEmpty() ? header + "\n" : complete);
             }
             Writer writer = Files.newBufferedWriter(file, StandardCharsets.UTF_8, StandardOpenOption.APPEND);
-            return new Journal(file, lines.subList(Math.min(1, lines.size()), lines.size()), writer);
+            return new Journal(file, lines.subList(headers, lines.size()), writer);
         } catch (IOException unwritable) {
             throw UnwritableFileException.of(file, unwritable);
         }
@@ -72,24 +72,24 @@ public final class Journal implements AutoCloseable {
      * Writes a line to the file.
      *
      * @param line the result as text
-     * @throws UncheckedIOException if the file cannot be written
+     * @throws IOException if the file cannot be written
      */
-    public void add(String line) {
+    public void add(String line) throws IOException {
         try {
             writer.write(line + "\n");
             writer.flush();
         } catch (IOException unwritable) {
-            throw new UncheckedIOException(UnwritableFileException.of(file, unwritable));
+            throw UnwritableFileException.of(file, unwritable);
         }
     }
 
     /** Closes the file and keeps it, so that the run can resume. */
     @Override
-    public void close() {
+    public void close() throws IOException {
         try {
             writer.close();
         } catch (IOException unwritable) {
-            throw new UncheckedIOException(UnwritableFileException.of(file, unwritable));
+            throw UnwritableFileException.of(file, unwritable);
         }
     }
 

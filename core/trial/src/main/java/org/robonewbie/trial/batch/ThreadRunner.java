@@ -1,7 +1,6 @@
 package org.robonewbie.trial.batch;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletionService;
@@ -10,7 +9,6 @@ import java.util.concurrent.ExecutorCompletionService;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import java.util.function.BiConsumer;
 
 /** Runs jobs on threads of this process. The receiver of results is called in the thread of the caller. */
 public final class ThreadRunner implements BatchRunner {
@@ -41,7 +39,8 @@ public final class ThreadRunner implements BatchRunner {
     }
 
     @Override
-    public <P, R> List<R> run(List<P> parameters, Job<P, R> job, BiConsumer<? super P, ? super R> results) {
+    public <P, R> List<R> run(List<P> parameters, Job<P, R> job, Receiver<? super P, ? super R> results)
+            throws IOException {
         CompletionService<Result<R>> completed = new ExecutorCompletionService<>(executor);
         List<Future<Result<R>>> futures = new ArrayList<>(parameters.size());
         try {
@@ -70,7 +69,7 @@ public final class ThreadRunner implements BatchRunner {
 
     private record Result<R>(int index, R value) {}
 
-    private static RuntimeException unchecked(ExecutionException failed) {
+    private static RuntimeException unchecked(ExecutionException failed) throws IOException {
         Throwable cause = failed.getCause();
         if (cause instanceof Error error) {
             throw error;
@@ -78,9 +77,10 @@ public final class ThreadRunner implements BatchRunner {
         if (cause instanceof RuntimeException unchecked) {
             return unchecked;
         }
-        return cause instanceof IOException io
-                ? new UncheckedIOException(io.getMessage(), io)
-                : new IllegalStateException(cause == null ? "" : cause.getMessage(), cause);
+        if (cause instanceof IOException io) {
+            throw io;
+        }
+        return new IllegalStateException(cause == null ? "" : cause.getMessage(), cause);
     }
 
     @Override

@@ -81,7 +81,7 @@ class BatchProgressTest {
         progress.advance(false);
         assertThat(text()).startsWith("\r[==========>         ] 2 of 4").doesNotContain("\n");
         printed.reset();
-        progress.print(out, "trial 2 is over");
+        progress.print(out::println, "trial 2 is over");
         assertThat(text()).containsSubsequence("\r   ", "\rtrial 2 is over", "\n", "\r[==========>  ");
         printed.reset();
         progress.close();
@@ -98,7 +98,7 @@ class BatchProgressTest {
             seconds += 1;
             progress.advance(false);
         }
-        progress.print(out, "over");
+        progress.print(out::println, "over");
         progress.close();
 
         assertThat(text().lines())

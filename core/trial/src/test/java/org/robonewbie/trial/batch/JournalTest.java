@@ -69,6 +69,18 @@ class JournalTest {
     }
 
     @Test
+    void fileWithoutHeaderIsResumedToo() throws IOException {
+        Files.writeString(file, "1,20\n2,2");
+
+        try (Journal again = Journal.open(file, "")) {
+            assertThat(again.lines()).containsExactly("1,20");
+            again.add("2,21");
+        }
+
+        assertThat(Files.readAllLines(file)).containsExactly("1,20", "2,21");
+    }
+
+    @Test
     void headerThatWasNotCompletelyWrittenIsWrittenAgain() throws IOException {
         Files.writeString(file, "steps of");
 

@@ -65,7 +65,7 @@ final class Checkpoint implements AutoCloseable {
         generations.add(line);
     }
 
-    /** Takes a line into the checksum, and returns it. */
+    /** Adds a line to the running checksum and returns the checksum. */
     private String checksum(Line next) {
         note(next.toString());
         String checksum = String.format(Locale.ROOT, "%08x", sum.getValue());
@@ -82,13 +82,13 @@ final class Checkpoint implements AutoCloseable {
         return List.copyOf(generations);
     }
 
-    void add(double[] costs, Score score) {
+    void add(double[] costs, Score score) throws IOException {
         Line line = new Line(costs.clone(), score);
         journal.add(line + BAR + checksum(line));
     }
 
     @Override
-    public void close() {
+    public void close() throws IOException {
         journal.close();
     }
 

@@ -18,13 +18,12 @@ import org.robonewbie.trial.batch.Job;
 import org.robonewbie.trial.batch.ThreadRunner;
 
 /**
- * Improves a subject with respect to an objective: candidates around the present state are tried under several circumstances,
- * and the distribution from which they are drawn moves towards the better ones. At the end start and result are compared in
- * trials that the search has never seen.
+ * Optimises a parametrization for an objective. Each candidate is evaluated with several seeds, and the search distribution moves
+ * towards the better ones. At the end start and result are compared with seeds that the search has not used.
  *
  * <pre>{@code
  * Objective far = Objective.named("kick-distance", classes);
- * var optimisation = new Optimisation(new MotionSubject("kick-right", file, far), far, plan, output);
+ * var optimisation = new Optimisation(new MotionParametrization("kick-right", file, far), far, plan, output);
  * OptimisationResult result = optimisation.run(false, System.out::println);
  * }</pre>
  */
@@ -36,7 +35,7 @@ public final class Optimisation {
     private static final int GENERATIONS_WITH_SAME_TRIALS = 2;
     private static final double LEAST_SCALE = 0.01;
 
-    private final Subject subject;
+    private final Parametrization subject;
     private final Objective objective;
     private final OptimisationPlan plan;
     private final Path output;
@@ -51,7 +50,7 @@ public final class Optimisation {
      * @param plan the plan of the search
      * @param output where the result is written; the checkpoint lies next to it
      */
-    public Optimisation(Subject subject, Objective objective, OptimisationPlan plan, Path output) {
+    public Optimisation(Parametrization subject, Objective objective, OptimisationPlan plan, Path output) {
         this(
                 subject,
                 objective,
@@ -73,17 +72,17 @@ public final class Optimisation {
      * @throws IllegalArgumentException if the subject exists in this program only
      */
     public static Optimisation on(
-            BatchRunner runner, Subject subject, Objective objective, OptimisationPlan plan, Path output) {
+            BatchRunner runner, Parametrization subject, Objective objective, OptimisationPlan plan, Path output) {
         return new Optimisation(subject, objective, plan, output, () -> runner, job(subject.recipe()));
     }
 
-    private static Job<CandidateTrial, Evaluation> job(Subject.Recipe recipe) {
+    private static Job<CandidateTrial, Evaluation> job(Parametrization.Recipe recipe) {
         return trial ->
                 recipe.create(Thread.currentThread().getContextClassLoader()).evaluate(trial.candidate, trial.seed);
     }
 
     private Optimisation(
-            Subject subject,
+            Parametrization subject,
             Objective objective,
             OptimisationPlan plan,
             Path output,
@@ -146,33 +145,33 @@ public final class Optimisation {
 
     private double[] search(BatchRunner runner, Checkpoint checkpoint, double scale, OptimisationListener listener)
             throws IOException {
-        AskAndTell cloud = plan.search(subject.dimension());
+        AskAndTell search = plan.search(subject.dimension());
         List<Checkpoint.Line> known = checkpoint.generations();
         long begin = System.nanoTime();
         for (int i = 0; i < plan.generations(); i++) {
-            List<double[]> candidates = cloud.ask();
+            List<double[]> candidates = search.ask();
             if (i < known.size()) {
-                cloud.tell(known.get(i).costs());
-                listener.reached(generation(i, known.get(i).score(), cloud, Pace.UNKNOWN));
+                search.tell(known.get(i).costs());
+                listener.reached(generation(i, known.get(i).score(), search, Pace.UNKNOWN));
             } else {
                 List<List<Evaluation>> evaluations = evaluations(runner, candidates, firstSeed(i), plan.trials());
                 double[] costs = evaluations.stream()
                         .mapToDouble(trials -> Evaluation.cost(trials, sign(), scale))
                         .toArray();
                 Score score = score(evaluations, costs);
-                cloud.tell(costs);
+                search.tell(costs);
                 checkpoint.add(costs, score);
-                subject.save(cloud.mean(), Map.of("so far", "generation " + (i + 1)), fileSoFar());
+                subject.save(search.mean(), Map.of("so far", "generation " + (i + 1)), fileSoFar());
                 double seconds = (System.nanoTime() - begin) / 1e9 / (i + 1 - known.size());
                 Pace pace = new Pace(costs.length * plan.trials() / seconds, seconds * (plan.generations() - i - 1));
-                listener.reached(generation(i, score, cloud, pace));
+                listener.reached(generation(i, score, search, pace));
             }
         }
-        return cloud.mean();
+        return search.mean();
     }
 
-    private Generation generation(int index, Score score, AskAndTell cloud, Pace pace) {
-        return new Generation(index + 1, plan.generations(), score, Cloud.of(cloud), pace);
+    private Generation generation(int index, Score score, AskAndTell search, Pace pace) {
+        return new Generation(index + 1, plan.generations(), score, SearchDistribution.of(search), pace);
     }
 
     private static Score score(List<List<Evaluation>> evaluations, double[] costs) {
@@ -186,7 +185,7 @@ public final class Optimisation {
 
     /** Evaluates each candidate with each seed. */
     private List<List<Evaluation>> evaluations(
-            BatchRunner runner, List<double[]> candidates, long firstSeed, int trials) {
+            BatchRunner runner, List<double[]> candidates, long firstSeed, int trials) throws IOException {
         List<CandidateTrial> all = candidates.stream()
                 .flatMap(candidate -> LongStream.range(firstSeed, firstSeed + trials)
                         .mapToObj(seed -> new CandidateTrial(candidate, seed)))
@@ -197,7 +196,7 @@ public final class Optimisation {
                 .toList();
     }
 
-    private Evaluation compared(BatchRunner runner, double[] coordinates) {
+    private Evaluation compared(BatchRunner runner, double[] coordinates) throws IOException {
         return Evaluation.mean(evaluations(runner, List.of(coordinates), SEEDS_OF_COMPARISON, TRIALS_OF_COMPARISON)
                 .get(0));
     }

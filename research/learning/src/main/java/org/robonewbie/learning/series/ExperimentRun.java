@@ -86,8 +86,9 @@ public final class ExperimentRun implements AutoCloseable {
      *
      * @param runner where they are run
      * @param progress counts them
+     * @throws IOException if the journal cannot be written
      */
-    public void run(BatchRunner runner, BatchProgress progress) {
+    public void run(BatchRunner runner, BatchProgress progress) throws IOException {
         String experiment = plan.experiment();
         runner.run(missing(), trial -> trial.run(Experiment.of(experiment)), (trial, outcome) -> {
             keep(trial.number(), outcome);
@@ -95,7 +96,7 @@ public final class ExperimentRun implements AutoCloseable {
         });
     }
 
-    private void keep(int number, Outcome outcome) {
+    private void keep(int number, Outcome outcome) throws IOException {
         if (outcome.failure.isEmpty()) {
             journal.add(number + ","
                     + DoubleStream.of(outcome.numbers)
@@ -130,7 +131,7 @@ public final class ExperimentRun implements AutoCloseable {
 
     /** Closes the journal and keeps it, so that the run can resume. */
     @Override
-    public void close() {
+    public void close() throws IOException {
         journal.close();
     }
 

@@ -32,38 +32,39 @@ class RecipeTest {
     @TempDir
     private Path folder;
 
-    static Stream<Subject> subjects() {
+    static Stream<Parametrization> subjects() {
         AgentScene scene = new AgentScene(new Vector3(-1, 0.5, 0), 10, new Vector3(2, 0, 0), 0.1, 3);
         return Stream.of(
-                new MotionSubject("kick-right", ShippedMotions.file("kick-right"), FAR),
-                new EngineSubject(NamedObjective.named("walk-speed")),
-                new AgentSubject("Walker", Walker::new, WALKED, scene, List.of(FASTER)));
+                new MotionParametrization("kick-right", ShippedMotions.file("kick-right"), FAR),
+                new WalkParametrization(NamedObjective.named("walk-speed")),
+                new AgentParametrization("Walker", Walker::new, WALKED, scene, List.of(FASTER)));
     }
 
     @ParameterizedTest
     @MethodSource("subjects")
-    void copyOnAnotherComputerEvaluatesTheSame(Subject subject) throws Exception {
+    void copyOnAnotherComputerEvaluatesTheSame(Parametrization subject) throws Exception {
         double[] changed = new double[subject.dimension()];
         changed[0] = 0.5;
 
-        Subject copy = sent(subject.recipe()).create(getClass().getClassLoader());
+        Parametrization copy = sent(subject.recipe()).create(getClass().getClassLoader());
 
         assertThat(copy.evaluate(changed, 3)).isEqualTo(subject.evaluate(changed, 3));
     }
 
-    private static Subject.Recipe sent(Subject.Recipe recipe) throws IOException, ClassNotFoundException {
+    private static Parametrization.Recipe sent(Parametrization.Recipe recipe)
+            throws IOException, ClassNotFoundException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
             out.writeObject(recipe);
         }
         try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray()))) {
-            return (Subject.Recipe) in.readObject();
+            return (Parametrization.Recipe) in.readObject();
         }
     }
 
     @Test
     void anotherRunnerLeadsToTheSameResult() throws IOException {
-        Subject kick = new MotionSubject("kick-right", ShippedMotions.file("kick-right"), FAR);
+        Parametrization kick = new MotionParametrization("kick-right", ShippedMotions.file("kick-right"), FAR);
         OptimisationPlan plan = new OptimisationPlan(1, 2, 4, 1, 0.05, 2, false);
 
         OptimisationResult here =

@@ -17,7 +17,7 @@ import org.robonewbie.agent.TunableNumbers;
 import org.robonewbie.nao.file.AtomicFile;
 
 /** The numbers that a robot's program declares by {@code number(...)}. */
-public final class AgentSubject implements Subject {
+public final class AgentParametrization implements Parametrization {
 
     private static final int DIGITS_OF_RANGE = 3;
     private static final double COST_OF_BEYOND = 0.1;
@@ -29,7 +29,7 @@ public final class AgentSubject implements Subject {
     private final List<TunableNumber> numbers;
 
     /**
-     * Takes a program as subject.
+     * Creates the parametrization of a program.
      *
      * @param name how the program is called on the command line
      * @param maker makes a robot with the program, from any thread
@@ -37,12 +37,12 @@ public final class AgentSubject implements Subject {
      * @param scene where and how long
      * @throws IllegalArgumentException if the program declares no number
      */
-    public AgentSubject(String name, Supplier<Agent> maker, Objective objective, AgentScene scene) {
+    public AgentParametrization(String name, Supplier<Agent> maker, Objective objective, AgentScene scene) {
         this(name, maker, objective, scene, new AgentDriver(maker.get()).numbers());
     }
 
-    /** Takes a program whose numbers are known, whatever file with numbers lies beside it here. */
-    AgentSubject(
+    /** Creates the parametrization from known numbers, regardless of a file with numbers in this folder. */
+    AgentParametrization(
             String name, Supplier<Agent> maker, Objective objective, AgentScene scene, List<TunableNumber> numbers) {
         this.name = name;
         this.maker = maker;
@@ -72,10 +72,9 @@ public final class AgentSubject implements Subject {
     }
 
     @Override
-    public List<SubjectNumber> numbers(double[] coordinates) {
+    public List<Parameter> numbers(double[] coordinates) {
         return IntStream.range(0, numbers.size())
-                .mapToObj(i ->
-                        new SubjectNumber(numbers.get(i).name(), "", value(i, coordinates[i]), size(numbers.get(i))))
+                .mapToObj(i -> new Parameter(numbers.get(i).name(), "", value(i, coordinates[i]), size(numbers.get(i))))
                 .toList();
     }
 
@@ -100,7 +99,7 @@ public final class AgentSubject implements Subject {
         List<TunableNumber> known = numbers;
         AgentScene where = scene;
         String label = objective.label();
-        return classes -> new AgentSubject(
+        return classes -> new AgentParametrization(
                 className, () -> agent(className, classes), Objective.named(label, classes), where, known);
     }
 
