@@ -11,16 +11,15 @@ import org.robonewbie.app.program.OptimisedAgent;
 import org.robonewbie.app.studio.SearchConsole;
 import org.robonewbie.app.studio.SearchStudio;
 import org.robonewbie.app.studio.SearchStudioOptions;
-import org.robonewbie.learning.design.MotionWorkshop;
-import org.robonewbie.learning.optimise.EngineSubject;
-import org.robonewbie.learning.optimise.MotionSubject;
+import org.robonewbie.learning.optimise.MotionParametrization;
 import org.robonewbie.learning.optimise.Objective;
 import org.robonewbie.learning.optimise.Optimisation;
 import org.robonewbie.learning.optimise.OptimisationListener;
 import org.robonewbie.learning.optimise.OptimisationPlan;
 import org.robonewbie.learning.optimise.OptimisationResult;
 import org.robonewbie.learning.optimise.OtherSide;
-import org.robonewbie.learning.optimise.Subject;
+import org.robonewbie.learning.optimise.Parametrization;
+import org.robonewbie.learning.optimise.WalkParametrization;
 import org.robonewbie.learning.search.CovarianceMatrixAdaptation;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.MotionFiles;
@@ -52,7 +51,6 @@ import picocli.CommandLine.Parameters;
             "  robonewbie optimise my-walk.txt --objective walk-speed --generations 60 --seed 3 --resume",
             "  robonewbie optimise walk-engine --objective stability --threads 1 --headless",
             "  robonewbie optimise --agent Walker.java --objective distance-walked --seconds 10",
-            "  robonewbie optimise turn-left --again      make the library's motion again",
             "",
             "On a cluster: see docs/cluster.md."
         })
@@ -128,37 +126,16 @@ final class OptimiseCommand implements Callable<Integer> {
     @Option(names = "--resume", description = "Go on with an interrupted run, from its file OUTPUT.checkpoint.")
     private boolean resume;
 
-    @Option(
-            names = "--again",
-            description = "Search for a motion of the library again, from the first guess on; OUTPUT is a folder.")
-    private boolean again;
-
     @Mixin
     final SearchStudioOptions studio = new SearchStudioOptions();
 
     @Override
     public Integer call() throws IOException, InterruptedException {
         try {
-            return again ? makeAgain() : optimise();
+            return optimise();
         } catch (IllegalArgumentException wrong) {
             throw new CalledWronglyException(String.valueOf(wrong.getMessage()));
         }
-    }
-
-    private int makeAgain() throws IOException {
-        Path folder = output.orElse(Path.of("motions"));
-        MotionWorkshop.make(name, folder);
-        System.out.println("Written to the folder " + folder + ".");
-        laterSearch(name)
-                .ifPresent(command -> System.out.println("The library's file was improved then by: " + command));
-        return ExitCode.OK;
-    }
-
-    /** The search that continued from the result of {@code --again}, if there was one. */
-    static Optional<String> laterSearch(String motion) {
-        return ShippedMotions.file(motion)
-                .property("made by")
-                .filter(command -> command.startsWith("robonewbie ") && !command.contains(" --again"));
     }
 
     private int optimise() throws IOException, InterruptedException {
@@ -176,7 +153,7 @@ final class OptimiseCommand implements Callable<Integer> {
                     + ": --objective NAME. There are: " + Objective.labels() + ".");
         }
         Objective wanted = agent.objective(objective);
-        Subject subject = subject(wanted);
+        Parametrization subject = subject(wanted);
         Path file = output.orElse(agent.isWanted() ? agent.file() : Path.of(plainName() + "-optimised.txt"));
         if (bothSides) {
             OtherSide.of(file);
@@ -185,7 +162,7 @@ final class OptimiseCommand implements Callable<Integer> {
         var plan = new OptimisationPlan(seed, generations, candidates, trials, firstStep(), where.threads(), plain);
         Optimisation optimisation = where.isLocal()
                 ? new Optimisation(subject, wanted, plan, file)
-                : Optimisation.on(where.engine(), where.master(), subject, wanted, plan, file);
+                : Optimisation.on(where.runner(), subject, wanted, plan, file);
         System.out.printf(
                 Locale.ROOT,
                 "%s: %d numbers, %d generations of %d candidates with %d trials each, on %s%n",
@@ -200,7 +177,7 @@ final class OptimiseCommand implements Callable<Integer> {
     }
 
     private OptimisationResult run(
-            Optimisation optimisation, Subject subject, Objective wanted, OptimisationPlan plan, Path file)
+            Optimisation optimisation, Parametrization subject, Objective wanted, OptimisationPlan plan, Path file)
             throws IOException, InterruptedException {
         OptimisationListener console = new SearchConsole(System.out, wanted.unit(), file);
         if (studio.isHeadless()) {
@@ -216,7 +193,8 @@ final class OptimiseCommand implements Callable<Integer> {
     }
 
     private OptimisationResult search(
-            Optimisation optimisation, Subject subject, OptimisationListener listener, Path file) throws IOException {
+            Optimisation optimisation, Parametrization subject, OptimisationListener listener, Path file)
+            throws IOException {
         if (agent.isWanted()) {
             rehearse(subject);
         }
@@ -230,7 +208,7 @@ final class OptimiseCommand implements Callable<Integer> {
     }
 
     /** Runs an agent once, so that its mistakes are seen once and not in each of some thousand trials. */
-    private void rehearse(Subject subject) throws IOException {
+    private void rehearse(Parametrization subject) throws IOException {
         SilentPrograms.complaining(() -> subject.evaluate(new double[subject.dimension()], seed));
     }
 
@@ -245,14 +223,14 @@ final class OptimiseCommand implements Callable<Integer> {
         return String.valueOf(Path.of(name).getFileName()).replaceFirst("\\.txt$", "");
     }
 
-    private Subject subject(Objective wanted) throws IOException {
+    private Parametrization subject(Objective wanted) throws IOException {
         if (agent.isWanted()) {
             return agent.subject(wanted);
         }
-        if (name.equals(EngineSubject.NAME)) {
-            return new EngineSubject(wanted);
+        if (name.equals(WalkParametrization.NAME)) {
+            return new WalkParametrization(wanted);
         }
-        return new MotionSubject(name.replace('\\', '/'), motionFile(), wanted);
+        return new MotionParametrization(name.replace('\\', '/'), motionFile(), wanted);
     }
 
     private MotionFile motionFile() throws IOException {

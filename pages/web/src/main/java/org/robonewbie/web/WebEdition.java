@@ -14,7 +14,7 @@ import org.robonewbie.exercises.Language;
 import org.robonewbie.simulator.monitor.RecordedLog;
 import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.studio.PageMotions;
-import org.robonewbie.web.bytecode.Program;
+import org.robonewbie.pagejvm.Program;
 import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
 
@@ -137,7 +137,7 @@ public final class WebEdition {
      * Goes on from a moment of a recording.
      *
      * @param recording its bytes, not compressed
-     * @param moment number of the moment, from 0
+     * @param state number of the moment, from 0
      * @return one JSON object; or why that cannot be, as a sentence
      */
     @JSExport
