@@ -5,6 +5,8 @@ import java.io.UncheckedIOException;
 import java.util.List;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
 import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
@@ -84,7 +86,7 @@ final class LoadPlayer implements Runnable {
     @Override
     public void run() {
         try (link) {
-            writer.createRobot("rsg/agent/nao/nao_hetero.rsg", List.of(String.valueOf(number % TYPES)));
+            writer.createRobot(CreateRobot.SCENE_OF_TYPE, List.of(String.valueOf(number % TYPES)));
             send();
             receive();
             writer.joinTeam(number, team);
@@ -133,7 +135,7 @@ final class LoadPlayer implements Runnable {
             int row = (number - 1) / PLAYERS_PER_ROW;
             int column = (number - 1) % PLAYERS_PER_ROW;
             double metres = clumsy ? CROWDED_METRES : APART_METRES;
-            writer.beam(-3 - metres * row, metres * (column - 1.5), 0);
+            writer.beam(new Pose2d(-3 - metres * row, metres * (column - 1.5), 0));
         }
         double seconds = cycle * Cycle.SECONDS;
         double bend = BEND_RADIANS / 2 * RADIANS_PER_SECOND * Math.sin(RADIANS_PER_SECOND * seconds);

@@ -3,12 +3,12 @@ package org.robonewbie.learning.design;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
-import org.robonewbie.agent.walk.FootPlace;
 import org.robonewbie.agent.walk.FootPose;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.agent.walk.TorsoPose;
 import org.robonewbie.nao.Joint;
-import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
@@ -99,7 +99,7 @@ public final class DanceDesign extends DrawnDesign {
         Posture upper = both.with(Joint.NECK_YAW, beat.look()).with(Joint.NECK_PITCH, beat.nod());
         TorsoPose torso = new TorsoPose(beat.height(), LEAN_DEGREES, 0);
         return Costs.rounded(
-                torso.above(Costs.kinematics(), upper, foot(beat, FootPlace.LEFT), foot(beat, FootPlace.RIGHT)));
+                torso.above(Costs.kinematics(), upper, foot(beat, Stance.LEFT_FOOT), foot(beat, Stance.RIGHT_FOOT)));
     }
 
     private static Posture withLeftArm(Posture posture, Arm arm) {
@@ -110,9 +110,9 @@ public final class DanceDesign extends DrawnDesign {
     }
 
     /** The feet stand still, so they go the other way as seen from the hips. */
-    private static FootPose foot(Beat beat, FootPlace place) {
-        FootPlace hips = new FootPlace(0, beat.left(), beat.twist());
-        Vector3 seen = place.seenFrom(hips);
-        return new FootPose(seen.x() + FEET_AHEAD, seen.y(), 0, place.yawDegrees() - beat.twist(), 0);
+    private static FootPose foot(Beat beat, Pose2d place) {
+        Pose2d hips = new Pose2d(0, beat.left(), beat.twist());
+        Translation2d seen = place.translation().seenFrom(hips);
+        return new FootPose(seen.x() + FEET_AHEAD, seen.y(), 0, place.degrees() - beat.twist(), 0);
     }
 }

@@ -7,6 +7,7 @@ import java.util.function.Supplier;
 import org.robonewbie.agent.walk.Gait;
 import org.robonewbie.learning.rehearsal.Lying;
 import org.robonewbie.learning.search.SearchPlan;
+import org.robonewbie.nao.geometry.Pose2d;
 
 /** All designs of the library, with the first guesses and plans that led to the shipped files. */
 public final class Designs {
@@ -40,7 +41,7 @@ public final class Designs {
                             "turn-left",
                             "turns by 30 degrees to the left on the spot",
                             GAIT,
-                            foot -> foot.turned(10.65),
+                            foot -> new Pose2d(0, 0, 10.65).then(foot.x(), foot.y(), foot.degrees()),
                             3)),
             Map.entry(
                     "turn-left-small",
@@ -48,12 +49,16 @@ public final class Designs {
                             "turn-left-small",
                             "turns by 7 degrees to the left on the spot",
                             GAIT,
-                            foot -> foot.turned(7.2),
+                            foot -> new Pose2d(0, 0, 7.2).then(foot.x(), foot.y(), foot.degrees()),
                             1)),
             Map.entry(
                     "side-step-left",
                     () -> new FootworkDesign(
-                            "side-step-left", "steps 8 cm to the left", GAIT, foot -> foot.moved(0, 0.05), 2)),
+                            "side-step-left",
+                            "steps 8 cm to the left",
+                            GAIT,
+                            foot -> new Pose2d(foot.x(), foot.y() + 0.05, foot.degrees()),
+                            2)),
             Map.entry(
                     "kick-right",
                     () -> new KickDesign(

@@ -2,10 +2,10 @@ package org.robonewbie.learning.design;
 
 import java.util.List;
 import java.util.function.UnaryOperator;
-import org.robonewbie.agent.walk.FootPlace;
 import org.robonewbie.agent.walk.Gait;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.learning.gait.Footsteps;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.motion.Motion;
 
@@ -21,7 +21,7 @@ public final class FootworkDesign extends DrawnDesign {
     private final String name;
     private final String does;
     private final Gait gait;
-    private final UnaryOperator<FootPlace> way;
+    private final UnaryOperator<Pose2d> way;
     private final int rounds;
 
     /**
@@ -33,7 +33,7 @@ public final class FootworkDesign extends DrawnDesign {
      * @param way where a foot is set in each round, seen from where it stands at first
      * @param rounds how often each foot is set
      */
-    public FootworkDesign(String name, String does, Gait gait, UnaryOperator<FootPlace> way, int rounds) {
+    public FootworkDesign(String name, String does, Gait gait, UnaryOperator<Pose2d> way, int rounds) {
         this.name = name;
         this.does = does;
         this.gait = gait;
@@ -43,9 +43,9 @@ public final class FootworkDesign extends DrawnDesign {
 
     @Override
     List<DescribedMotion> motions() {
-        Footsteps steps = new Footsteps(gait, FootPlace.LEFT, FootPlace.RIGHT);
-        FootPlace left = FootPlace.LEFT;
-        FootPlace right = FootPlace.RIGHT;
+        Footsteps steps = new Footsteps(gait, Stance.LEFT_FOOT, Stance.RIGHT_FOOT);
+        Pose2d left = Stance.LEFT_FOOT;
+        Pose2d right = Stance.RIGHT_FOOT;
         for (int i = 0; i < rounds; i++) {
             left = way.apply(left);
             right = way.apply(right);

@@ -10,6 +10,7 @@ import java.util.stream.Stream;
 import org.robonewbie.learning.rehearsal.Rehearsal;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
@@ -17,7 +18,6 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.BallPlace;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.trial.Measure;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.WorldState;
 
 /**
@@ -32,7 +32,7 @@ import org.robonewbie.trial.WorldState;
  * @param fallCost 0 if it stands, up to 1 the earlier it falls
  */
 record KickSwing(
-        Place start,
+        Pose2d start,
         Map<String, Vector3> boxes,
         List<Map<String, Pose>> limbs,
         double overlap,

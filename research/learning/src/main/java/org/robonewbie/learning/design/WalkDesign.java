@@ -1,7 +1,6 @@
 package org.robonewbie.learning.design;
 
 import java.util.List;
-import org.robonewbie.agent.walk.FootPlace;
 import org.robonewbie.agent.walk.Gait;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.learning.gait.Footsteps;
@@ -113,23 +112,23 @@ public final class WalkDesign extends SearchedDesign {
 
     private Motion start(double[] x) {
         Footsteps first = Footsteps.fromStance(gait(x), TAKING_UP_MILLIS)
-                .step(Leg.RIGHT, FootPlace.RIGHT.moved(FIRST_STEP * stepLength(x), 0));
+                .step(Leg.RIGHT, Stance.RIGHT_FOOT.then(FIRST_STEP * stepLength(x), 0, 0));
         return new Motion(START, first.keyframes());
     }
 
     private Motion walk(double[] x) {
         double length = stepLength(x);
         Footsteps steps = walking(x)
-                .step(Leg.LEFT, FootPlace.LEFT.moved(1.5 * length, 0))
-                .step(Leg.RIGHT, FootPlace.RIGHT.moved(2.5 * length, 0));
+                .step(Leg.LEFT, Stance.LEFT_FOOT.then(1.5 * length, 0, 0))
+                .step(Leg.RIGHT, Stance.RIGHT_FOOT.then(2.5 * length, 0, 0));
         return new Motion(name, steps.keyframes());
     }
 
     private Motion stop(double[] x) {
         double half = stepLength(x) / 2;
         List<Keyframe> keyframes = walking(x)
-                .step(Leg.LEFT, FootPlace.LEFT.moved(half, 0), 0.9)
-                .step(Leg.RIGHT, FootPlace.RIGHT.moved(half, 0), 0.5)
+                .step(Leg.LEFT, Stance.LEFT_FOOT.then(half, 0, 0), 0.9)
+                .step(Leg.RIGHT, Stance.RIGHT_FOOT.then(half, 0, 0), 0.5)
                 .end(STOP_MILLIS, Stance.POSTURE)
                 .keyframes();
         return new Motion(STOP, keyframes);
@@ -138,6 +137,6 @@ public final class WalkDesign extends SearchedDesign {
     /** In the middle of a walk the left foot is behind and about to swing. */
     private Footsteps walking(double[] x) {
         double half = stepLength(x) / 2;
-        return new Footsteps(gait(x), FootPlace.LEFT.moved(-half, 0), FootPlace.RIGHT.moved(half, 0));
+        return new Footsteps(gait(x), Stance.LEFT_FOOT.then(-half, 0, 0), Stance.RIGHT_FOOT.then(half, 0, 0));
     }
 }

@@ -2,10 +2,11 @@ package org.robonewbie.learning.gait;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.robonewbie.agent.walk.FootPlace;
 import org.robonewbie.agent.walk.Gait;
+import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.agent.walk.Step;
 import org.robonewbie.agent.walk.TorsoPosture;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.InverseKinematics;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.model.RobotType;
@@ -17,9 +18,9 @@ import org.robonewbie.nao.motion.Posture;
  * feet and sways to the side of the standing leg; inverse kinematics gives the angles.
  *
  * <pre>{@code
- * List<Keyframe> keyframes = new Footsteps(gait, FootPlace.LEFT, FootPlace.RIGHT)
- *         .step(Leg.LEFT, FootPlace.LEFT.moved(0.05, 0))
- *         .step(Leg.RIGHT, FootPlace.RIGHT.moved(0.05, 0))
+ * List<Keyframe> keyframes = new Footsteps(gait, Stance.LEFT_FOOT, Stance.RIGHT_FOOT)
+ *         .step(Leg.LEFT, Stance.LEFT_FOOT.then(0.05, 0, 0))
+ *         .step(Leg.RIGHT, Stance.RIGHT_FOOT.then(0.05, 0, 0))
  *         .keyframes();
  * }</pre>
  */
@@ -28,8 +29,8 @@ public final class Footsteps {
     private final InverseKinematics kinematics = new InverseKinematics(RobotType.TYPE_0);
     private final Gait gait;
     private final List<Keyframe> keyframes = new ArrayList<>();
-    private FootPlace left;
-    private FootPlace right;
+    private Pose2d left;
+    private Pose2d right;
     private double amplitude = 1;
     private int takingUpMillis;
 
@@ -40,7 +41,7 @@ public final class Footsteps {
      * @param left where the left foot stands
      * @param right where the right foot stands
      */
-    public Footsteps(Gait gait, FootPlace left, FootPlace right) {
+    public Footsteps(Gait gait, Pose2d left, Pose2d right) {
         this.gait = gait;
         this.left = left;
         this.right = right;
@@ -54,7 +55,7 @@ public final class Footsteps {
      * @return steps of a robot with its feet side by side
      */
     public static Footsteps fromStance(Gait gait, int durationMillis) {
-        Footsteps steps = new Footsteps(gait, FootPlace.LEFT, FootPlace.RIGHT);
+        Footsteps steps = new Footsteps(gait, Stance.LEFT_FOOT, Stance.RIGHT_FOOT);
         steps.takingUpMillis = durationMillis;
         return steps;
     }
@@ -66,7 +67,7 @@ public final class Footsteps {
      * @param target where it is set down
      * @return this
      */
-    public Footsteps step(Leg leg, FootPlace target) {
+    public Footsteps step(Leg leg, Pose2d target) {
         return step(leg, target, 1);
     }
 
@@ -78,7 +79,7 @@ public final class Footsteps {
      * @param amplitudeAtEnd 1 sways and lifts as the gait says, 0 not at all
      * @return this
      */
-    public Footsteps step(Leg leg, FootPlace target, double amplitudeAtEnd) {
+    public Footsteps step(Leg leg, Pose2d target, double amplitudeAtEnd) {
         TorsoPosture before = TorsoPosture.of(gait, amplitude);
         TorsoPosture after = TorsoPosture.of(gait, amplitudeAtEnd);
         Step step = new Step(gait, leg, place(leg), target, place(leg.other()), before, after);
@@ -115,11 +116,11 @@ public final class Footsteps {
         return rounded(step.posture(kinematics, time));
     }
 
-    private FootPlace place(Leg leg) {
+    private Pose2d place(Leg leg) {
         return leg == Leg.LEFT ? left : right;
     }
 
-    private void putDown(Leg leg, FootPlace place) {
+    private void putDown(Leg leg, Pose2d place) {
         if (leg == Leg.LEFT) {
             left = place;
         } else {

@@ -7,13 +7,13 @@ import org.robonewbie.learning.design.Costs;
 import org.robonewbie.learning.rehearsal.Lying;
 import org.robonewbie.learning.rehearsal.Poise;
 import org.robonewbie.learning.rehearsal.Rehearsal;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.motion.BallPlace;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.trial.Measure;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.measure.KickDistance;
 
 /**
@@ -24,7 +24,7 @@ import org.robonewbie.trial.measure.KickDistance;
  */
 final class MotionScene {
 
-    private static final Place BEFORE_GOAL = new Place(1, 0, 0);
+    private static final Pose2d BEFORE_GOAL = new Pose2d(1, 0, 0);
     private static final double PUSH_NEWTONS = 3;
     private static final double WALK_SECONDS = 8;
     private static final double SETTLING_SECONDS = 1;

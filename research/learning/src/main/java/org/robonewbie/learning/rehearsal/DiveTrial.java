@@ -3,9 +3,9 @@ package org.robonewbie.learning.rehearsal;
 import java.util.List;
 import java.util.Random;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyPoses;
 import org.robonewbie.nao.motion.Motion;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.MeasureFromStart;
 
@@ -60,12 +60,12 @@ public record DiveTrial(boolean blocked, double passesAt, double reachInTime, do
     /** Sees whether the ball passes the robot, and how far the robot reaches when the ball arrives. */
     private static final class Goal extends MeasureFromStart {
 
-        private final Place place;
+        private final Pose2d place;
         private final int side;
         private boolean passed;
         private double reach;
 
-        Goal(Place place, int side) {
+        Goal(Pose2d place, int side) {
             this.place = place;
             this.side = side;
         }

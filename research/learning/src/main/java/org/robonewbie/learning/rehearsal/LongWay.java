@@ -3,9 +3,9 @@ package org.robonewbie.learning.rehearsal;
 import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.soccer.SoccerParameters;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 
@@ -15,7 +15,7 @@ import org.robonewbie.trial.Scene;
  */
 public final class LongWay {
 
-    private static final Place FAR_END = new Place(-14, 0, 0);
+    private static final Pose2d FAR_END = new Pose2d(-14, 0, 0);
     private static final Vector3 BALL_ASIDE = new Vector3(0, -9, 0);
     private static final double PUSH_NEWTONS = 3;
 

@@ -17,6 +17,7 @@ import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.model.NaoModel;
@@ -27,7 +28,6 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.trial.Measure;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
@@ -48,7 +48,7 @@ import org.robonewbie.trial.measure.Turn;
  */
 public final class Rehearsal implements AutoCloseable {
 
-    private static final Place START = new Place(-4.5, 1.5, 0);
+    private static final Pose2d START = new Pose2d(-4.5, 1.5, 0);
     private static final RobotStart ROBOT = RobotStart.at(START);
     private static final Vector3 BALL_ASIDE = new Vector3(0, -3.5, 0);
     private static final double NOISE_DEGREES = 1;
@@ -125,7 +125,7 @@ public final class Rehearsal implements AutoCloseable {
      * @param newtons strength of the pushes
      * @return the robot on its feet
      */
-    public static Rehearsal inStance(Place place, long seed, double newtons) {
+    public static Rehearsal inStance(Pose2d place, long seed, double newtons) {
         Rehearsal rehearsal = standing(RobotType.TYPE_0, WalkStyle.STANDARD);
         rehearsal.trial.moveRobot(0, place);
         return rehearsal.intoStance(seed, newtons);
@@ -361,7 +361,7 @@ public final class Rehearsal implements AutoCloseable {
     }
 
     /** {@return where the robot stood at first} */
-    public Place start() {
+    public Pose2d start() {
         return start.place();
     }
 

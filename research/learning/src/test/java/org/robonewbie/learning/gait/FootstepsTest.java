@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.robonewbie.agent.walk.FootPlace;
 import org.robonewbie.agent.walk.Gait;
+import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.ForwardKinematics;
@@ -22,9 +22,9 @@ class FootstepsTest {
 
     @Test
     void givesEachStepItsTimeAndKeyframes() {
-        List<Keyframe> keyframes = new Footsteps(GAIT, FootPlace.LEFT, FootPlace.RIGHT)
-                .step(Leg.LEFT, FootPlace.LEFT.moved(0.04, 0))
-                .step(Leg.RIGHT, FootPlace.RIGHT.moved(0.04, 0))
+        List<Keyframe> keyframes = new Footsteps(GAIT, Stance.LEFT_FOOT, Stance.RIGHT_FOOT)
+                .step(Leg.LEFT, Stance.LEFT_FOOT.then(0.04, 0, 0))
+                .step(Leg.RIGHT, Stance.RIGHT_FOOT.then(0.04, 0, 0))
                 .keyframes();
 
         assertThat(keyframes).hasSize(16);
@@ -34,9 +34,10 @@ class FootstepsTest {
     @Test
     void stepsWithTheOtherFootAreTheMirrorImage() {
         List<Keyframe> left =
-                walking(-0.03).step(Leg.LEFT, FootPlace.LEFT.moved(0.09, 0)).keyframes();
-        List<Keyframe> right =
-                walking(0.03).step(Leg.RIGHT, FootPlace.RIGHT.moved(0.09, 0)).keyframes();
+                walking(-0.03).step(Leg.LEFT, Stance.LEFT_FOOT.then(0.09, 0, 0)).keyframes();
+        List<Keyframe> right = walking(0.03)
+                .step(Leg.RIGHT, Stance.RIGHT_FOOT.then(0.09, 0, 0))
+                .keyframes();
 
         for (int i = 0; i < left.size(); i++) {
             Posture mirrored = right.get(i).posture().mirrored();
@@ -46,8 +47,8 @@ class FootstepsTest {
 
     @Test
     void setsTheFootDownWhereItShallStand() {
-        List<Keyframe> keyframes = new Footsteps(GAIT, FootPlace.LEFT, FootPlace.RIGHT)
-                .step(Leg.LEFT, FootPlace.LEFT.moved(0.05, 0))
+        List<Keyframe> keyframes = new Footsteps(GAIT, Stance.LEFT_FOOT, Stance.RIGHT_FOOT)
+                .step(Leg.LEFT, Stance.LEFT_FOOT.then(0.05, 0, 0))
                 .keyframes();
 
         Posture end = keyframes.get(keyframes.size() - 1).posture();
@@ -59,8 +60,8 @@ class FootstepsTest {
 
     @Test
     void keepsWithinTheJointsRanges() {
-        List<Keyframe> keyframes = new Footsteps(GAIT, FootPlace.LEFT, FootPlace.RIGHT)
-                .step(Leg.LEFT, FootPlace.LEFT.moved(0.3, 0))
+        List<Keyframe> keyframes = new Footsteps(GAIT, Stance.LEFT_FOOT, Stance.RIGHT_FOOT)
+                .step(Leg.LEFT, Stance.LEFT_FOOT.then(0.3, 0, 0))
                 .keyframes();
 
         assertThat(keyframes)
@@ -70,8 +71,8 @@ class FootstepsTest {
 
     @Test
     void swingsTheArmAgainstTheLeg() {
-        List<Keyframe> keyframes = new Footsteps(GAIT, FootPlace.LEFT, FootPlace.RIGHT)
-                .step(Leg.LEFT, FootPlace.LEFT.moved(0.05, 0))
+        List<Keyframe> keyframes = new Footsteps(GAIT, Stance.LEFT_FOOT, Stance.RIGHT_FOOT)
+                .step(Leg.LEFT, Stance.LEFT_FOOT.then(0.05, 0, 0))
                 .keyframes();
 
         Posture end = keyframes.get(keyframes.size() - 1).posture();
@@ -79,7 +80,7 @@ class FootstepsTest {
     }
 
     private static Footsteps walking(double leftAhead) {
-        return new Footsteps(GAIT, FootPlace.LEFT.moved(leftAhead, 0), FootPlace.RIGHT.moved(-leftAhead, 0));
+        return new Footsteps(GAIT, Stance.LEFT_FOOT.then(leftAhead, 0, 0), Stance.RIGHT_FOOT.then(-leftAhead, 0, 0));
     }
 
     private static Vector3 foot(Posture posture, String link) {
