@@ -7,7 +7,7 @@ package org.robonewbie.trial;
  * <pre>{@code
  * public final class Height implements Measure {
  *     private double metres;
- *     public void see(Moment moment) { metres = Math.max(metres, moment.robot().position().z()); }
+ *     public void see(WorldState moment) { metres = Math.max(metres, moment.robot().position().z()); }
  *     public double value() { return metres; }
  * }
  * }</pre>

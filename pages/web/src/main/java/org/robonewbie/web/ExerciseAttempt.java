@@ -15,7 +15,7 @@ import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.studio.PageFeed;
-import org.robonewbie.web.bytecode.Program;
+import org.robonewbie.pagejvm.Program;
 
 /** Trials of one exercise, one seed after the other, under the eyes of the student. */
 final class ExerciseAttempt {

@@ -16,8 +16,8 @@ import org.robonewbie.trial.TrialListener;
 import org.robonewbie.trial.ChallengeTrial;
 import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.RobotStart;
-import org.robonewbie.web.bytecode.EndlessLoop;
-import org.robonewbie.web.bytecode.ProgramEnd;
+import org.robonewbie.pagejvm.EndlessLoop;
+import org.robonewbie.pagejvm.ProgramEnd;
 
 /** One trial of an exercise, which is judged as {@code robonewbie grade} does. Nobody can move robots or ball: it counts. */
 final class ExerciseTrial implements SteppedWorld {

@@ -22,7 +22,7 @@ import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.studio.PageFeed;
-import org.robonewbie.web.bytecode.Program;
+import org.robonewbie.pagejvm.Program;
 
 /** The beginners' world, in which everybody may do everything, with shipped agents and one program of a student. */
 final class FreePitch implements EditableWorld {

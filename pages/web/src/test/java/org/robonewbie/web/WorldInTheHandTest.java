@@ -16,8 +16,8 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.studio.PageFeed;
-import org.robonewbie.web.bytecode.JavaSource;
-import org.robonewbie.web.bytecode.Program;
+import org.robonewbie.pagejvm.JavaSource;
+import org.robonewbie.pagejvm.Program;
 
 /** What people do to the world of the page: it is taken back, and robots are steered by hand. */
 class WorldInTheHandTest {

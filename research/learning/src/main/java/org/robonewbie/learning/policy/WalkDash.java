@@ -4,8 +4,8 @@ import java.util.Locale;
 import java.util.Random;
 import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.WalkVelocity;
-import org.robonewbie.learning.rehearsal.MotorPuppet;
-import org.robonewbie.learning.rehearsal.Puppet;
+import org.robonewbie.learning.motion.ScriptedMotors;
+import org.robonewbie.learning.motion.ScriptedRobot;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
@@ -23,7 +23,7 @@ public record WalkDash(double metres, double seconds, boolean fallen) {
 
     /** Runs until the robot has gone the way, has fallen, or is much too slow. */
     static WalkDash run(Trial room, PolicyWalk walk, long seed, double newtons, double metres) {
-        Puppet student = new MotorPuppet(walk);
+        ScriptedRobot student = new ScriptedMotors(walk);
         room.reset(seed, student.controller());
         student.walk(new WalkVelocity(walk.style().most().forward(), 0, 0));
         Pose2d start = room.now().place();

@@ -5,8 +5,8 @@ import java.util.Random;
 import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.agent.walk.WalkVelocity;
-import org.robonewbie.learning.rehearsal.MotorPuppet;
-import org.robonewbie.learning.rehearsal.Puppet;
+import org.robonewbie.learning.motion.ScriptedMotors;
+import org.robonewbie.learning.motion.ScriptedRobot;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.geometry.Pose2d;
@@ -73,12 +73,12 @@ final class WalkLesson {
     /** Gives a lesson and tells what came of it. */
     static LessonFigures give(
             Trial room, WalkCourse course, PolicyWalk walk, long seed, double newtons, double longShare, int cycles) {
-        Puppet student = new MotorPuppet(walk);
+        ScriptedRobot student = new ScriptedMotors(walk);
         room.reset(seed, student.controller());
         return new WalkLesson(course, seed, newtons, longShare).run(room, student, cycles);
     }
 
-    private LessonFigures run(Trial room, Puppet student, int most) {
+    private LessonFigures run(Trial room, ScriptedRobot student, int most) {
         WorldState before = room.now();
         for (int cycle = 0; cycle < most; cycle++) {
             if (cycle == 0 || (cycle % COMMAND_CYCLES == 0 && !isLong)) {

@@ -24,8 +24,8 @@ import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.agent.walk.WalkReflex;
 import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.learning.motion.ScriptedMotors;
 import org.robonewbie.learning.policy.WalkCourse;
-import org.robonewbie.learning.rehearsal.MotorPuppet;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Keyframe;
@@ -61,7 +61,7 @@ class PlayedPolicyTest {
     @Test
     void walkEngineIsCorrectedAsByTheLearnerToTheBit() {
         Policy policy = policyOfMarching();
-        MotorPuppet puppet = new MotorPuppet(new PolicyWalk(policy));
+        ScriptedMotors puppet = new ScriptedMotors(new PolicyWalk(policy));
         puppet.walk(Marching.VELOCITY);
 
         assertThat(marched(puppet.controller()).toArray())
