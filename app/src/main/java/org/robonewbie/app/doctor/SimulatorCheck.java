@@ -1,5 +1,9 @@
 package org.robonewbie.app.doctor;
 
+import org.robonewbie.protocol.effector.EffectorMessageWriter;
+
+import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
+
 import java.io.IOException;
 import java.util.Locale;
 import java.util.Optional;
@@ -60,16 +64,16 @@ final class SimulatorCheck {
     }
 
     private static void stand(AgentLink link) throws IOException {
-        say(link, "(scene rsg/agent/nao/nao.rsg)(syn)");
-        say(link, "(init (unum 1)(teamname Doctor))(syn)");
+        say(link, "(scene " + CreateRobot.SCENE + ")");
+        say(link, "(init (unum 1)(teamname Doctor))");
         for (int cycle = 0; cycle < CYCLES; cycle++) {
-            say(link, "(syn)");
+            say(link, "");
         }
     }
 
     private static void say(AgentLink link, String words) throws IOException {
         MessageBuffer message = new MessageBuffer();
-        message.append(words);
+        message.append(words + EffectorMessageWriter.SYNCHRONISE);
         link.send(message);
         link.receive(message);
     }

@@ -24,7 +24,6 @@ public record FrameworkNames(
                     "agent.Nao",
                     "agent.Options",
                     "agent.Robot",
-                    "agent.StartPose",
                     "agent.localisation.Odometry",
                     "agent.localisation.SelfLocalisation",
                     "agent.log.Logger",

@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Optional;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.order.Order;
@@ -30,7 +31,8 @@ final class StudioRequestReader {
     private static final double FASTEST_METRES_PER_SECOND = 20;
     private static final int PLAYERS = 11;
     private static final double MOST_GESTURES = 1e15;
-    private static final Order BALL_TO_CENTRE = new Order.MoveBall(new Vector3(0, 0, 0.042), Vector3.ZERO);
+    private static final Order BALL_TO_CENTRE =
+            new Order.MoveBall(new Vector3(0, 0, SoccerField.BALL_RADIUS), Vector3.ZERO);
 
     private final JsonObject json;
 

@@ -13,9 +13,9 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.order.Order;
-import org.robonewbie.protocol.telemetry.BelievedPose;
 import org.robonewbie.protocol.telemetry.BelievedThing;
 import org.robonewbie.protocol.telemetry.Drawing;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
@@ -101,7 +101,7 @@ class RobotPageTest {
                 "document.querySelector('.map .belief.ball')",
                 new TelemetryItem.Belief(
                         List.of(new BelievedThing("ball", new Vector3(1, 0.2, -0.4), 0, true)),
-                        Optional.of(new BelievedPose(-0.5, 0.4, 20))));
+                        Optional.of(new Pose2d(-0.5, 0.4, 20))));
         browser.await("document.querySelectorAll('.map .belief.ball').length === 1");
         browser.await("document.querySelectorAll('.map .belief-self').length === 1");
         browser.await("document.querySelectorAll('.map .truth').length === 6");
@@ -222,7 +222,7 @@ class RobotPageTest {
             browser.await("studio.state.frame.paused && studio.robot.plots.moment.frame === studio.state.frame");
             List<BelievedThing> things = List.of(new BelievedThing("ball", new Vector3(1.9, -0.2, -0.4), 0.1, true));
             double now = browser.evaluate("studio.robot.plots.moment.seconds").getAsDouble();
-            TelemetryItem belief = new TelemetryItem.Belief(things, Optional.of(new BelievedPose(-1.6, 0.3, 10)));
+            TelemetryItem belief = new TelemetryItem.Belief(things, Optional.of(new Pose2d(-1.6, 0.3, 10)));
             for (int i = 0; i < 6; i++) {
                 TelemetryItem line =
                         new TelemetryItem.LogEntry(i == 4 ? "WARNING" : "INFO", "I have nodded " + i + " times");

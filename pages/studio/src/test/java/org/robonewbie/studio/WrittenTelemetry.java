@@ -12,7 +12,7 @@ import java.util.Random;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.protocol.telemetry.BelievedPose;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.protocol.telemetry.BelievedThing;
 import org.robonewbie.protocol.telemetry.Drawing;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
@@ -69,7 +69,7 @@ final class WrittenTelemetry {
             return Map.of(
                     "self",
                             belief.self().stream()
-                                    .map(pose -> List.of(pose.x(), pose.y(), pose.headingDegrees()))
+                                    .map(pose -> List.of(pose.x(), pose.y(), pose.degrees()))
                                     .toList(),
                     "things",
                             belief.things().stream()
@@ -116,8 +116,8 @@ final class WrittenTelemetry {
         return Map.of("shape", "point", "colour", point.colour(), "place", list(point.place()));
     }
 
-    private Optional<BelievedPose> self() {
-        return random.nextBoolean() ? Optional.of(new BelievedPose(number(), number(), number())) : Optional.empty();
+    private Optional<Pose2d> self() {
+        return random.nextBoolean() ? Optional.of(new Pose2d(number(), number(), number())) : Optional.empty();
     }
 
     private BelievedThing thing() {

@@ -42,6 +42,8 @@ import org.robonewbie.team.talk.TeamMessage;
 import org.robonewbie.team.world.BallFilter;
 import org.robonewbie.team.world.Mate;
 import org.robonewbie.team.world.Situation;
+import org.robonewbie.nao.geometry.Angles;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.world.WorldModel;
 
@@ -95,6 +97,8 @@ final class LibraryRoots {
             BallFilter.class,
             Mate.class,
             Situation.class,
+            Angles.class,
+            Pose2d.class,
             Translation2d.class,
             WorldModel.class);
 

@@ -1,5 +1,7 @@
 package org.robonewbie.competition.trial;
 
+import org.robonewbie.protocol.effector.EffectorMessageWriter;
+
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import org.robonewbie.protocol.frame.AgentLink;
@@ -14,7 +16,7 @@ final class StandIn {
     static void connect(Simulator simulator) {
         AgentLink link = simulator.connect();
         MessageBuffer message = new MessageBuffer();
-        message.append("(syn)");
+        message.append(EffectorMessageWriter.SYNCHRONISE);
         try {
             link.send(message);
         } catch (IOException impossible) {

@@ -32,7 +32,6 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
 
     private static final String NO_CLOCK = "A monitor cannot stop or speed up a server of another process.";
     private static final long RETRY_NANOS = TimeUnit.SECONDS.toNanos(1);
-    private static final double BALL_RADIUS = 0.042;
 
     private final String host;
     private final int port;
@@ -156,7 +155,7 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
                 new Order.ChangePlayMode(PlayMode.BEFORE_KICK_OFF),
                 new Order.SetTime(0),
                 new Order.SetScore(0, 0),
-                new Order.MoveBall(new Vector3(0, 0, BALL_RADIUS), Vector3.ZERO));
+                new Order.MoveBall(new Vector3(0, 0, SoccerField.BALL_RADIUS), Vector3.ZERO));
     }
 
     @Override

@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.MotionFile;
@@ -19,7 +20,6 @@ import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.studio.file.RefusedException;
 import org.robonewbie.trial.Controller;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
@@ -42,7 +42,7 @@ public record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
     private static final int SETTLE_MILLIS = 400;
     private static final int LIE_MILLIS = 2000;
     private static final double LOOK_ON_SECONDS = 1;
-    private static final Place ALONG_THE_Y_AXIS = new Place(0, 0, 90);
+    private static final Pose2d ALONG_THE_Y_AXIS = new Pose2d(0, 0, 90);
     private static final Vector3 BALL_ASIDE = new Vector3(-5, -3.5, 0);
 
     /** How the robot is before the motion. */

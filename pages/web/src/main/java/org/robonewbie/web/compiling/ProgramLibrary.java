@@ -33,10 +33,10 @@ public final class ProgramLibrary {
     private static final String ROBONEWBIE = "org.robonewbie.";
     private static final Set<String> PACKAGES = named(
             ROBONEWBIE,
-            "agent.log agent.motion agent.perception agent.walk agent.localisation nao nao.kinematics nao.motion"
+            "agent.log agent.motion agent.perception agent.walk agent.localisation nao nao.geometry nao.kinematics nao.motion"
                     + " team.skill team.tactics team.talk team.world");
     private static final Set<String> AGENT =
-            named(ROBONEWBIE + "agent.", "Robot Nao Options Option Agent StartPose StartUpException Values");
+            named(ROBONEWBIE + "agent.", "Robot Nao Options Option Agent StartUpException Values");
 
     private ProgramLibrary() {}
 

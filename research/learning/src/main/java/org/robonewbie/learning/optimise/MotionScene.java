@@ -15,7 +15,7 @@ import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.trial.Measure;
-import org.robonewbie.trial.Place;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.measure.BalanceMetrics;
 import org.robonewbie.trial.measure.KickDistance;
 
@@ -27,7 +27,7 @@ import org.robonewbie.trial.measure.KickDistance;
  */
 final class MotionScene {
 
-    private static final Place BEFORE_GOAL = new Place(1, 0, 0);
+    private static final Pose2d BEFORE_GOAL = new Pose2d(1, 0, 0);
     private static final double PUSH_NEWTONS = 3;
     private static final double WALK_SECONDS = 8;
     private static final double SETTLING_SECONDS = 1;
