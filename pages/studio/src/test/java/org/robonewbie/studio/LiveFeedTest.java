@@ -134,7 +134,7 @@ class LiveFeedTest {
     }
 
     @Test
-    void reportingACycleCostsTheSimulationNextToNothing() {
+    void reportingACycleIsCheapForTheSimulation() {
         try (LiveFeed feed = new LiveFeed(simulation)) {
             WorldSnapshot snapshot = simulation.latest();
             ThreadMXBean work = ManagementFactory.getThreadMXBean();
@@ -282,7 +282,7 @@ class LiveFeedTest {
     }
 
     @Test
-    void nonsenseIsAnsweredAndDoesNoHarm() throws InterruptedException {
+    void invalidCommandsAreRefused() throws InterruptedException {
         try (TestPage page = new TestPage(studio.oneTimeAddress())) {
             page.nextFrame();
             page.nextMessage();
@@ -312,7 +312,7 @@ class LiveFeedTest {
     }
 
     @Test
-    void pagesAreToldWhenTheSimulatorEnds() throws Exception {
+    void pagesAreClosedWhenTheSimulatorEnds() throws Exception {
         try (TestPage page = new TestPage(studio.oneTimeAddress())) {
             page.nextFrame();
 
