@@ -9,11 +9,11 @@ import org.robonewbie.learning.optimise.OptimisationListener;
 import org.robonewbie.learning.optimise.OptimisationResult;
 
 /**
- * Prints the progress of an optimisation; what was printed before an interruption is not printed again.
+ * Prints the progress of an optimisation. Generations from before an interruption are not printed again.
  *
- * @param out where it is printed
- * @param unit of the values
- * @param file where the best one is written
+ * @param out the output
+ * @param unit unit of the values
+ * @param file file of the best result
  */
 public record SearchConsole(PrintStream out, String unit, Path file) implements OptimisationListener {
 
@@ -39,11 +39,10 @@ public record SearchConsole(PrintStream out, String unit, Path file) implements 
         }
     }
 
-    /** The outcome in words. */
     static String outcome(OptimisationResult result, Path file) {
         return result.isBetter()
                 ? "Written to " + file + "."
-                : "Nothing better was found, so nothing is written. More --generations or another --seed may help.";
+                : "No improvement was found, so nothing is written. More --generations or another --seed may help.";
     }
 
     private String line(Generation generation) {
