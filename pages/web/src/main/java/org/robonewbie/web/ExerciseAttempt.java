@@ -15,7 +15,7 @@ import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.studio.PageFeed;
-import org.robonewbie.web.bytecode.Program;
+import org.robonewbie.pagejvm.Program;
 
 /** Trials of one exercise with consecutive seeds, shown to the student. */
 final class ExerciseAttempt {

@@ -12,12 +12,12 @@ import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.recording.RecordingTarget;
-import org.robonewbie.trial.Audience;
+import org.robonewbie.trial.TrialListener;
 import org.robonewbie.trial.ChallengeTrial;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.RobotStart;
-import org.robonewbie.web.bytecode.EndlessLoop;
-import org.robonewbie.web.bytecode.ProgramEnd;
+import org.robonewbie.pagejvm.EndlessLoop;
+import org.robonewbie.pagejvm.ProgramEnd;
 
 /** One trial of an exercise, judged as by {@code robonewbie grade}. Robots and ball cannot be moved by hand. */
 final class ExerciseTrial implements SteppedWorld {
@@ -36,10 +36,10 @@ final class ExerciseTrial implements SteppedWorld {
      * @param student creates a robot that runs the student's program; called once per robot
      * @param recording destination of the recording
      */
-    ExerciseTrial(Exercise exercise, long seed, Supplier<? extends Performer> student, RecordingTarget recording) {
+    ExerciseTrial(Exercise exercise, long seed, Supplier<? extends Controller> student, RecordingTarget recording) {
         task = exercise.task().get();
         attempt(() -> played = Optional.of(new ChallengeTrial(
-                task, exercise.seconds(), seed, RobotStart.TEAM, student, Audience.NOBODY, recording)));
+                task, exercise.seconds(), seed, RobotStart.TEAM, student, TrialListener.NONE, recording)));
     }
 
     private void attempt(Runnable command) {

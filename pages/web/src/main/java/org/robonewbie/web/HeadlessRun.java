@@ -11,7 +11,7 @@ import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.cycle.SteppedSimulator;
 import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.recording.RunReport;
-import org.robonewbie.web.bytecode.Program;
+import org.robonewbie.pagejvm.Program;
 
 /**
  * A run without display, as fast as possible: the counterpart of {@code robonewbie run --headless --fast}, with the same results for the

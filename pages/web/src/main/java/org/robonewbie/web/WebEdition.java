@@ -14,7 +14,7 @@ import org.robonewbie.exercises.Language;
 import org.robonewbie.simulator.monitor.RecordedLog;
 import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.studio.PageMotions;
-import org.robonewbie.web.bytecode.Program;
+import org.robonewbie.pagejvm.Program;
 import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
 

@@ -11,8 +11,8 @@ import org.robonewbie.examples.Agent_SimpleSoccer;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.simulator.WorldSnapshot;
-import org.robonewbie.web.bytecode.JavaSource;
-import org.robonewbie.web.bytecode.Program;
+import org.robonewbie.pagejvm.JavaSource;
+import org.robonewbie.pagejvm.Program;
 
 class FreePitchTest {
 

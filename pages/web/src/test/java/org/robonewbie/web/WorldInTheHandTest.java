@@ -16,8 +16,8 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.studio.PageFeed;
-import org.robonewbie.web.bytecode.JavaSource;
-import org.robonewbie.web.bytecode.Program;
+import org.robonewbie.pagejvm.JavaSource;
+import org.robonewbie.pagejvm.Program;
 
 /** Changes of the page's world by the user: undo, and robots steered by hand. */
 class WorldInTheHandTest {

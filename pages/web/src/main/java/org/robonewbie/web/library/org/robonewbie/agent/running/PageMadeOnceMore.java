@@ -1,7 +1,7 @@
 package org.robonewbie.web.library.org.robonewbie.agent.running;
 
 import java.util.Optional;
-import org.robonewbie.web.bytecode.StudentFields;
+import org.robonewbie.pagejvm.StudentFields;
 
 /** Creates a second instance of a student's robot to detect changed numbers; compiled robots read theirs in {@code think()}. */
 public final class PageMadeOnceMore {

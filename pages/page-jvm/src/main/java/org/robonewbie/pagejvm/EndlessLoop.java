@@ -1,0 +1,20 @@
+package org.robonewbie.pagejvm;
+
+/** A program did not finish a cycle. */
+public final class EndlessLoop extends Error {
+
+    private static final long serialVersionUID = 1;
+
+    private final String place;
+
+    EndlessLoop(String place, long steps) {
+        super("Stopped at " + place + ": the program has executed " + steps
+                + " instructions without a new message from the simulator. Is there an endless loop?");
+        this.place = place;
+    }
+
+    /** {@return where it was stopped, for example {@code Walker.java:12}} */
+    public String place() {
+        return place;
+    }
+}

@@ -1,0 +1,25 @@
+package org.robonewbie.pagejvm;
+
+import org.jspecify.annotations.Nullable;
+
+/** Methods of compiled classes that the page executes differently, such as those that wait. */
+public interface SpecialCalls {
+
+    /** Result for a method that is not replaced. */
+    Object UNKNOWN = new Object();
+
+    /** Replaces no calls. */
+    SpecialCalls NONE = (owner, name, target, arguments) -> UNKNOWN;
+
+    /**
+     * Executes a call.
+     *
+     * @param owner the class named by the instruction, with slashes
+     * @param name name of the method
+     * @param target the receiver; null for a static method
+     * @param arguments the arguments
+     * @return the result, a {@link Waiting} for a later one, or {@link #UNKNOWN}
+     */
+    @Nullable
+    Object call(String owner, String name, @Nullable Object target, @Nullable Object[] arguments);
+}
