@@ -6,9 +6,9 @@ import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.learning.motion.ScriptedMotors;
 import org.robonewbie.learning.motion.ScriptedRobot;
-import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /**
  * A dash from the stance, straight ahead as fast as the walk can.

@@ -13,12 +13,12 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.simulator.soccer.SoccerParameters;
-import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /**
  * One lesson: from the stance a robot follows velocities that change every 3 s, with noise, while a hand pushes it once per second
