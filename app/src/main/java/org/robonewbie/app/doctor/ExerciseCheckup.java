@@ -14,12 +14,12 @@ import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Grade;
 
-/** Grades a program as students do: it is written, compiled and run in a process of its own, and judged. */
+/** Grades the starter program of an exercise: writes it, compiles it, runs it in its own process, and judges it. */
 final class ExerciseCheckup {
 
     private static final String SUBJECT = "An exercise";
     private static final String ADVICE =
-            "Try the same by hand: robonewbie grade raise-arms --start, then robonewbie grade raise-arms RaiseArms.java";
+            "Try it by hand: robonewbie grade raise-arms --start, then robonewbie grade raise-arms RaiseArms.java";
 
     private ExerciseCheckup() {}
 

@@ -19,7 +19,7 @@ import org.robonewbie.competition.team.Limits;
 import org.robonewbie.competition.team.TeamEntry;
 import org.robonewbie.competition.team.TeamList;
 
-/** What the wall of a contest is told while a contest is held. */
+/** Updates of the wall during a contest. */
 class ContestStudioTest {
 
     @TempDir

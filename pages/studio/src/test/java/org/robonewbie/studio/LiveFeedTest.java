@@ -253,7 +253,7 @@ class LiveFeedTest {
     }
 
     @Test
-    void nonsenseIsAnsweredAndDoesNoHarm() throws InterruptedException {
+    void invalidCommandsAreRefused() throws InterruptedException {
         try (TestPage page = new TestPage(studio.oneTimeAddress())) {
             page.nextFrame();
             page.nextMessage();
@@ -283,7 +283,7 @@ class LiveFeedTest {
     }
 
     @Test
-    void pagesAreToldWhenTheSimulatorEnds() throws Exception {
+    void pagesAreClosedWhenTheSimulatorEnds() throws Exception {
         try (TestPage page = new TestPage(studio.oneTimeAddress())) {
             page.nextFrame();
 
