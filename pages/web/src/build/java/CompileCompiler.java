@@ -25,8 +25,8 @@ final class CompileCompiler {
 
     /** What the studio proposes and says while somebody writes; the page does the same. */
     private static final List<String> SHARED = List.of(
-            "pages/studio/src/main/java/org/robonewbie/studio/completion",
-            "app/src/main/java/org/robonewbie/app/hint",
+            "course/programs/src/main/java/org/robonewbie/programs/completion",
+            "course/programs/src/main/java/org/robonewbie/programs/hint",
             "core/nao/src/main/java/org/robonewbie/nao/text/ConfusableCharacter.java",
             "core/nao/src/main/java/org/robonewbie/nao/text/Spelling.java");
 

@@ -13,7 +13,7 @@ import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
-import org.robonewbie.studio.completion.ApiDocumentation;
+import org.robonewbie.programs.completion.ApiDocumentation;
 import org.robonewbie.web.compiling.ProgramLibrary;
 
 /**

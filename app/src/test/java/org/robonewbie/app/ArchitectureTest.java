@@ -91,13 +91,21 @@ class ArchitectureTest {
                     "org.robonewbie.agent..",
                     "org.robonewbie.simulator.."
                 }),
-                Arguments.of("studio", new String[] {
+                Arguments.of("programs", new String[] {
                     "org.robonewbie.trial..",
                     "org.robonewbie.nao..",
                     "org.robonewbie.protocol..",
-                    "org.robonewbie.simulator..",
+                    "org.robonewbie.agent..",
                     "com.sun.source..",
                     "javax.lang.model..",
+                    "javax.tools.."
+                }),
+                Arguments.of("studio", new String[] {
+                    "org.robonewbie.trial..",
+                    "org.robonewbie.programs..",
+                    "org.robonewbie.nao..",
+                    "org.robonewbie.protocol..",
+                    "org.robonewbie.simulator..",
                     "org.eclipse.jetty..",
                     "com.google.gson..",
                     "org.slf4j.."
@@ -112,15 +120,16 @@ class ArchitectureTest {
                 }),
                 Arguments.of("competition", new String[] {
                     "org.robonewbie.trial..",
+                    "org.robonewbie.programs..",
                     "org.robonewbie.nao..",
                     "org.robonewbie.protocol.effector..",
                     "org.robonewbie.protocol.frame..",
                     "org.robonewbie.protocol.order..",
                     "org.robonewbie.simulator..",
-                    "com.google.gson..",
-                    "javax.tools.."
+                    "com.google.gson.."
                 }),
                 Arguments.of("exercises", new String[] {
+                    "org.robonewbie.programs..",
                     "org.robonewbie.nao..",
                     "org.robonewbie.protocol..",
                     "org.robonewbie.agent..",

@@ -82,15 +82,11 @@ class TextReadersTest {
             Map.entry("app/doctor/GraphicsCheck", SYSTEM),
             Map.entry("app/doctor/PortCheck", WIRE),
             Map.entry("app/doctor/ProjectCheck", "the output of Maven, in the encoding of the system"),
-            Map.entry("app/program/GuestProcess", "the output of a process, in the encoding of the system"),
-            Map.entry("app/program/ApiComments", RESOURCE),
-            Map.entry("app/program/ProgramOnCall", WIRE),
-            Map.entry("app/recording/RunsOnCall", WIRE),
-            Map.entry("app/recording/FirstWords", WIRE),
+            Map.entry("programs/ApiComments", RESOURCE),
+            Map.entry("programs/process/ParentProcess", WIRE),
+            Map.entry("programs/process/ProgramOutput", "the output of a process, in the encoding of the system"),
             Map.entry("app/command/TeamSources", RESOURCE),
             Map.entry("app/command/NewProject", RESOURCE),
-            Map.entry("app/course/RobotsOnCall", WIRE),
-            Map.entry("app/course/Student", WRITTEN),
             Map.entry("app/marking/JudgesKey", WRITTEN));
 
     @Test

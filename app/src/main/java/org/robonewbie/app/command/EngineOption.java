@@ -1,9 +1,9 @@
 package org.robonewbie.app.command;
 
 import java.util.ServiceLoader;
-import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.learning.series.ExperimentEngine;
 import org.robonewbie.learning.series.LocalEngine;
+import org.robonewbie.programs.CalledWronglyException;
 import picocli.CommandLine.Option;
 
 /** Where trials are carried out: on the cores of this computer, or on a cluster. */

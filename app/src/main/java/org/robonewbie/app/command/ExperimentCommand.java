@@ -10,15 +10,14 @@ import java.util.Objects;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.IntConsumer;
-import org.robonewbie.app.program.AgentFinder;
-import org.robonewbie.app.program.CalledWronglyException;
-import org.robonewbie.app.program.ClassPathOption;
 import org.robonewbie.learning.series.Experiment;
 import org.robonewbie.learning.series.ExperimentEngine;
 import org.robonewbie.learning.series.ExperimentPlan;
 import org.robonewbie.learning.series.PlannedTrial;
 import org.robonewbie.learning.series.ResultTable;
 import org.robonewbie.learning.series.TrialJournal;
+import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.programs.ProgramFinder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -78,7 +77,7 @@ final class ExperimentCommand implements Callable<Integer> {
                     "There is no plan \"" + planFile + "\". See robonewbie experiment --help.");
         }
         List<Path> folders = classPath.folders();
-        Thread.currentThread().setContextClassLoader(AgentFinder.loaderOf(folders));
+        Thread.currentThread().setContextClassLoader(ProgramFinder.loaderOf(folders));
         try (ExperimentEngine engine = where.engine()) {
             return run(ExperimentPlan.read(planFile), engine);
         } catch (IllegalArgumentException wrong) {

@@ -7,13 +7,10 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
-import org.robonewbie.app.program.AgentFinder;
-import org.robonewbie.app.program.AgentProgram;
-import org.robonewbie.app.program.CalledWronglyException;
-import org.robonewbie.app.program.ClassPathOption;
-import org.robonewbie.app.program.ExampleCatalogue;
-import org.robonewbie.app.program.ProgramOnCall;
-import org.robonewbie.app.program.StudentJava;
+import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.programs.ExampleCatalogue;
+import org.robonewbie.programs.Program;
+import org.robonewbie.programs.ProgramFinder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -65,19 +62,13 @@ final class RunCommand implements Callable<Integer> {
     @Unmatched
     private final List<String> optionsBeforeTheAgent = new ArrayList<>();
 
-    @Option(names = StudentJava.ON_CALL, hidden = true)
-    private boolean onCall;
-
     @Override
     public Integer call() throws IOException {
-        if (onCall) {
-            return new ProgramOnCall(ExampleCatalogue.load()).await();
-        }
         if (!optionsBeforeTheAgent.isEmpty()) {
             throw new CalledWronglyException("Name the agent first, then its options: robonewbie run "
                     + ExampleCatalogue.FIRST_EXAMPLE + " " + optionsBeforeTheAgent.get(0));
         }
-        AgentFinder finder = new AgentFinder(ExampleCatalogue.load(), classPath.folders());
+        ProgramFinder finder = new ProgramFinder(ExampleCatalogue.load(), classPath.folders());
         if (!(rehearsalSeconds >= 0)) {
             throw new CalledWronglyException(
                     "--rehearse " + rehearsalSeconds + ": give a number of seconds from 0 on.");
@@ -87,7 +78,7 @@ final class RunCommand implements Callable<Integer> {
                     + ExampleCatalogue.FIRST_EXAMPLE + System.lineSeparator() + finder.listOfExamples());
         }
         List<String> options = agentAndOptions.subList(1, agentAndOptions.size());
-        AgentProgram program = finder.find(agentAndOptions.get(0));
+        Program program = finder.find(agentAndOptions.get(0));
         if (rehearsalSeconds > 0) {
             rehearse(program, options);
         }
@@ -95,7 +86,7 @@ final class RunCommand implements Callable<Integer> {
     }
 
     /** What is said meanwhile would only confuse; what goes wrong will go wrong again where it counts. */
-    private void rehearse(AgentProgram program, List<String> options) {
+    private void rehearse(Program program, List<String> options) {
         List<String> all = withoutServer(options);
         all.addAll(List.of("--seed", "1", "--fast", "--headless", "--seconds", Double.toString(rehearsalSeconds)));
         PrintStream out = System.out;

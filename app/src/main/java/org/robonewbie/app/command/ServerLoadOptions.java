@@ -2,10 +2,10 @@ package org.robonewbie.app.command;
 
 import java.io.IOException;
 import java.util.List;
-import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.bench.load.LoadSettings;
 import org.robonewbie.bench.load.MatchLoad;
 import org.robonewbie.bench.load.MatchLoadResult;
+import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.simulator.world.PhysicsEngine;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Option;

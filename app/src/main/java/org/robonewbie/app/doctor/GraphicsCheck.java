@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
-import org.robonewbie.app.program.TemporaryFolder;
+import org.robonewbie.nao.file.TemporaryFolder;
 
 /** Lets a browser draw in the background what the studio needs: three dimensions by WebGL. */
 final class GraphicsCheck {

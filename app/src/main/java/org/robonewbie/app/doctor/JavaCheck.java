@@ -3,8 +3,8 @@ package org.robonewbie.app.doctor;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import org.robonewbie.app.program.CompilerOfThisJava;
 import org.robonewbie.nao.math.MathFingerprint;
+import org.robonewbie.programs.CompilerOfThisJava;
 
 /** Looks at the Java that runs this program. */
 final class JavaCheck {

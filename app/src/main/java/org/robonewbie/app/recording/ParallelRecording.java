@@ -95,11 +95,11 @@ public final class ParallelRecording {
         }
     }
 
-    private Optional<RunResult> work(Queue<Integer> missing) throws IOException {
+    private Optional<RunResult> work(Queue<Integer> missing) throws IOException, InterruptedException {
         Optional<RunResult> last = Optional.empty();
         Integer run = missing.poll();
         while (run != null) {
-            try (RecordingProcess process = RecordingProcess.start(command)) {
+            try (RecordingProcess process = new RecordingProcess(command)) {
                 processes.add(process);
                 while (run != null && process.isReady()) {
                     last = process.record(run, order.seed(run));

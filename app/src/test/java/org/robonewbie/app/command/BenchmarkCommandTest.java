@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
 import org.robonewbie.app.Printed;
-import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.programs.CalledWronglyException;
 import picocli.CommandLine;
 
 class BenchmarkCommandTest {

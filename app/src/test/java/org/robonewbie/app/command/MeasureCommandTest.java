@@ -10,7 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.programs.CalledWronglyException;
 import picocli.CommandLine;
 
 class MeasureCommandTest {

@@ -3,8 +3,8 @@ package org.robonewbie.studio;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.robonewbie.studio.completion.Proposal;
-import org.robonewbie.studio.program.Remark;
+import org.robonewbie.programs.Remark;
+import org.robonewbie.programs.completion.Proposal;
 import org.robonewbie.studio.program.RunningProgram;
 import org.robonewbie.studio.program.Workshop;
 

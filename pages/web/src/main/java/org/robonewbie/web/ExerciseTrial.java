@@ -49,7 +49,7 @@ final class ExerciseTrial implements WatchedWorld {
             stuck = true;
             mistake = Optional.of(Performance.ofEndlessStep("", Optional.of(loop.place())));
         } catch (ProgramEnd end) {
-            mistake = Optional.of(Performance.ofExit(end.exitCode()));
+            mistake = Optional.of(Performance.ofExit(String.valueOf(end.exitCode())));
         } catch (RuntimeException | Error thrown) {
             mistake = Optional.of(Performance.ofMistake(thrown));
         }

@@ -17,10 +17,10 @@ import javax.tools.DiagnosticListener;
 import javax.tools.JavaFileManager;
 import javax.tools.JavaFileObject;
 import org.jspecify.annotations.Nullable;
-import org.robonewbie.app.hint.FrameworkNames;
-import org.robonewbie.app.hint.Hints;
-import org.robonewbie.studio.completion.Completion;
-import org.robonewbie.studio.completion.Proposal;
+import org.robonewbie.programs.hint.FrameworkNames;
+import org.robonewbie.programs.hint.Hints;
+import org.robonewbie.programs.completion.Completion;
+import org.robonewbie.programs.completion.Proposal;
 
 /** One run of {@code javac}. */
 final class Compilation {
