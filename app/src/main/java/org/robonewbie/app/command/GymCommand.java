@@ -17,6 +17,7 @@ import picocli.CommandLine.Parameters;
 /** Serves the tasks of the Python package, which starts it by itself. */
 @Command(
         name = "gym",
+        hidden = true,
         description = {
             "Serve tasks for learning programs; the Python package starts this by itself.",
             "",

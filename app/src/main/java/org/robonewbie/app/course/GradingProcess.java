@@ -15,9 +15,10 @@ import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Grade;
 import org.robonewbie.exercises.Performance;
 import org.robonewbie.exercises.Score;
+import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.programs.process.Departure;
 import org.robonewbie.programs.process.RobotProcess;
-import org.robonewbie.trial.Audience;
+import org.robonewbie.trial.TrialListener;
 
 /**
  * Grades a program that runs in a process of its own. World and judge are in this one: the program speaks with them as an agent with a
@@ -106,7 +107,7 @@ public final class GradingProcess {
             return Score.notTried();
         }
         Optional<Path> recording = seed == 1 ? conditions.recording() : Optional.empty();
-        Score score = trial(exercise, seed, student, recording, Audience.NOBODY);
+        Score score = trial(exercise, seed, student, recording, TrialListener.NONE);
         stuck |= score.finding().startsWith(Performance.ENDLESS);
         return score;
     }
@@ -123,7 +124,7 @@ public final class GradingProcess {
      * @throws IOException if no port is free
      */
     public static Score trial(
-            Exercise exercise, long seed, RobotProcess student, Optional<Path> recording, Audience audience)
+            Exercise exercise, long seed, RobotProcess student, Optional<Path> recording, TrialListener audience)
             throws IOException {
         try (RobotProcess.Entrance entrance = student.entrance()) {
             Score score = Performance.of(exercise, seed, entrance, recording, audience);

@@ -17,7 +17,7 @@ import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.studio.course.Attempt;
 import org.robonewbie.studio.course.Attempt.State;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.watch.WatchedTrial;
 
 /**
@@ -35,7 +35,7 @@ final class CourseAttempt implements AutoCloseable {
     private final Consumer<SimulationControl> screen;
     private final Consumer<Attempt> complete;
     private final List<Attempt.Judged> judged = new ArrayList<>();
-    private final List<Performer> guests = new ArrayList<>();
+    private final List<Controller> guests = new ArrayList<>();
     private State state = State.WAITING;
     private WatchedTrial trial = new WatchedTrial();
     private boolean closed;
@@ -93,7 +93,7 @@ final class CourseAttempt implements AutoCloseable {
      */
     private static GuestDoor usualDoor() throws IOException {
         try {
-            return GuestDoor.open(CourseDesk.USUAL_PORT, 0);
+            return GuestDoor.open(LocalCourseService.USUAL_PORT, 0);
         } catch (IOException inUse) {
             return GuestDoor.open(0, 0);
         }
@@ -137,7 +137,7 @@ final class CourseAttempt implements AutoCloseable {
         }
     }
 
-    private Performer nextRobot() {
+    private Controller nextRobot() {
         return arrived(door.orElseThrow().await(() -> !isClosed()));
     }
 
@@ -145,7 +145,7 @@ final class CourseAttempt implements AutoCloseable {
         state = State.RUNNING;
     }
 
-    private synchronized Performer arrived(Performer guest) {
+    private synchronized Controller arrived(Controller guest) {
         guests.add(guest);
         state = State.RUNNING;
         return guest;
@@ -188,7 +188,7 @@ final class CourseAttempt implements AutoCloseable {
     }
 
     private void sendAway() {
-        guests.forEach(Performer::close);
+        guests.forEach(Controller::close);
         guests.clear();
     }
 

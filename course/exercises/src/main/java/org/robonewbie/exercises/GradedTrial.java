@@ -6,7 +6,7 @@ import java.util.concurrent.Callable;
 import java.util.function.Supplier;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.programs.process.ProgressWatchdog;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 
 /** One trial of an exercise with one seed. Another thread may check whether it is still running. */
 record GradedTrial(
@@ -22,7 +22,7 @@ record GradedTrial(
         progress.begin();
         try {
             return Performance.of(
-                    exercise, seed, () -> Performer.ofAgent(student.get()), recording, trial -> progress.progress());
+                    exercise, seed, () -> Controller.ofAgent(student.get()), recording, trial -> progress.progress());
         } finally {
             progress.end();
         }

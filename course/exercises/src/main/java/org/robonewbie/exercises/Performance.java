@@ -9,9 +9,9 @@ import org.robonewbie.programs.process.Departure;
 import org.robonewbie.programs.process.ProgramPlace;
 import org.robonewbie.programs.process.ProgressWatchdog;
 import org.robonewbie.simulator.file.RecordingFile;
-import org.robonewbie.trial.Audience;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.TrialListener;
 
 /**
  * One trial of an exercise from the empty pitch to the score. All who judge play it: the command line, tests, the studio and
@@ -38,17 +38,17 @@ public final class Performance {
      * @param seed start of all that is left to chance
      * @param student makes a robot with the student's program; asked once for each robot
      * @param recording file for a recording for the studio; empty for none
-     * @param audience who looks on
+     * @param listener watches the trial
      * @return the score; a program that throws or goes away has none of the points
      */
     public static Score of(
             Exercise exercise,
             long seed,
-            Supplier<? extends Performer> student,
+            Supplier<? extends Controller> student,
             Optional<Path> recording,
-            Audience audience) {
+            TrialListener listener) {
         try {
-            return play(exercise, seed, student, recording, audience);
+            return play(exercise, seed, student, recording, listener);
         } catch (VirtualMachineError exhausted) {
             throw exhausted;
         } catch (AbsentProgramException absent) {
@@ -61,9 +61,9 @@ public final class Performance {
     private static Score play(
             Exercise exercise,
             long seed,
-            Supplier<? extends Performer> student,
+            Supplier<? extends Controller> student,
             Optional<Path> recording,
-            Audience audience)
+            TrialListener listener)
             throws IOException {
         Task task = exercise.task().get();
         task.play(
@@ -71,7 +71,7 @@ public final class Performance {
                 seed,
                 RobotStart.TEAM,
                 student,
-                audience,
+                listener,
                 RecordingFile.openIfWanted(recording, sentence -> {}));
         return task.score();
     }

@@ -5,8 +5,9 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.Options;
-import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.agent.perception.CameraTransformation;
+import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.team.skill.Dribble;
 import org.robonewbie.team.skill.Footwork;
@@ -24,7 +25,6 @@ import org.robonewbie.team.tactics.Strategy;
 import org.robonewbie.team.talk.Talk;
 import org.robonewbie.team.talk.TeamMessage;
 import org.robonewbie.team.world.Situation;
-import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
 
 /**
@@ -36,10 +36,10 @@ import org.robonewbie.team.world.WorldModel;
  */
 public class Agent_Team extends Agent {
 
-    private static final String USUAL_PLAYERS = "3";
+    private static final String DEFAULT_PLAYERS = "3";
     private static final String NUMBER = "[1-9]|1[01]";
-    private static final int MOST_OF_ONE_TYPE = 7;
-    private static final int MOST_OF_TWO_TYPES = 9;
+    private static final int MAX_OF_ONE_TYPE = 7;
+    private static final int MAX_OF_TWO_TYPES = 9;
     private static final double STILL_SECONDS = 0.2;
     private static final double BEAM_AGAIN_SECONDS = 1;
     private static final double BEHIND_METRES = 0.45;
@@ -57,8 +57,8 @@ public class Agent_Team extends Agent {
     private final GetUp getUp = new GetUp(body);
     private final Goalkeeping keeping = new Goalkeeping(body);
     private final Gaze gaze = new Gaze(body);
-    private final Board board = new Board(nao, world);
-    private List<Spot> way = List.of();
+    private final DecisionDrawing board = new DecisionDrawing(nao, world);
+    private List<Translation2d> way = List.of();
     private double beamedSeconds = Double.NEGATIVE_INFINITY;
 
     /** Creates a player with any number that is free. */
@@ -100,10 +100,10 @@ public class Agent_Team extends Agent {
      * @return type 0 for the first seven, then two each of types 2 and 4, whose legs are as long as those of type 0
      */
     public static RobotType type(int number) {
-        if (number <= MOST_OF_ONE_TYPE) {
+        if (number <= MAX_OF_ONE_TYPE) {
             return RobotType.TYPE_0;
         }
-        return number <= MOST_OF_TWO_TYPES ? RobotType.TYPE_2 : RobotType.TYPE_4;
+        return number <= MAX_OF_TWO_TYPES ? RobotType.TYPE_2 : RobotType.TYPE_4;
     }
 
     /** Whatever is no number is refused later, with the other options. */
@@ -113,7 +113,7 @@ public class Agent_Team extends Agent {
     }
 
     private static int players(String... args) {
-        String players = args.length > 0 && !args[0].startsWith("-") ? args[0] : USUAL_PLAYERS;
+        String players = args.length > 0 && !args[0].startsWith("-") ? args[0] : DEFAULT_PLAYERS;
         if (!players.matches(NUMBER)) {
             System.err.println("A team has 1 to 11 players, not \"" + players + "\".");
             System.exit(2);
@@ -132,7 +132,7 @@ public class Agent_Team extends Agent {
     @Override
     protected void think() {
         world.update(nao, fieldView);
-        Talk.listen(nao, world);
+        world.listen(nao);
         if (nao.getVision().isPresent()) {
             strategy.decide();
         }
@@ -157,8 +157,8 @@ public class Agent_Team extends Agent {
     /** Goes to its place before a kick-off: by beam, and again if the referee has moved it. */
     private void lineUp() {
         boolean small = !Roles.isKeeper(world, 1);
-        GroundPose place = KickOffPlaces.place(world.number(), !world.hasScored(), small, world.field());
-        boolean away = world.place().distanceTo(Spot.of(place)) > 0.3 || nao.isFallen();
+        Pose2d place = KickOffPlaces.place(world.number(), !world.hasScored(), small, world.field());
+        boolean away = world.place().distanceTo(Translation2d.of(place)) > 0.3 || nao.isFallen();
         boolean free = motions.isFinished() || nao.isFallen();
         if (away && free && world.seconds() - beamedSeconds > BEAM_AGAIN_SECONDS) {
             nao.beam(place.x(), place.y(), place.headingDegrees());
@@ -190,8 +190,8 @@ public class Agent_Team extends Agent {
         }
     }
 
-    private Spot behindBall(double headingDegrees) {
-        return world.ball().plus(Spot.polar(headingDegrees, -BEHIND_METRES));
+    private Translation2d behindBall(double headingDegrees) {
+        return world.ball().plus(Translation2d.polar(headingDegrees, -BEHIND_METRES));
     }
 
     private void keep(Plan plan) {

@@ -5,11 +5,11 @@ import java.util.List;
 import java.util.Optional;
 import org.robonewbie.programs.Remark;
 import org.robonewbie.programs.completion.Proposal;
+import org.robonewbie.studio.program.CompilerService;
 import org.robonewbie.studio.program.RunningProgram;
-import org.robonewbie.studio.program.Workshop;
 
 /** A room for programs without a compiler: it knows one mistake, and no program runs. */
-record SmallWorkshop(Path folder) implements Workshop {
+record SmallWorkshop(Path folder) implements CompilerService {
 
     static final String MISTAKE = "degres";
 

@@ -12,15 +12,15 @@ import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.recording.RecordingTarget;
-import org.robonewbie.trial.Audience;
+import org.robonewbie.trial.TrialListener;
 import org.robonewbie.trial.ChallengeTrial;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.RobotStart;
-import org.robonewbie.web.bytecode.EndlessLoop;
-import org.robonewbie.web.bytecode.ProgramEnd;
+import org.robonewbie.pagejvm.EndlessLoop;
+import org.robonewbie.pagejvm.ProgramEnd;
 
 /** One trial of an exercise, which is judged as {@code robonewbie grade} does. Nobody can move robots or ball: it counts. */
-final class ExerciseTrial implements WatchedWorld {
+final class ExerciseTrial implements SteppedWorld {
 
     private final Task task;
     private Optional<ChallengeTrial> played = Optional.empty();
@@ -36,15 +36,15 @@ final class ExerciseTrial implements WatchedWorld {
      * @param student makes a robot with the student's program; asked once for each robot
      * @param recording where a recording goes
      */
-    ExerciseTrial(Exercise exercise, long seed, Supplier<? extends Performer> student, RecordingTarget recording) {
+    ExerciseTrial(Exercise exercise, long seed, Supplier<? extends Controller> student, RecordingTarget recording) {
         task = exercise.task().get();
         attempt(() -> played = Optional.of(new ChallengeTrial(
-                task, exercise.seconds(), seed, RobotStart.TEAM, student, Audience.NOBODY, recording)));
+                task, exercise.seconds(), seed, RobotStart.TEAM, student, TrialListener.NONE, recording)));
     }
 
-    private void attempt(Runnable deed) {
+    private void attempt(Runnable command) {
         try {
-            deed.run();
+            command.run();
         } catch (EndlessLoop loop) {
             stuck = true;
             mistake = Optional.of(Performance.ofEndlessStep("", Optional.of(loop.place())));

@@ -3,8 +3,8 @@ package org.robonewbie.agent.walk;
 import java.util.Arrays;
 
 /**
- * The numbers of {@link WalkStyle#FAST}: those of {@link WalkParameter} and eight more, the largest speeds among them. {@code
- * FastWalkDesign} of the module learning has found them and says how.
+ * The numbers of {@link WalkStyle#FAST}: those of {@link WalkParameter} and eight more, the largest speeds among them.
+ * CMA-ES has found them on 23 November 2026, in 280 generations with seed 2 and 81 with seed 3.
  */
 public final class FastWalk {
 
@@ -14,7 +14,7 @@ public final class FastWalk {
     /** Time of one step in milliseconds. */
     private static final int STEP_MILLIS = 200;
 
-    private static final double MOST_BACKWARD = 0.36;
+    private static final double MAX_BACKWARD = 0.36;
     private static final double CHANGE_LEFT = 0.08;
 
     private static final double[] FOUND = {
@@ -58,7 +58,7 @@ public final class FastWalk {
                 style.gait().withSwingEasing(easing).withArmSwing(180 + 30 * more[7]),
                 style.gains(),
                 most,
-                MOST_BACKWARD,
+                MAX_BACKWARD,
                 new WalkVelocity(style.change().forward(), CHANGE_LEFT, turnChange),
                 style.leanPerSpeed(),
                 style.ankleOffsetPerSpeed(),

@@ -29,7 +29,7 @@ public record PolicyWalk(WalkStyle style, WalkReflex reflex) {
 
     private static final String GAIT = "gait";
     private static final String STEP = "step-millis";
-    private static final String MOST = "most-forward-left-turn-backward";
+    private static final String MAX = "most-forward-left-turn-backward";
 
     /**
      * Takes a policy.
@@ -42,12 +42,12 @@ public record PolicyWalk(WalkStyle style, WalkReflex reflex) {
     }
 
     private static WalkReflex reflex(Policy policy) {
-        policy.require(LearnedReflex.INPUTS, LearnedReflex.OUTPUTS);
-        return new LearnedReflex(policy.network());
+        policy.require(ResidualPolicy.INPUTS, ResidualPolicy.OUTPUTS);
+        return new ResidualPolicy(policy.network());
     }
 
     private static WalkStyle style(Policy policy) {
-        double[] most = policy.numbers(MOST, 4);
+        double[] most = policy.numbers(MAX, 4);
         return FastWalk.style((int) policy.numbers(STEP, 1)[0], policy.numbers(GAIT, FastWalk.PARAMETERS))
                 .withMost(new WalkVelocity(most[0], most[1], most[2]), most[3]);
     }
@@ -61,7 +61,7 @@ public record PolicyWalk(WalkStyle style, WalkReflex reflex) {
      * @param most the largest speeds
      * @param backward the largest speed backward, metres per second
      * @param gait the coordinates of {@link FastWalk#style}
-     * @param network takes {@link LearnedReflex#INPUTS} and gives {@link LearnedReflex#OUTPUTS}
+     * @param network takes {@link ResidualPolicy#INPUTS} and gives {@link ResidualPolicy#OUTPUTS}
      * @return the policy
      */
     public static Policy policy(
@@ -75,7 +75,7 @@ public record PolicyWalk(WalkStyle style, WalkReflex reflex) {
         Map<String, List<Double>> numbers = Map.of(
                 GAIT, DoubleStream.of(gait).boxed().toList(),
                 STEP, List.of((double) stepMillis),
-                MOST, List.of(most.forward(), most.left(), most.turn(), backward));
-        return new Policy(task, about, numbers, LearnedReflex.INPUTS, LearnedReflex.OUTPUTS, network);
+                MAX, List.of(most.forward(), most.left(), most.turn(), backward));
+        return new Policy(task, about, numbers, ResidualPolicy.INPUTS, ResidualPolicy.OUTPUTS, network);
     }
 }

@@ -3,11 +3,11 @@ package org.robonewbie.trial.measure;
 import java.util.Random;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Script;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.TrialHook;
 
 /** Pushes the first robot from changing directions, each time harder. The same seed pushes in the same way. */
-public final class Pushes implements Script {
+public final class Pushes implements TrialHook {
 
     private static final int CYCLES_OF_A_PUSH = 5;
 

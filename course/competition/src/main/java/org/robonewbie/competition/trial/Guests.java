@@ -19,7 +19,7 @@ import org.robonewbie.programs.process.ChildProcess;
 import org.robonewbie.programs.process.GuestDoor;
 import org.robonewbie.programs.process.Limits;
 import org.robonewbie.protocol.effector.EffectorCommand;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.SensorReadings;
 
 /**
@@ -63,7 +63,7 @@ final class Guests implements AutoCloseable {
     }
 
     /** A program that moves a robot, and whose turns are timed. */
-    private record Guest(Performer performer, ChildProcess process) implements Performer {
+    private record Guest(Controller controller, ChildProcess process) implements Controller {
 
         @Override
         public void awake(SensorReadings readings) {
@@ -73,19 +73,19 @@ final class Guests implements AutoCloseable {
         @Override
         public List<EffectorCommand> respond(SensorReadings readings) {
             process.passTurn();
-            List<EffectorCommand> answer = performer.respond(readings);
+            List<EffectorCommand> answer = controller.respond(readings);
             process.passTurn();
             return answer;
         }
 
         @Override
         public void close() {
-            performer.close();
+            controller.close();
         }
     }
 
     /** Starts the program for the next robot, and waits until it comes. */
-    Performer next() {
+    Controller next() {
         Entrant entrant = trial.entrants().get(0);
         StartPlace place = entrant.places().get(0);
         int index = processes().size();
@@ -96,15 +96,15 @@ final class Guests implements AutoCloseable {
                 List.of(new StartPlace(place.number() + index, place.x(), place.y(), place.degrees())));
         try {
             ChildProcess process = doorkeeper.start(start, trial.id());
-            Performer performer = await(process);
+            Controller controller = await(process);
             process.passTurn();
-            return new Guest(performer, process);
+            return new Guest(controller, process);
         } catch (IOException unstartable) {
             throw new AbsentProgramException("The program cannot be started: " + unstartable, unstartable);
         }
     }
 
-    private Performer await(ChildProcess process) {
+    private Controller await(ChildProcess process) {
         try {
             return door.await(() -> process.isRunning() && process.waitedSeconds() < limits.startSeconds());
         } catch (AbsentProgramException absent) {

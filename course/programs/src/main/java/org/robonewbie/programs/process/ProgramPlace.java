@@ -3,12 +3,12 @@ package org.robonewbie.programs.process;
 import java.util.Arrays;
 import java.util.Optional;
 import org.robonewbie.agent.log.StudentCode;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 
 /** Where in its own code a program is that is being judged. */
 public final class ProgramPlace {
 
-    private static final String TRIALS = Performer.class.getPackageName() + ".";
+    private static final String TRIALS = Controller.class.getPackageName() + ".";
 
     /** The class of a judge that tries a program in its own process. */
     private static final String JUDGE = "org.robonewbie.exercises.GradedTrial";

@@ -28,7 +28,7 @@ import org.robonewbie.programs.ClassPath;
 import org.robonewbie.programs.JavaSource;
 import org.robonewbie.programs.process.Departure.Cause;
 import org.robonewbie.protocol.effector.EffectorCommand;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.SensorReadings;
 
 /**
@@ -212,7 +212,7 @@ public final class RobotProcess implements AutoCloseable {
     }
 
     /** The way for the robots of one trial; programs that are tried at the same time do not come through it. */
-    public final class Entrance implements Supplier<Performer>, AutoCloseable {
+    public final class Entrance implements Supplier<Controller>, AutoCloseable {
 
         private final GuestDoor door;
         private final String name;
@@ -229,11 +229,11 @@ public final class RobotProcess implements AutoCloseable {
 
         /** {@return a robot, which is called when it is known who it is} */
         @Override
-        public Performer get() {
+        public Controller get() {
             return new CalledRobot(this);
         }
 
-        private Performer call(String team, int number, TeamSide side) {
+        private Controller call(String team, int number, TeamSide side) {
             int id = calls.incrementAndGet();
             CompletableFuture<Departure> departure = new CompletableFuture<>();
             robots.put(id, departure);
@@ -277,10 +277,10 @@ public final class RobotProcess implements AutoCloseable {
         }
     }
 
-    private static final class CalledRobot implements Performer {
+    private static final class CalledRobot implements Controller {
 
         private final Entrance entrance;
-        private Optional<Performer> guest = Optional.empty();
+        private Optional<Controller> guest = Optional.empty();
 
         CalledRobot(Entrance entrance) {
             this.entrance = entrance;
@@ -298,7 +298,7 @@ public final class RobotProcess implements AutoCloseable {
 
         @Override
         public void close() {
-            guest.ifPresent(Performer::close);
+            guest.ifPresent(Controller::close);
         }
     }
 

@@ -1,7 +1,7 @@
 package org.robonewbie.team.skill;
 
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.world.BallFilter;
-import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
 
 /**
@@ -13,13 +13,13 @@ import org.robonewbie.team.world.WorldModel;
 public final class Goalkeeping {
 
     private static final double REACH_METRES = 0.12;
-    private static final double MOST_REACH_METRES = 0.9;
+    private static final double MAX_REACH_METRES = 0.9;
     private static final double DANGER_SECONDS = 1.6;
-    private static final double LEAST_SPEED = 0.8;
+    private static final double MIN_SPEED = 0.8;
     private static final double OUT_METRES = 0.7;
     private static final double COMES_OUT_METRES = 4;
     private static final double BEFORE_BALL_METRES = 0.4;
-    private static final double MOST_OF_WAY = 0.8;
+    private static final double MAX_OF_WAY = 0.8;
     private static final double LEAD_METRES = 0.4;
 
     private final Limbs body;
@@ -39,16 +39,15 @@ public final class Goalkeeping {
      * @param world where the ball is
      * @return its place, in the coordinates of the team
      */
-    public static Spot place(WorldModel world) {
-        Spot goal = world.ourGoal();
+    public static Translation2d place(WorldModel world) {
+        Translation2d goal = world.ourGoal();
         if (comesOut(world)) {
-            double away =
-                    Math.min(BEFORE_BALL_METRES, MOST_OF_WAY * world.ball().distanceTo(goal));
+            double away = Math.min(BEFORE_BALL_METRES, MAX_OF_WAY * world.ball().distanceTo(goal));
             return world.ball().towards(goal, away);
         }
-        Spot place =
+        Translation2d place =
                 goal.towards(world.ball(), Math.min(OUT_METRES, world.ball().distanceTo(goal) / 2));
-        return new Spot(Math.max(place.x(), goal.x() + 0.25), place.y());
+        return new Translation2d(Math.max(place.x(), goal.x() + 0.25), place.y());
     }
 
     /**
@@ -80,7 +79,7 @@ public final class Goalkeeping {
      */
     public boolean dive(WorldModel world) {
         double crossing = crossing(world);
-        if (Double.isNaN(crossing) || Math.abs(crossing) < REACH_METRES || Math.abs(crossing) > MOST_REACH_METRES) {
+        if (Double.isNaN(crossing) || Math.abs(crossing) < REACH_METRES || Math.abs(crossing) > MAX_REACH_METRES) {
             return false;
         }
         body.walk().stop();
@@ -89,11 +88,11 @@ public final class Goalkeeping {
 
     /** How far to the left of the robot a dangerous ball will pass, metres; not a number if there is no danger. */
     private static double crossing(WorldModel world) {
-        Spot ball = world.ball();
-        Spot velocity = world.ballVelocity();
-        Spot end = ball.plus(velocity.times(BallFilter.ROLLING_SECONDS));
+        Translation2d ball = world.ball();
+        Translation2d velocity = world.ballVelocity();
+        Translation2d end = ball.plus(velocity.times(BallFilter.ROLLING_SECONDS));
         double line = world.ourGoal().x();
-        boolean fast = velocity.x() < -LEAST_SPEED && world.ownBallAgeSeconds() < 0.2;
+        boolean fast = velocity.x() < -MIN_SPEED && world.ownBallAgeSeconds() < 0.2;
         double way = ball.x() - world.place().x();
         if (!fast || end.x() > line || way < 0 || way / -velocity.x() > DANGER_SECONDS) {
             return Double.NaN;

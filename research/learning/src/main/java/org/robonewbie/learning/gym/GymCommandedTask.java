@@ -2,7 +2,7 @@ package org.robonewbie.learning.gym;
 
 import java.util.Optional;
 import org.robonewbie.agent.walk.WalkVelocity;
-import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.Trial;
 
 /**
@@ -18,7 +18,7 @@ abstract class GymCommandedTask extends GymTask {
     private int cycle;
 
     /** Draws the next velocity; the one before is zero at first. */
-    abstract WalkVelocity any(Chance chance, WalkVelocity before);
+    abstract WalkVelocity any(RandomSource random, WalkVelocity before);
 
     @Override
     protected final void takeCommand(WalkVelocity command) {

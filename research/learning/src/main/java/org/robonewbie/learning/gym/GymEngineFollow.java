@@ -4,9 +4,9 @@ import java.util.Optional;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Follow velocities that are too fast for the walk engine by correcting it: ahead with 0.6 to 1 m/s while turning by up to 30°/s,
@@ -24,12 +24,12 @@ final class GymEngineFollow extends GymEngineTask {
     private double metres;
 
     @Override
-    WalkVelocity any(Chance chance, WalkVelocity last) {
-        return new WalkVelocity(chance.between(LEAST, MOST), 0, chance.between(-MOST_TURN, MOST_TURN));
+    WalkVelocity any(RandomSource random, WalkVelocity last) {
+        return new WalkVelocity(random.between(LEAST, MOST), 0, random.between(-MOST_TURN, MOST_TURN));
     }
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         Vector3 here = now.robot().position();
         before.ifPresent(place -> {
             turned += velocity().turn() * Cycle.SECONDS;

@@ -1,10 +1,10 @@
 package org.robonewbie.learning.gym;
 
 import org.robonewbie.agent.walk.WalkVelocity;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Run straight ahead for 10 s by correcting the walk engine, which is asked for more than it can do: a robot that corrects nothing
@@ -20,8 +20,8 @@ final class GymEngineRun extends GymEngineTask {
     private double metres;
 
     @Override
-    WalkVelocity any(Chance chance, WalkVelocity before) {
-        return before.equals(WalkVelocity.ZERO) ? new WalkVelocity(chance.between(LEAST, MOST), 0, 0) : before;
+    WalkVelocity any(RandomSource random, WalkVelocity before) {
+        return before.equals(WalkVelocity.ZERO) ? new WalkVelocity(random.between(LEAST, MOST), 0, 0) : before;
     }
 
     @Override
@@ -32,7 +32,7 @@ final class GymEngineRun extends GymEngineTask {
     }
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         metres = first.place().ahead(now.place().point(0, 0, 0));
     }
 

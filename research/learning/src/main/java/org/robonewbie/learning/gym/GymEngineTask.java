@@ -2,7 +2,7 @@ package org.robonewbie.learning.gym;
 
 import java.util.Optional;
 import org.robonewbie.agent.policy.Policy;
-import org.robonewbie.agent.walk.LearnedReflex;
+import org.robonewbie.agent.walk.ResidualPolicy;
 
 /**
  * Correct the walk engine, which is told velocities at which it falls. It pays 1 per metre on the way that the robot was told to go,
@@ -23,7 +23,7 @@ abstract class GymEngineTask extends GymCommandedTask {
 
     @Override
     public final double rangeDegrees() {
-        return LearnedReflex.RANGE_DEGREES;
+        return ResidualPolicy.RANGE_DEGREES;
     }
 
     /** {@return whether the robot has got 5 m ahead, as it was told, on its feet} */

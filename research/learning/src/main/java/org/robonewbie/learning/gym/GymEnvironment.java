@@ -3,14 +3,14 @@ package org.robonewbie.learning.gym;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Supplier;
-import org.robonewbie.trial.Audience;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
-import org.robonewbie.trial.Script;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.TrialHook;
+import org.robonewbie.trial.TrialListener;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.Pushes;
 
 /** Robots that live through episodes of a task, in a world of their own; in most tasks it is one. */
@@ -24,10 +24,10 @@ final class GymEnvironment implements AutoCloseable {
     private List<GymLearner> learners;
     private int cyclesPerAction = 1;
     private int cycles;
-    private Audience audience = Audience.NOBODY;
+    private TrialListener listener = TrialListener.NONE;
     private Scene scene;
     private Trial trial;
-    private Moment now;
+    private WorldState now;
 
     /** Begins the episode with seed 0 of tasks as they are. */
     GymEnvironment(Supplier<List<GymEpisode>> episodes) {
@@ -40,7 +40,7 @@ final class GymEnvironment implements AutoCloseable {
         this.episodes = episodes;
         learners = newLearners();
         quantities = learners.get(0).quantities();
-        scene = task().scene(new Chance(0));
+        scene = task().scene(new RandomSource(0));
         trial = Trial.direct(scene, 0, cast());
         now = trial.now();
         begin(0);
@@ -80,7 +80,7 @@ final class GymEnvironment implements AutoCloseable {
     /** Begins an episode that is chosen by the seed. */
     void reset(long seed) {
         learners = newLearners();
-        Scene next = task().scene(new Chance(seed));
+        Scene next = task().scene(new RandomSource(seed));
         if (next.equals(scene)) {
             trial.reset(seed, cast());
         } else {
@@ -95,21 +95,21 @@ final class GymEnvironment implements AutoCloseable {
         GymOptions.Drawn drawn = options.draw(seed);
         cyclesPerAction = checkedCycles(drawn.cycles());
         cycles = 0;
-        Moment first = trial.now();
+        WorldState first = trial.now();
         learners.forEach(learner -> learner.stand(first));
         drawn.apply(trial);
         GymTask task = task();
         drawn.command().ifPresent(task::takeCommand);
         drawn.distance().ifPresent(task::takeDistance);
         task.begin(trial);
-        Script pushes = pushes(drawn.pushNewtons().orElse(task.pushNewtons()), seed);
+        TrialHook pushes = pushes(drawn.pushNewtons().orElse(task.pushNewtons()), seed);
         trial.with(world -> {
             pushes.act(world);
             task.act(world);
         });
         now = trial.now();
         learners.forEach(learner -> learner.begin(now, trial.readings(learner.robot()), drawn, seed));
-        audience.cycleEnded(trial);
+        listener.cycleEnded(trial);
     }
 
     private int checkedCycles(int wanted) {
@@ -120,7 +120,7 @@ final class GymEnvironment implements AutoCloseable {
         return wanted;
     }
 
-    private static Script pushes(double newtons, long seed) {
+    private static TrialHook pushes(double newtons, long seed) {
         return newtons == 0 ? world -> {} : new Pushes(seed, CYCLES_BETWEEN_PUSHES, newtons);
     }
 
@@ -130,15 +130,15 @@ final class GymEnvironment implements AutoCloseable {
     }
 
     /** Lets somebody watch all that happens from now on. */
-    void setAudience(Audience watching) {
-        audience = watching;
-        audience.cycleEnded(trial);
+    void setAudience(TrialListener watching) {
+        listener = watching;
+        listener.cycleEnded(trial);
     }
 
     /** The robots that learn, and others that hold still. */
-    private Performer[] cast() {
-        Performer[] cast = new Performer[scene.robots().size()];
-        Arrays.setAll(cast, i -> i < robots() ? learners.get(i).performer() : Performer.ofSpeeds());
+    private Controller[] cast() {
+        Controller[] cast = new Controller[scene.robots().size()];
+        Arrays.setAll(cast, i -> i < robots() ? learners.get(i).controller() : Controller.ofSpeeds());
         return cast;
     }
 
@@ -166,7 +166,7 @@ final class GymEnvironment implements AutoCloseable {
             learner.see(now, trial.readings(learner.robot()));
         }
         cycles++;
-        audience.cycleEnded(trial);
+        listener.cycleEnded(trial);
     }
 
     /** What the first robot perceives. */
@@ -180,7 +180,7 @@ final class GymEnvironment implements AutoCloseable {
     }
 
     /** What is true now. */
-    Moment now() {
+    WorldState now() {
         return now;
     }
 

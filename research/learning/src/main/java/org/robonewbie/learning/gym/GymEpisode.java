@@ -12,19 +12,19 @@ import org.robonewbie.nao.motion.JointStates;
 import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.Measure;
-import org.robonewbie.trial.Moment;
-import org.robonewbie.trial.Performer;
 import org.robonewbie.trial.SensorReadings;
+import org.robonewbie.trial.WorldState;
 
 /** One attempt at a task: the robot that does what a learning program wants, and what it earns by that. */
-final class GymEpisode implements Performer {
+final class GymEpisode implements Controller {
 
     private static final List<Joint> ALL_JOINTS = List.of(Joint.values());
 
     private final GymTask task;
     private final Measure measure;
-    private final Performer motor = Performer.ofPolicy(this::speeds);
+    private final Controller motor = Controller.ofPolicy(this::speeds);
     private final JointStates joints = new JointStates();
     private final Motors motors = new Motors(joints);
     private Posture firstPosture = Posture.ZERO;
@@ -52,18 +52,18 @@ final class GymEpisode implements Performer {
     }
 
     /** Takes the first posture, from which actions are counted. */
-    void stand(Moment moment) {
-        firstPosture = moment.robots().get(task.robot()).joints();
+    void stand(WorldState state) {
+        firstPosture = state.robots().get(task.robot()).joints();
         guide = task.motion().map(motion -> new MotionGuide(motion, firstPosture));
         walk = task.walk().map(policy -> new WalkGuide(new PolicyWalk(policy).style(), motors));
     }
 
     /** Begins when the scene is complete. */
-    void begin(Moment moment, int delayCycles) {
+    void begin(WorldState state, int delayCycles) {
         for (int i = 0; i < delayCycles; i++) {
             underWay.add(new double[task.joints().size()]);
         }
-        see(moment);
+        see(state);
         reward = 0;
     }
 
@@ -79,11 +79,11 @@ final class GymEpisode implements Performer {
     }
 
     /** Looks at what came of a cycle. */
-    void see(Moment moment) {
+    void see(WorldState state) {
         double before = value;
-        task.see(moment);
+        task.see(state);
         if (measure != task) {
-            measure.see(moment);
+            measure.see(state);
         }
         value = measure.isLargerBetter() ? measure.value() : -measure.value();
         reward += value - before;

@@ -6,9 +6,9 @@ import java.util.List;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Follow a commanded velocity, another one every 3 s. Each second pays 1, less the error of the velocity in the last 0.4 s (1 for 0.3
@@ -42,11 +42,11 @@ class GymFollow extends GymCommandedTask {
     }
 
     @Override
-    WalkVelocity any(Chance chance, WalkVelocity before) {
+    WalkVelocity any(RandomSource random, WalkVelocity before) {
         return new WalkVelocity(
-                        chance.between(-BACKWARD, MOST.forward()),
-                        chance.between(-MOST.left(), MOST.left()),
-                        chance.between(-MOST.turn(), MOST.turn()))
+                        random.between(-BACKWARD, MOST.forward()),
+                        random.between(-MOST.left(), MOST.left()),
+                        random.between(-MOST.turn(), MOST.turn()))
                 .within(MOST, BACKWARD);
     }
 
@@ -69,7 +69,7 @@ class GymFollow extends GymCommandedTask {
     }
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         places.addLast(now.place(robot()));
         if (places.size() > WINDOW) {
             possible += Cycle.SECONDS;

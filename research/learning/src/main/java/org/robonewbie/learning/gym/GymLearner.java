@@ -4,9 +4,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import org.robonewbie.agent.policy.MotionGuide;
-import org.robonewbie.trial.Moment;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.SensorReadings;
+import org.robonewbie.trial.WorldState;
 
 /** One robot that learns, in one episode: what it does, perceives and earns. */
 final class GymLearner {
@@ -30,7 +30,7 @@ final class GymLearner {
         return episode.task();
     }
 
-    Performer performer() {
+    Controller controller() {
         return episode;
     }
 
@@ -53,12 +53,12 @@ final class GymLearner {
     }
 
     /** Takes the first posture, from which actions are counted. */
-    void stand(Moment moment) {
-        episode.stand(moment);
+    void stand(WorldState state) {
+        episode.stand(state);
     }
 
     /** Begins the episode; the scene is complete. */
-    void begin(Moment first, SensorReadings readings, GymOptions.Drawn drawn, long seed) {
+    void begin(WorldState first, SensorReadings readings, GymOptions.Drawn drawn, long seed) {
         errors = new ReadingErrors(drawn.noise(), seed + robot);
         episode.begin(first, drawn.delayCycles());
         feel(readings);
@@ -75,8 +75,8 @@ final class GymLearner {
     }
 
     /** Looks at what came of a cycle. */
-    void see(Moment moment, SensorReadings readings) {
-        episode.see(moment);
+    void see(WorldState state, SensorReadings readings) {
+        episode.see(state);
         feel(readings);
     }
 

@@ -7,12 +7,12 @@ import java.util.stream.DoubleStream;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Two teams learn at the same time until the first goal. For its team a robot earns 10 for a goal and 1 for each metre that the ball
@@ -29,12 +29,12 @@ final class GymMatch extends GymTask {
     private static final double INSIDE_METRES = 0.3;
     private static final double FAR_METRES = 15;
 
-    private static final Moment NOTHING_YET =
-            new Moment(0, List.of(), Vector3.ZERO, Vector3.ZERO, PlayMode.PLAY_ON, 0, 0);
+    private static final WorldState NOTHING_YET =
+            new WorldState(0, List.of(), Vector3.ZERO, Vector3.ZERO, PlayMode.PLAY_ON, 0, 0);
 
     private final Scene scene;
     private final int left;
-    private Moment now = NOTHING_YET;
+    private WorldState now = NOTHING_YET;
     private double value;
     private int goal;
 
@@ -80,7 +80,7 @@ final class GymMatch extends GymTask {
     }
 
     @Override
-    public Scene scene(Chance ofTheEpisode) {
+    public Scene scene(RandomSource ofTheEpisode) {
         super.scene(ofTheEpisode);
         return scene;
     }
@@ -178,14 +178,14 @@ final class GymMatch extends GymTask {
     }
 
     @Override
-    protected void see(Moment first, Moment moment) {
-        now = moment;
-        if (isGoal(moment.ball())) {
-            goal = moment.ball().x() > 0 ? 1 : -1;
+    protected void see(WorldState first, WorldState state) {
+        now = state;
+        if (isGoal(state.ball())) {
+            goal = state.ball().x() > 0 ? 1 : -1;
         }
-        double ahead = moment.ball().x() - first.ball().x();
+        double ahead = state.ball().x() - first.ball().x();
         double nearer = first.place(robot()).distance(first.ball())
-                - moment.place(robot()).distance(moment.ball());
+                - state.place(robot()).distance(state.ball());
         value = side() * (FOR_A_GOAL * goal + ahead) + FOR_NEARNESS * nearer - (hasFallen() ? 1 : 0);
     }
 

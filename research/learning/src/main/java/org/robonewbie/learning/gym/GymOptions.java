@@ -9,10 +9,10 @@ import java.util.Optional;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.text.Spelling;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /**
  * What a learning program changes about the episodes of a task. Each option is a number, or a range {@code low..high} of which
@@ -110,8 +110,8 @@ final class GymOptions {
             return this;
         }
 
-        double draw(Chance chance) {
-            return low == high ? low : chance.between(low, high);
+        double draw(RandomSource random) {
+            return low == high ? low : random.between(low, high);
         }
     }
 
@@ -137,9 +137,9 @@ final class GymOptions {
 
     /** Draws the numbers of an episode: independent of the chance that the task itself uses. */
     Drawn draw(long seed) {
-        Chance chance = new Chance(~seed);
+        RandomSource random = new RandomSource(~seed);
         Map<Name, Double> numbers = new EnumMap<>(Name.class);
-        ranges.forEach((name, range) -> numbers.put(name, range.draw(chance)));
+        ranges.forEach((name, range) -> numbers.put(name, range.draw(random)));
         return new Drawn(numbers);
     }
 
@@ -170,7 +170,7 @@ final class GymOptions {
         }
 
         private void place(Trial trial) {
-            Moment now = trial.now();
+            WorldState now = trial.now();
             if (isAny(Name.X, Name.Y, Name.HEADING)) {
                 Place usual = now.place();
                 Vector3 torso = new Vector3(

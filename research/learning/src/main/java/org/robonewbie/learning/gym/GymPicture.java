@@ -8,7 +8,7 @@ import org.robonewbie.nao.kinematics.BodyPoses;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 
 /** What a learning program needs to draw a moment: a box for each link that can touch something, and the ball. */
 final class GymPicture {
@@ -16,7 +16,7 @@ final class GymPicture {
     private GymPicture() {}
 
     /** The moment as JSON: for each robot its boxes, each with its {@linkplain BodyPoses#corners eight corners} in metres, and the centre of the ball. */
-    static JsonObject of(Moment now) {
+    static JsonObject of(WorldState now) {
         JsonArray robots = new JsonArray();
         now.robots().forEach(robot -> robots.add(boxes(robot)));
         JsonObject picture = new JsonObject();

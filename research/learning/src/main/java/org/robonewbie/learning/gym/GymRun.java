@@ -1,7 +1,7 @@
 package org.robonewbie.learning.gym;
 
 import org.robonewbie.agent.walk.WalkVelocity;
-import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.RandomSource;
 
 /**
  * Run straight ahead with a commanded speed from 0.9 to 1.3 m/s, the same for the whole episode. It pays as {@link GymFollow}, but an
@@ -18,7 +18,7 @@ final class GymRun extends GymFollow {
     }
 
     @Override
-    WalkVelocity any(Chance chance, WalkVelocity before) {
-        return before.equals(WalkVelocity.ZERO) ? new WalkVelocity(chance.between(LEAST, MOST), 0, 0) : before;
+    WalkVelocity any(RandomSource random, WalkVelocity before) {
+        return before.equals(WalkVelocity.ZERO) ? new WalkVelocity(random.between(LEAST, MOST), 0, 0) : before;
     }
 }

@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.Quantity;
-import org.robonewbie.agent.walk.LearnedReflex;
+import org.robonewbie.agent.walk.ResidualPolicy;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Joint;
@@ -15,11 +15,11 @@ import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.trial.Challenge;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.MeasureFromStart;
 
 /**
@@ -48,7 +48,7 @@ public abstract class GymTask extends MeasureFromStart implements Challenge {
             new Motion("stance", List.of(new Keyframe(600, Stance.POSTURE), new Keyframe(300, Stance.POSTURE)));
     private static final Scene STANDING = scene(1.5).withBall(2.5, 0);
 
-    private Chance chance = new Chance(0);
+    private RandomSource random = new RandomSource(0);
     private int robot;
 
     /** Creates a task for one episode. */
@@ -66,14 +66,14 @@ public abstract class GymTask extends MeasureFromStart implements Challenge {
      * before; {@link #begin} is the better place for small differences.
      */
     @Override
-    public Scene scene(Chance ofTheEpisode) {
-        chance = ofTheEpisode;
+    public Scene scene(RandomSource ofTheEpisode) {
+        random = ofTheEpisode;
         return STANDING;
     }
 
     /** {@return what differs from episode to episode} */
-    protected final Chance chance() {
-        return chance;
+    protected final RandomSource chance() {
+        return random;
     }
 
     /**
@@ -83,7 +83,7 @@ public abstract class GymTask extends MeasureFromStart implements Challenge {
      * @param metres how far at most along each axis
      */
     protected final void scatterBall(Trial trial, double metres) {
-        Vector3 way = new Vector3(chance.between(-metres, metres), chance.between(-metres, metres), 0);
+        Vector3 way = new Vector3(random.between(-metres, metres), random.between(-metres, metres), 0);
         trial.placeBall(trial.ball().position().plus(way));
     }
 
@@ -105,8 +105,8 @@ public abstract class GymTask extends MeasureFromStart implements Challenge {
     }
 
     @Override
-    protected final BodyState watched(Moment moment) {
-        return moment.robots().get(robot);
+    protected final BodyState watched(WorldState state) {
+        return state.robots().get(robot);
     }
 
     /**
@@ -134,7 +134,7 @@ public abstract class GymTask extends MeasureFromStart implements Challenge {
     final List<Quantity> outputs() {
         String unit = String.format(Locale.ROOT, "%.0f degrees", rangeDegrees());
         return walk().isPresent()
-                ? LearnedReflex.OUTPUTS
+                ? ResidualPolicy.OUTPUTS
                 : joints().stream()
                         .map(joint -> new Quantity("joint." + joint, unit))
                         .toList();

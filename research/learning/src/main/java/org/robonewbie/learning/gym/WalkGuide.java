@@ -3,7 +3,7 @@ package org.robonewbie.learning.gym;
 import java.util.List;
 import org.robonewbie.agent.perception.FootPressure;
 import org.robonewbie.agent.policy.Policy;
-import org.robonewbie.agent.walk.LearnedReflex;
+import org.robonewbie.agent.walk.ResidualPolicy;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.agent.walk.WalkEngine;
 import org.robonewbie.agent.walk.WalkMoment;
@@ -16,7 +16,7 @@ import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.nao.motion.PostureFollower;
 
 /**
- * A walk that actions correct: the engine plans each cycle, and an action is what the network of a {@link LearnedReflex} would give
+ * A walk that actions correct: the engine plans each cycle, and an action is what the network of a {@link ResidualPolicy} would give
  * for what is observed.
  */
 final class WalkGuide {
@@ -25,9 +25,9 @@ final class WalkGuide {
     static final Policy ENGINE = WalkCourse.RUN.policy(List.of(), WalkCourse.RUN.start(0));
 
     /** What is observed of a robot that walks. */
-    static final List<ObservedQuantity> QUANTITIES = LearnedReflex.INPUTS.stream()
+    static final List<ObservedQuantity> QUANTITIES = ResidualPolicy.INPUTS.stream()
             .map(input -> new ObservedQuantity(
-                    input.name(), input.unit(), -LearnedReflex.MOST_INPUT, LearnedReflex.MOST_INPUT))
+                    input.name(), input.unit(), -ResidualPolicy.MAX_INPUT, ResidualPolicy.MAX_INPUT))
             .toList();
 
     private static final WalkMoment AT_REST = new WalkMoment(
@@ -60,7 +60,7 @@ final class WalkGuide {
 
     /** What is observed before the next action: the {@link #QUANTITIES}. */
     double[] inputs() {
-        return LearnedReflex.inputs(moment);
+        return ResidualPolicy.inputs(moment);
     }
 
     /** Moves the joints by the plan and an action. */
@@ -69,6 +69,6 @@ final class WalkGuide {
             walking = true;
             follower.begin();
         }
-        follower.follow(LearnedReflex.corrected(planned, moment, action));
+        follower.follow(ResidualPolicy.corrected(planned, moment, action));
     }
 }

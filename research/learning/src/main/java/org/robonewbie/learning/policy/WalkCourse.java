@@ -9,8 +9,8 @@ import java.util.stream.Stream;
 import org.robonewbie.agent.policy.Network;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.walk.FastWalk;
-import org.robonewbie.agent.walk.LearnedReflex;
 import org.robonewbie.agent.walk.PolicyWalk;
+import org.robonewbie.agent.walk.ResidualPolicy;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
@@ -66,7 +66,7 @@ public record WalkCourse(
     private static final double LONG_SHARE = 0.4;
 
     private static final int HIDDEN = 16;
-    private static final int[] LAYERS = {LearnedReflex.INPUTS.size(), HIDDEN, LearnedReflex.OUTPUTS.size()};
+    private static final int[] LAYERS = {ResidualPolicy.INPUTS.size(), HIDDEN, ResidualPolicy.OUTPUTS.size()};
     private static final int WEIGHTS = Network.size(LAYERS);
     private static final int GAIT = FastWalk.PARAMETERS;
     private static final double GAIT_UNIT = 3;
@@ -193,7 +193,7 @@ public record WalkCourse(
     PolicyWalk walk(double... numbers) {
         WalkStyle style =
                 FastWalk.style(stepMillis, Arrays.copyOf(numbers, GAIT)).withMost(most, backward);
-        return new PolicyWalk(style, new LearnedReflex(network(numbers)));
+        return new PolicyWalk(style, new ResidualPolicy(network(numbers)));
     }
 
     @Override

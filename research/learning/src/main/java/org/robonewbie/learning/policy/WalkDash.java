@@ -4,11 +4,11 @@ import java.util.Locale;
 import java.util.Random;
 import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.WalkVelocity;
-import org.robonewbie.learning.rehearsal.MotorPuppet;
-import org.robonewbie.learning.rehearsal.Puppet;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.learning.motion.ScriptedMotors;
+import org.robonewbie.learning.motion.ScriptedRobot;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /**
  * A dash from the stance, straight ahead as fast as the walk can.
@@ -23,11 +23,11 @@ public record WalkDash(double metres, double seconds, boolean fallen) {
 
     /** Runs until the robot has gone the way, has fallen, or is much too slow. */
     static WalkDash run(Trial room, PolicyWalk walk, long seed, double newtons, double metres) {
-        Puppet student = new MotorPuppet(walk);
-        room.reset(seed, student.performer());
+        ScriptedRobot student = new ScriptedMotors(walk);
+        room.reset(seed, student.controller());
         student.walk(new WalkVelocity(walk.style().most().forward(), 0, 0));
         Place start = room.now().place();
-        Moment now = room.now();
+        WorldState now = room.now();
         HandPushes pushes = new HandPushes(new Random(seed), newtons);
         int cycle = 0;
         while (!now.robot().isFallen()

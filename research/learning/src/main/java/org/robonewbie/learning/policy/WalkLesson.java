@@ -5,20 +5,20 @@ import java.util.Random;
 import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.agent.walk.WalkVelocity;
-import org.robonewbie.learning.rehearsal.MotorPuppet;
-import org.robonewbie.learning.rehearsal.Puppet;
+import org.robonewbie.learning.motion.ScriptedMotors;
+import org.robonewbie.learning.motion.ScriptedRobot;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.simulator.soccer.SoccerParameters;
-import org.robonewbie.trial.Moment;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /**
  * One lesson: from the stance a robot follows velocities that change every 3 s, with noise, while a hand pushes it once per second
@@ -66,19 +66,19 @@ final class WalkLesson {
         Scene scene = Scene.of(RobotStart.at(0, 0).withType(type).after(STANCE))
                 .withParameters(SoccerParameters.league())
                 .withBall(0, -9);
-        return Trial.direct(scene, 0, Performer.ofSpeeds());
+        return Trial.direct(scene, 0, Controller.ofSpeeds());
     }
 
     /** Gives a lesson and tells what came of it. */
     static LessonFigures give(
             Trial room, WalkCourse course, PolicyWalk walk, long seed, double newtons, double longShare, int cycles) {
-        Puppet student = new MotorPuppet(walk);
-        room.reset(seed, student.performer());
+        ScriptedRobot student = new ScriptedMotors(walk);
+        room.reset(seed, student.controller());
         return new WalkLesson(course, seed, newtons, longShare).run(room, student, cycles);
     }
 
-    private LessonFigures run(Trial room, Puppet student, int most) {
-        Moment before = room.now();
+    private LessonFigures run(Trial room, ScriptedRobot student, int most) {
+        WorldState before = room.now();
         for (int cycle = 0; cycle < most; cycle++) {
             if (cycle == 0 || (cycle % COMMAND_CYCLES == 0 && !isLong)) {
                 aim = nextAim(cycle == 0);
@@ -86,7 +86,7 @@ final class WalkLesson {
             wanted = course.commands().onTheWay(wanted, aim);
             student.walk(wanted);
             pushes.act(room, cycle);
-            Moment now = room.step();
+            WorldState now = room.step();
             if (now.robot().isFallen()) {
                 figures.fall(cycle + 1, FOR_A_FALL + (most - cycle) / (double) WINDOW);
                 return figures;
@@ -110,7 +110,7 @@ final class WalkLesson {
     }
 
     /** Compares how the robot has moved with what was wanted, seen from half-way between its headings. */
-    private void see(Moment before, Moment now, boolean settled) {
+    private void see(WorldState before, WorldState now, boolean settled) {
         double seconds = WINDOW * Cycle.SECONDS;
         Place place = before.place();
         double turned = PortableMath.IEEEremainder(now.place().degrees() - place.degrees(), 360);

@@ -14,28 +14,28 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.PolicyPlayer;
 import org.robonewbie.agent.policy.MotionGuide;
 import org.robonewbie.agent.policy.Network;
 import org.robonewbie.agent.policy.Policy;
-import org.robonewbie.agent.policy.PolicyPlayer;
 import org.robonewbie.agent.policy.Quantity;
 import org.robonewbie.agent.policy.file.PolicyFile;
 import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.agent.walk.WalkReflex;
 import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.learning.motion.ScriptedMotors;
 import org.robonewbie.learning.policy.WalkCourse;
-import org.robonewbie.learning.rehearsal.MotorPuppet;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /** A policy does in an agent what it has done in its task. */
 class PlayedPolicyTest {
@@ -61,10 +61,10 @@ class PlayedPolicyTest {
     @Test
     void walkEngineIsCorrectedAsByTheLearnerToTheBit() {
         Policy policy = policyOfMarching();
-        MotorPuppet puppet = new MotorPuppet(new PolicyWalk(policy));
+        ScriptedMotors puppet = new ScriptedMotors(new PolicyWalk(policy));
         puppet.walk(Marching.VELOCITY);
 
-        assertThat(marched(puppet.performer()).toArray())
+        assertThat(marched(puppet.controller()).toArray())
                 .isEqualTo(learnedToMarch(policy).toArray());
     }
 
@@ -74,7 +74,7 @@ class PlayedPolicyTest {
         Policy policy = policyOfMarching();
         Posture wanted = learnedToMarch(policy);
 
-        assertThat(marched(Performer.ofAgent(new Walker(new PolicyWalk(policy), Marching.VELOCITY)))
+        assertThat(marched(Controller.ofAgent(new Walker(new PolicyWalk(policy), Marching.VELOCITY)))
                         .largestDifference(wanted))
                 .isLessThan(0.5);
         assertThat(wanted.largestDifference(Stance.POSTURE)).isGreaterThan(10);
@@ -91,8 +91,8 @@ class PlayedPolicyTest {
     }
 
     private static double secondsOnItsFeet(PolicyWalk manner, WalkVelocity velocity) {
-        try (Trial trial =
-                Trial.direct(new Marching().scene(new Chance(1)), 1, Performer.ofAgent(new Walker(manner, velocity)))) {
+        try (Trial trial = Trial.direct(
+                new Marching().scene(new RandomSource(1)), 1, Controller.ofAgent(new Walker(manner, velocity)))) {
             int cycles = 0;
             while (cycles < 250 && !trial.now().robot().isFallen()) {
                 trial.step();
@@ -119,8 +119,8 @@ class PlayedPolicyTest {
         }
     }
 
-    private static Posture marched(Performer walker) {
-        try (Trial trial = Trial.direct(new Marching().scene(new Chance(1)), 1, walker)) {
+    private static Posture marched(Controller walker) {
+        try (Trial trial = Trial.direct(new Marching().scene(new RandomSource(1)), 1, walker)) {
             for (int i = 0; i < CYCLES_OF_WALK; i++) {
                 trial.step();
             }
@@ -132,7 +132,7 @@ class PlayedPolicyTest {
     @ValueSource(doubles = {0.6, 1, 1.8})
     void agentGetsUpByTheShippedPolicyOnAnyGround(double grip) {
         Scene lying = GymGetUp.lying(posture -> posture);
-        try (Trial trial = Trial.direct(lying, 1, Performer.ofAgent(new Player(PolicyFile.shipped("get-up"))))) {
+        try (Trial trial = Trial.direct(lying, 1, Controller.ofAgent(new Player(PolicyFile.shipped("get-up"))))) {
             trial.setGrip(grip);
             for (int i = 0; i < 200; i++) {
                 trial.step();
@@ -160,7 +160,7 @@ class PlayedPolicyTest {
     }
 
     private static Posture played(GymTask task, Policy policy) {
-        try (Trial trial = Trial.direct(task.scene(new Chance(1)), 1, Performer.ofAgent(new Player(policy)))) {
+        try (Trial trial = Trial.direct(task.scene(new RandomSource(1)), 1, Controller.ofAgent(new Player(policy)))) {
             for (int i = 0; i < CYCLES; i++) {
                 trial.step();
             }
@@ -257,7 +257,7 @@ class PlayedPolicyTest {
         }
 
         @Override
-        protected void see(Moment first, Moment now) {}
+        protected void see(WorldState first, WorldState now) {}
 
         @Override
         public double value() {

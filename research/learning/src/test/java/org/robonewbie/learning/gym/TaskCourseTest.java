@@ -19,7 +19,7 @@ import org.robonewbie.learning.policy.LessonFigures;
 import org.robonewbie.learning.policy.PolicyTraining;
 import org.robonewbie.learning.policy.TrainingPlan;
 import org.robonewbie.nao.Joint;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 
 class TaskCourseTest {
 
@@ -193,7 +193,7 @@ class TaskCourseTest {
         }
 
         @Override
-        protected void see(Moment first, Moment now) {
+        protected void see(WorldState first, WorldState now) {
             double moved = now.robot().joints().degrees(Joint.LEFT_SHOULDER_PITCH)
                     - first.robot().joints().degrees(Joint.LEFT_SHOULDER_PITCH);
             away = Math.abs(moved - WAY);

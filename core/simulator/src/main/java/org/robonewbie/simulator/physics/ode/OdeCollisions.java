@@ -20,9 +20,9 @@ import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.physics.Collider;
 
 /**
- * The collision half of the engine, for a world that computes its motion itself.
+ * Collision detection by ode4j, for a world that computes its motion itself.
  *
- * <p>Shapes are kept in the same nested spaces as in {@link OdePhysicsWorld}, so that pairs are found in the same order.
+ * <p>Shapes are kept in nested spaces as in SimSpark, a space for each group, since that determines the order in which pairs are found.
  */
 public final class OdeCollisions implements Restorable {
 
@@ -30,7 +30,7 @@ public final class OdeCollisions implements Restorable {
     public static final int NUMBERS_PER_POINT = 7;
 
     /** How many points of a pair of shapes are found at most. */
-    public static final int MOST_POINTS = 4;
+    public static final int MAX_POINTS = 4;
 
     private static final long MOVABLE = 1;
     private static final long FIXED = 2;
@@ -44,10 +44,10 @@ public final class OdeCollisions implements Restorable {
     private final List<Group> groups = new ArrayList<>();
     private final Place place = new Place();
     private int searches;
-    private final DContactBuffer buffer = new DContactBuffer(MOST_POINTS);
+    private final DContactBuffer buffer = new DContactBuffer(MAX_POINTS);
     private final DContactGeomBuffer found = buffer.getGeomBuffer();
     private final DGeom.DNearCallback collision = this::collide;
-    private final double[] points = new double[MOST_POINTS * NUMBERS_PER_POINT];
+    private final double[] points = new double[MAX_POINTS * NUMBERS_PER_POINT];
 
     /** Receives every pair of shapes that touch. */
     public interface Listener {
@@ -58,7 +58,7 @@ public final class OdeCollisions implements Restorable {
          * @param first the one collider
          * @param second the other collider
          * @param points {@link #NUMBERS_PER_POINT} numbers for each point; only valid during the call
-         * @param count how many points there are, at most {@link #MOST_POINTS}
+         * @param count how many points there are, at most {@link #MAX_POINTS}
          */
         void touch(Collider first, Collider second, double[] points, int count);
     }
@@ -84,7 +84,16 @@ public final class OdeCollisions implements Restorable {
          */
         public void place(double[] position, double[] rotation) {
             place.position.set(position[0], position[1], position[2]);
-            OdeVectors.copy(rotation, place.rotation);
+            place.rotation.set(
+                    rotation[0],
+                    rotation[1],
+                    rotation[2],
+                    rotation[3],
+                    rotation[4],
+                    rotation[5],
+                    rotation[6],
+                    rotation[7],
+                    rotation[8]);
             geometry.setPosition(place.position);
             geometry.setRotation(place.rotation);
         }
@@ -116,7 +125,7 @@ public final class OdeCollisions implements Restorable {
          * @return the shape, at the world's origin
          */
         public Geometry add(Shape shape, Collider collider, boolean movable) {
-            DGeom geometry = OdeAssembly.geometry(space, shape);
+            DGeom geometry = geometry(space, shape);
             geometry.setCategoryBits(movable ? MOVABLE : FIXED);
             geometry.setCollideBits(movable ? MOVABLE | FIXED : MOVABLE);
             geometry.setData(collider);
@@ -173,6 +182,19 @@ public final class OdeCollisions implements Restorable {
         return group;
     }
 
+    /** Creates a geometry of ODE. */
+    static DGeom geometry(DHashSpace space, Shape shape) {
+        if (shape instanceof Shape.Box box) {
+            return OdeHelper.createBox(
+                    space, box.size().x(), box.size().y(), box.size().z());
+        }
+        if (shape instanceof Shape.Sphere sphere) {
+            return OdeHelper.createSphere(space, sphere.radius());
+        }
+        Shape.Capsule capsule = (Shape.Capsule) shape;
+        return OdeHelper.createCapsule(space, capsule.radius(), capsule.length());
+    }
+
     /** {@return the group whose shapes also touch each other} */
     public Group scenery() {
         return scenery;
@@ -193,7 +215,7 @@ public final class OdeCollisions implements Restorable {
             OdeHelper.spaceCollide2(first, second, listener, collision);
             return;
         }
-        int count = OdeHelper.collide(first, second, MOST_POINTS, found);
+        int count = OdeHelper.collide(first, second, MAX_POINTS, found);
         if (count > 0) {
             copyPoints(count);
             ((Listener) listener).touch((Collider) first.getData(), (Collider) second.getData(), points, count);

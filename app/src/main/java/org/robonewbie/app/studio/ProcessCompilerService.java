@@ -1,0 +1,115 @@
+package org.robonewbie.app.studio;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.robonewbie.nao.file.TemporaryFolder;
+import org.robonewbie.nao.file.TextFile;
+import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.programs.ExampleSources;
+import org.robonewbie.programs.JavaSource;
+import org.robonewbie.programs.Remark;
+import org.robonewbie.programs.completion.Proposal;
+import org.robonewbie.programs.process.ChildProcess;
+import org.robonewbie.programs.process.WaitingProcess;
+import org.robonewbie.studio.program.CompilerService;
+import org.robonewbie.studio.program.RunningProgram;
+
+/** The compiler and the processes behind the studio's room for programs. */
+public final class ProcessCompilerService implements CompilerService, AutoCloseable {
+
+    private final Path folder;
+    private final WaitingProcess processes;
+    private final ExampleSources sources = new ExampleSources();
+
+    /**
+     * Opens the workshop.
+     *
+     * @param folder where the programs are
+     */
+    public ProcessCompilerService(Path folder) {
+        this.folder = folder;
+        this.processes = new WaitingProcess(folder);
+    }
+
+    @Override
+    public Path folder() {
+        return folder;
+    }
+
+    @Override
+    public List<String> examples() {
+        return sources.names();
+    }
+
+    @Override
+    public Optional<String> example(String name) {
+        return sources.text(name);
+    }
+
+    @Override
+    public String newProgram(Path file, Optional<String> text) {
+        return sources.startingWith(file, text);
+    }
+
+    @Override
+    public List<Remark> check(Path file, String text) {
+        processes.prepare();
+        return JavaSource.of(file, text).check(List.of(folder));
+    }
+
+    @Override
+    public List<Proposal> complete(Path file, String text, int at) {
+        return JavaSource.of(file, text).complete(List.of(folder), at);
+    }
+
+    @Override
+    public Optional<RunningProgram> start(Path file, int port, Runnable beforeStart) throws IOException {
+        JavaSource source = JavaSource.of(file, TextFile.read(file).content());
+        TemporaryFolder classes = TemporaryFolder.create("robonewbie-program");
+        try {
+            if (!source.compile(List.of(folder), classes.path())) {
+                classes.close();
+                return Optional.empty();
+            }
+        } catch (CalledWronglyException refused) {
+            classes.close();
+            throw new IllegalArgumentException(refused.getMessage(), refused);
+        }
+        beforeStart.run();
+        List<String> options = List.of("--host", "127.0.0.1", "--port", Integer.toString(port), "--headless");
+        Running program = new Running(processes.start(source.className(), classes.path(), options), classes);
+        processes.prepare();
+        return Optional.of(program);
+    }
+
+    private record Running(ChildProcess process, TemporaryFolder classes) implements RunningProgram {
+
+        @Override
+        public String output() {
+            return process.output().end();
+        }
+
+        @Override
+        public boolean isRunning() {
+            return process.isRunning();
+        }
+
+        @Override
+        public int exitCode() {
+            return process.exitCode().orElse(0);
+        }
+
+        @Override
+        public void close() {
+            process.close();
+            classes.close();
+        }
+    }
+
+    @Override
+    public void close() {
+        processes.close();
+    }
+}
