@@ -179,8 +179,8 @@ class ArchitectureTest {
         Path asItIs = Files.writeString(Path.of("target", "modules.svg"), new ModulePicture(HOUSE).svg());
 
         assertThat(picture)
-                .as(
-                        "The arrows have changed. Do they still point down only? Then: cp app/target/modules.svg docs/images")
+                .as("The arrows have changed. Do they still point down only? Then: cp app/target/modules.svg"
+                        + " docs/images")
                 .hasSameTextualContentAs(asItIs);
     }
 
@@ -275,7 +275,9 @@ class ArchitectureTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"nao", "protocol", "agent", "simulator", "trial", "studio", "examples", "team", "app"})
+    @ValueSource(
+            strings = {"nao", "protocol", "agent", "simulator", "trial", "programs", "studio", "examples", "team", "app"
+            })
     void moduleIsLookedAt(String module) {
         assertThat(HOUSE).anyMatch(type -> type.getPackageName().startsWith("org.robonewbie." + module));
     }

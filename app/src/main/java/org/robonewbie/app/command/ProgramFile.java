@@ -1,6 +1,5 @@
 package org.robonewbie.app.command;
 
-import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -27,15 +26,6 @@ public final class ProgramFile {
 
     /** {@return the jar that this class comes from; empty if it comes from a folder, as in an IDE} */
     public static Optional<Path> ofThisProgram() {
-        try {
-            Path place = Path.of(ProgramFile.class
-                    .getProtectionDomain()
-                    .getCodeSource()
-                    .getLocation()
-                    .toURI());
-            return Optional.of(place).filter(Files::isRegularFile);
-        } catch (URISyntaxException impossible) {
-            throw new IllegalStateException(impossible);
-        }
+        return Optional.of(ClassPath.ownPlace()).filter(Files::isRegularFile);
     }
 }

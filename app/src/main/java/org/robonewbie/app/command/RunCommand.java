@@ -1,9 +1,6 @@
 package org.robonewbie.app.command;
 
 import java.io.IOException;
-import java.io.OutputStream;
-import java.io.PrintStream;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -48,8 +45,8 @@ final class RunCommand implements Callable<Integer> {
             names = "--rehearse",
             paramLabel = "T",
             description =
-                    "Before the game let the agent play T simulated seconds unseen, in a simulator of its own, so that Java"
-                            + " has compiled it when it counts: for matches on the clock.")
+                    "Before the game let the agent play T simulated seconds unseen, in a simulator of its own, so that"
+                            + " Java has compiled it when it counts: for matches on the clock.")
     private double rehearsalSeconds;
 
     @Parameters(
@@ -86,21 +83,11 @@ final class RunCommand implements Callable<Integer> {
     }
 
     /** What is said meanwhile would only confuse; what goes wrong will go wrong again where it counts. */
-    private void rehearse(Program program, List<String> options) {
+    private void rehearse(Program program, List<String> options) throws IOException {
         List<String> all = withoutServer(options);
         all.addAll(List.of("--seed", "1", "--fast", "--headless", "--seconds", Double.toString(rehearsalSeconds)));
-        PrintStream out = System.out;
-        PrintStream err = System.err;
-        out.println("Rehearses for " + rehearsalSeconds + " simulated seconds");
-        PrintStream nowhere = new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
-        System.setOut(nowhere);
-        System.setErr(nowhere);
-        try {
-            program.run(all);
-        } finally {
-            System.setOut(out);
-            System.setErr(err);
-        }
+        System.out.println("Rehearses for " + rehearsalSeconds + " simulated seconds");
+        SilentPrograms.entirely(() -> program.run(all));
     }
 
     private static List<String> withoutServer(List<String> options) {

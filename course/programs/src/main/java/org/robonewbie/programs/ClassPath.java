@@ -48,7 +48,8 @@ public record ClassPath(List<Path> places) {
                         : List.of(own));
     }
 
-    private static Path ownPlace() {
+    /** {@return the jar that holds this program; a folder of classes in an IDE} */
+    public static Path ownPlace() {
         try {
             return Path.of(ClassPath.class
                     .getProtectionDomain()
