@@ -23,8 +23,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.EnumSource.Mode;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.robonewbie.app.command.ProgramFile;
 import org.robonewbie.app.studio.ProcessCompilerService;
 import org.robonewbie.programs.process.Sandbox;
@@ -226,7 +226,9 @@ class AttackDoorsTest {
     }
 
     @ParameterizedTest
-    @EnumSource(mode = Mode.EXCLUDE, names = {"RUN", "RECORD", "ROOM"})
+    @EnumSource(
+            mode = Mode.EXCLUDE,
+            names = {"RUN", "RECORD", "ROOM"})
     void judgeLetsNoProgramIn(Door door) throws Exception {
         door.skipWithoutFence();
         handIn("anna/RaiseArms.java", PROGRAM.formatted(ATTACHES.formatted(folder)));
@@ -361,8 +363,7 @@ class AttackDoorsTest {
         assertThat(everything).doesNotContain("a password").doesNotContain("\tat ");
         assertThat(Input.values()).allSatisfy(input -> assertThat(everything).contains(input.name(), input.line));
         assertThat(printed.exitCode()).as(printed.toString()).isEqualTo(door.isClass() ? 0 : 1);
-        assertThat(printed.out())
-                .containsPattern(door.isClass() ? "anna .* 0\\.0 points" : "Red .*played to the end");
+        assertThat(printed.out()).containsPattern(door.isClass() ? "anna .* 0\\.0 points" : "Red .*played to the end");
     }
 
     /** What a program does to be judged better, or to the computer of its judge. */
@@ -404,7 +405,8 @@ class AttackDoorsTest {
     static Stream<Arguments> attacksThroughEachDoor() {
         return Stream.of(Attack.values())
                 .flatMap(attack -> Stream.of(Door.values())
-                        .filter(door -> !List.of(Door.RUN, Door.RECORD, Door.ROOM).contains(door))
+                        .filter(door ->
+                                !List.of(Door.RUN, Door.RECORD, Door.ROOM).contains(door))
                         .map(door -> Arguments.of(attack, door)));
     }
 
@@ -427,13 +429,16 @@ class AttackDoorsTest {
         Printed printed = Printed.by(words.toArray(String[]::new));
 
         String said = printed.out().replaceAll(" +", " ");
-        assertThat(said).as(printed.toString()).containsPattern("anna raise-arms 0\\.0|Red 0 of 10| 0\\.0 of 10 points");
+        assertThat(said)
+                .as(printed.toString())
+                .containsPattern("anna raise-arms 0\\.0|Red 0 of 10| 0\\.0 of 10 points");
         assertThat(said).doesNotContain("01-raise-arms PASSED");
         if (words.contains("competition") || door.isClass()) {
             assertThat(said).containsPattern("zoe raise-arms 10\\.0|Zoe 10 of 10");
         }
         assertThat(ProcessHandle.allProcesses()
-                        .filter(process -> process.info().commandLine().orElse("").contains(seconds)))
+                        .filter(process ->
+                                process.info().commandLine().orElse("").contains(seconds)))
                 .isEmpty();
         if (door.isFenced()) {
             assertThat(written).doesNotExist();

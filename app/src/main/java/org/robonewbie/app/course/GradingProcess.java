@@ -15,7 +15,6 @@ import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Grade;
 import org.robonewbie.exercises.Performance;
 import org.robonewbie.exercises.Score;
-import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.programs.process.Departure;
 import org.robonewbie.programs.process.RobotProcess;
 import org.robonewbie.trial.TrialListener;

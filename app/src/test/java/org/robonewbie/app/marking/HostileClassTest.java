@@ -1,11 +1,7 @@
 package org.robonewbie.app.marking;
 
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
-import org.robonewbie.programs.process.Sandbox;
-
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -19,8 +15,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.app.Printed;
 import org.robonewbie.nao.file.FolderLock;
+import org.robonewbie.programs.process.Sandbox;
 
 /** What one student hands in costs no other one a mark, whatever it is. */
 @EnabledOnOs(OS.LINUX)

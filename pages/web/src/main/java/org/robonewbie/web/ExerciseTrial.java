@@ -8,16 +8,16 @@ import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Performance;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Task;
+import org.robonewbie.pagejvm.EndlessLoop;
+import org.robonewbie.pagejvm.ProgramEnd;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.recording.RecordingTarget;
-import org.robonewbie.trial.TrialListener;
 import org.robonewbie.trial.ChallengeTrial;
 import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.RobotStart;
-import org.robonewbie.pagejvm.EndlessLoop;
-import org.robonewbie.pagejvm.ProgramEnd;
+import org.robonewbie.trial.TrialListener;
 
 /** One trial of an exercise, which is judged as {@code robonewbie grade} does. Nobody can move robots or ball: it counts. */
 final class ExerciseTrial implements SteppedWorld {

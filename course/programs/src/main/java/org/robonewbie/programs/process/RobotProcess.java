@@ -90,17 +90,14 @@ public final class RobotProcess implements AutoCloseable {
         }
 
         private SandboxPolicy policy(Path sockets) throws IOException {
-            List<Path> readable = new ArrayList<>(JavaCommand.readable(ClassPath.ofThisProgram().with(classPath)));
+            List<Path> readable = new ArrayList<>(
+                    JavaCommand.readable(ClassPath.ofThisProgram().with(classPath)));
             if (program.endsWith(".java")) {
                 Path file = folder.resolve(program);
                 readable.add(JavaSource.of(file, TextFile.read(file).content()).rootFolder());
             }
             return new SandboxPolicy(
-                    readable,
-                    hiddenAtHome(),
-                    Optional.of(folder),
-                    Optional.of(sockets),
-                    Optional.empty());
+                    readable, hiddenAtHome(), Optional.of(folder), Optional.of(sockets), Optional.empty());
         }
 
         /** A program that lies in the home folder itself sees keys and settings of its owner no more than another one. */

@@ -145,8 +145,7 @@ public final class CompilerInPage {
     /** {@return the names of the class files that were made, separated by blanks} */
     @JSExport
     public static String classFiles() {
-        return String.join(
-                " ", FILES.made().stream().map(MemoryFile::path).toList());
+        return String.join(" ", FILES.made().stream().map(MemoryFile::path).toList());
     }
 
     /**
