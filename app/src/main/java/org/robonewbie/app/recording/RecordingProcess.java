@@ -48,12 +48,11 @@ final class RecordingProcess implements AutoCloseable {
      *
      * @return what became of it; empty if the user has ended the process
      * @throws IOException if the tables cannot be written
-     * @throws InterruptedException if this thread is interrupted
      */
-    Optional<RunResult> record(int run, long seed) throws IOException, InterruptedException {
+    Optional<RunResult> record(int run, long seed) throws IOException {
         complaint = "";
         process.call(Integer.toString(run));
-        String text = answers.take();
+        String text = nextAnswer();
         if (text.isEmpty()) {
             over = true;
             process.awaitEnd(SECONDS_TO_END);
@@ -68,6 +67,15 @@ final class RecordingProcess implements AutoCloseable {
         over = text.startsWith(RunsOnCall.LAST_RUN);
         return RunResult.read(text.substring((over ? RunsOnCall.LAST_RUN : RunsOnCall.RUN).length()))
                 .map(this::withComplaint);
+    }
+
+    private String nextAnswer() throws IOException {
+        try {
+            return answers.take();
+        } catch (InterruptedException stopped) {
+            Thread.currentThread().interrupt();
+            throw new IOException("The recording was interrupted.", stopped);
+        }
     }
 
     private RunResult withComplaint(RunResult result) {
