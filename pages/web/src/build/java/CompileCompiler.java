@@ -25,8 +25,8 @@ final class CompileCompiler {
 
     /** Code completion and hints that the page shares with the studio. */
     private static final List<String> SHARED = List.of(
-            "pages/studio/src/main/java/org/robonewbie/studio/completion",
-            "app/src/main/java/org/robonewbie/app/hint",
+            "course/programs/src/main/java/org/robonewbie/programs/completion",
+            "course/programs/src/main/java/org/robonewbie/programs/hint",
             "core/nao/src/main/java/org/robonewbie/nao/text/ConfusableCharacter.java",
             "core/nao/src/main/java/org/robonewbie/nao/text/Spelling.java");
 
@@ -48,14 +48,21 @@ final class CompileCompiler {
         copy(sources.resolveSibling("resources"), classes);
         String libraries = javac + File.pathSeparator + withoutRobonewbie(System.getProperty("java.class.path"));
         List<Path> ours = new ArrayList<>(List.of(sources));
-        SHARED.forEach(place -> ours.add(sources.resolve("../../../../..").resolve(place).normalize()));
+        SHARED.forEach(place ->
+                ours.add(sources.resolve("../../../../..").resolve(place).normalize()));
         compile(ours, classes, libraries);
-        Path compileToWebAssembly = sources.resolve("../../build/java/CompileToWebAssembly.java").normalize();
+        Path compileToWebAssembly =
+                sources.resolve("../../build/java/CompileToWebAssembly.java").normalize();
         int exitCode = new ProcessBuilder(
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-Xmx3g", "-Xss8m", "-XX:+UseSerialGC",
-                        "-classpath", classes + File.pathSeparator + libraries,
-                        compileToWebAssembly.toString(), MAIN_CLASS, file.toString())
+                        "-Xmx3g",
+                        "-Xss8m",
+                        "-XX:+UseSerialGC",
+                        "-classpath",
+                        classes + File.pathSeparator + libraries,
+                        compileToWebAssembly.toString(),
+                        MAIN_CLASS,
+                        file.toString())
                 .inheritIO()
                 .start()
                 .waitFor();

@@ -13,7 +13,7 @@ import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
-import org.robonewbie.studio.completion.ApiDocumentation;
+import org.robonewbie.programs.completion.ApiDocumentation;
 import org.robonewbie.web.compiling.ProgramLibrary;
 
 /**
@@ -33,8 +33,12 @@ final class PackComments {
         for (String module : MODULES) {
             Path sources = Path.of(args[0], module, "src", "main", "java");
             try (Stream<Path> files = Files.walk(sources)) {
-                for (Path file : files.filter(each -> each.toString().endsWith(".java")).toList()) {
-                    String name = sources.relativize(file).toString().replaceAll("[/\\\\]", ".").replaceFirst("\\.java$", "");
+                for (Path file :
+                        files.filter(each -> each.toString().endsWith(".java")).toList()) {
+                    String name = sources.relativize(file)
+                            .toString()
+                            .replaceAll("[/\\\\]", ".")
+                            .replaceFirst("\\.java$", "");
                     if (ProgramLibrary.has(name)) {
                         comments.put(name, comments(file));
                     }
@@ -48,7 +52,8 @@ final class PackComments {
     private static Map<String, String> comments(Path file) throws IOException {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         try (StandardJavaFileManager files = compiler.getStandardFileManager(null, null, StandardCharsets.UTF_8)) {
-            JavacTask task = (JavacTask) compiler.getTask(null, files, null, null, null, files.getJavaFileObjects(file));
+            JavacTask task =
+                    (JavacTask) compiler.getTask(null, files, null, null, null, files.getJavaFileObjects(file));
             CompilationUnitTree unit = task.parse().iterator().next();
             return new TreeMap<>(ApiDocumentation.comments(unit, Trees.instance(task)));
         }

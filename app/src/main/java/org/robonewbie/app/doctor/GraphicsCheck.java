@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
-import org.robonewbie.app.program.TemporaryFolder;
+import org.robonewbie.nao.file.TemporaryFolder;
 
 /** Checks WebGL, which the studio needs, in a headless browser. */
 final class GraphicsCheck {

@@ -3,8 +3,8 @@ package org.robonewbie.app.doctor;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import org.robonewbie.app.program.CompilerOfThisJava;
 import org.robonewbie.nao.math.MathFingerprint;
+import org.robonewbie.programs.CompilerOfThisJava;
 
 /** Checks the Java runtime of this program. */
 final class JavaCheck {

@@ -7,9 +7,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
-import org.robonewbie.app.program.ProgramFile;
-import org.robonewbie.app.program.StudentJava;
-import org.robonewbie.app.program.TemporaryFolder;
+import org.robonewbie.app.command.ProgramFile;
+import org.robonewbie.nao.file.TemporaryFolder;
 
 /** Creates a project as {@code robonewbie new} does and runs its program; neither may need a network. */
 final class ProjectCheck {
@@ -47,7 +46,7 @@ final class ProjectCheck {
     private static Optional<String> trouble(Path folder, List<String> words) {
         Path output = folder.resolve("output.txt");
         try {
-            Process process = new ProcessBuilder(StudentJava.command(List.of(), words))
+            Process process = new ProcessBuilder(ProgramFile.command(words))
                     .directory(folder.toFile())
                     .redirectErrorStream(true)
                     .redirectOutput(output.toFile())

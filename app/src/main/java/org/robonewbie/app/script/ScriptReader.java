@@ -14,10 +14,10 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.app.script.RubyToken.Kind;
 import org.robonewbie.nao.file.TextFile;
 import org.robonewbie.nao.file.UnreadableFileException;
+import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.simulator.Console;
 
 /** Interprets a start script and the scripts that it runs, and reports each setting that is ignored. */

@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
-import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.app.script.RubyToken.Kind;
+import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 

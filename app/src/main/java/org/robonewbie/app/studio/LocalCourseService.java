@@ -8,7 +8,6 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.robonewbie.app.course.Coach;
-import org.robonewbie.app.course.GradingProcess;
 import org.robonewbie.app.course.ProgressTable;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
@@ -18,6 +17,7 @@ import org.robonewbie.exercises.progress.ExerciseProgress;
 import org.robonewbie.exercises.progress.Progress;
 import org.robonewbie.exercises.progress.SolutionRepository;
 import org.robonewbie.exercises.progress.Worksheet;
+import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.studio.ShownSimulation;
 import org.robonewbie.studio.course.Attempt;
@@ -156,7 +156,7 @@ public final class LocalCourseService implements Course, AutoCloseable {
             throw new IllegalArgumentException(
                     "The file " + file.getFileName() + " already exists and is kept. Rename it to start over.");
         }
-        GradingProcess.write(file, found.startCode());
+        AtomicFile.write(file, found.startCode());
         coach.begun(found);
         return String.valueOf(file.getFileName());
     }

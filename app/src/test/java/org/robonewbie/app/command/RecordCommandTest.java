@@ -26,7 +26,6 @@ import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.Printed;
 import org.robonewbie.app.Project;
 import org.robonewbie.app.Python;
-import org.robonewbie.app.program.StudentJava;
 
 class RecordCommandTest {
 
@@ -257,8 +256,7 @@ class RecordCommandTest {
         String[] words = {
             "record", "Agent_BasicStructure", "--runs", "12", "--seconds", "5", "--runs-per-file", "4", "--out"
         };
-        Process process = new ProcessBuilder(
-                        StudentJava.command(List.of(), List.of(with(words, folder.resolve("one")))))
+        Process process = new ProcessBuilder(ProgramFile.command(List.of(with(words, folder.resolve("one")))))
                 .redirectError(ProcessBuilder.Redirect.DISCARD)
                 .start();
         List<ProcessHandle> helpers;

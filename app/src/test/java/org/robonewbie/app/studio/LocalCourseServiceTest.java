@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Clock;
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -14,11 +15,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.Project;
+import org.robonewbie.app.command.ProgramFile;
 import org.robonewbie.app.course.Coach;
-import org.robonewbie.app.program.GuestProcess;
-import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.progress.ProgressFile;
 import org.robonewbie.exercises.progress.SolutionRepository;
+import org.robonewbie.programs.process.ChildProcess;
+import org.robonewbie.programs.process.Limits;
+import org.robonewbie.programs.process.ProgramOutput;
 import org.robonewbie.studio.ShownSimulation;
 import org.robonewbie.studio.course.Attempt;
 import org.robonewbie.studio.course.Attempt.State;
@@ -45,6 +48,9 @@ class LocalCourseServiceTest {
                 }
             }
             """;
+
+    private static final String MAIN =
+            "    public static void main(String[] arguments) {\n        new RaiseArms().run(arguments);\n    }\n\n";
 
     @TempDir
     private Path folder;
@@ -135,7 +141,7 @@ class LocalCourseServiceTest {
         service.begin("raise-arms", "RaiseArms.java", 1);
         Attempt attempt = service.awaitEnd();
 
-        assertThat(attempt.judged().get(0).finding()).startsWith("The program has");
+        assertThat(attempt.judged().get(0).finding()).startsWith("The program ended the whole process (exit code 7)");
     }
 
     @Test
@@ -152,14 +158,20 @@ class LocalCourseServiceTest {
     @Tag("slow")
     @Test
     void agentThatTheStudentStartsIsJudgedTheSameWay() throws Exception {
-        Files.writeString(folder.resolve("RaiseArms.java"), RAISE_ARMS);
         service.begin("raise-arms", "", 1);
         int port = service.attempt().port();
-        try (GuestProcess student =
-                GuestProcess.start(Exercises.find("raise-arms").orElseThrow(), "RaiseArms.java", port, folder)) {
+        Files.writeString(
+                folder.resolve("RaiseArms.java"), RAISE_ARMS.replace("    @Override", MAIN + "    @Override"));
+        try (ChildProcess student = ChildProcess.start(
+                ProgramFile.command(List.of(
+                        "run", "RaiseArms.java", "--port", Integer.toString(port), "--headless", "--team", "Students")),
+                folder,
+                false,
+                ProgramOutput.of(line -> {}, answer -> {}),
+                Limits.NONE)) {
             Attempt attempt = service.awaitEnd();
 
-            assertThat(attempt.passed()).as(attempt + student.output()).isTrue();
+            assertThat(attempt.passed()).as(attempt + student.output().end()).isTrue();
         }
     }
 

@@ -20,7 +20,6 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.SimulationControl;
-import org.robonewbie.simulator.WorldSnapshot;
 
 class LiveFeedTest {
 

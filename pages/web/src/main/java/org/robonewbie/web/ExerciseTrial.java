@@ -8,16 +8,16 @@ import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Performance;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Task;
+import org.robonewbie.pagejvm.EndlessLoop;
+import org.robonewbie.pagejvm.ProgramEnd;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.recording.RecordingTarget;
-import org.robonewbie.trial.TrialListener;
 import org.robonewbie.trial.ChallengeTrial;
 import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.RobotStart;
-import org.robonewbie.pagejvm.EndlessLoop;
-import org.robonewbie.pagejvm.ProgramEnd;
+import org.robonewbie.trial.TrialListener;
 
 /** One trial of an exercise, judged as by {@code robonewbie grade}. Robots and ball cannot be moved by hand. */
 final class ExerciseTrial implements SteppedWorld {
@@ -49,7 +49,7 @@ final class ExerciseTrial implements SteppedWorld {
             stuck = true;
             failure = Optional.of(Performance.ofEndlessStep("", Optional.of(loop.place())));
         } catch (ProgramEnd end) {
-            failure = Optional.of(Performance.ofExit(end.exitCode()));
+            failure = Optional.of(Performance.ofExit(String.valueOf(end.exitCode())));
         } catch (RuntimeException | Error thrown) {
             failure = Optional.of(Performance.ofMistake(thrown));
         }

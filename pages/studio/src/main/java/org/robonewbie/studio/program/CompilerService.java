@@ -4,7 +4,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.robonewbie.studio.completion.Proposal;
+import org.robonewbie.programs.Remark;
+import org.robonewbie.programs.completion.Proposal;
 
 /** Compiles and starts students' programs for the pages. Thread-safe. */
 public interface CompilerService {

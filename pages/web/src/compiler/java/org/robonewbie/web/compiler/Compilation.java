@@ -17,10 +17,10 @@ import javax.tools.DiagnosticListener;
 import javax.tools.JavaFileManager;
 import javax.tools.JavaFileObject;
 import org.jspecify.annotations.Nullable;
-import org.robonewbie.app.hint.FrameworkNames;
-import org.robonewbie.app.hint.Hints;
-import org.robonewbie.studio.completion.Completion;
-import org.robonewbie.studio.completion.Proposal;
+import org.robonewbie.programs.completion.Completion;
+import org.robonewbie.programs.completion.Proposal;
+import org.robonewbie.programs.hint.FrameworkNames;
+import org.robonewbie.programs.hint.Hints;
 
 /** One run of {@code javac}. */
 final class Compilation {
@@ -74,12 +74,10 @@ final class Compilation {
         boolean placed =
                 diagnostic.getSource() instanceof MemoryFile && diagnostic.getStartPosition() != Diagnostic.NOPOS;
         String place = placed
-                ? ((MemoryFile) diagnostic.getSource())
-                        .text()
-                        .substring((int) diagnostic.getStartPosition(), (int) diagnostic.getEndPosition())
+                ? ((MemoryFile) diagnostic.getSource()).text().substring((int) diagnostic.getStartPosition(), (int)
+                        diagnostic.getEndPosition())
                 : "";
-        return new Hints.Remark(
-                String.valueOf(diagnostic.getCode()), place, diagnostic.getMessage(Locale.ENGLISH));
+        return new Hints.Remark(String.valueOf(diagnostic.getCode()), place, diagnostic.getMessage(Locale.ENGLISH));
     }
 
     /** The framework's names are read only once, since the library never changes. */
@@ -118,9 +116,8 @@ final class Compilation {
         compiler.attribute(compiler.todo);
         Completion.Compiler known = new Completion.Compiler(
                 JavacTrees.instance(context), JavacElements.instance(context), JavacTypes.instance(context));
-        List<Proposal> proposals =
-                Completion.of(
-                        known, asked, begun, (className, key) -> "\t" + className + "\t" + key, FrameworkNames.TYPES);
+        List<Proposal> proposals = Completion.of(
+                known, asked, begun, (className, key) -> "\t" + className + "\t" + key, FrameworkNames.TYPES);
         compiler.close();
         return proposals;
     }

@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.Locale;
 import javax.tools.Diagnostic;
 import javax.tools.JavaFileObject;
-import org.robonewbie.studio.completion.BegunWord;
-import org.robonewbie.studio.completion.Proposal;
+import org.robonewbie.programs.completion.BegunWord;
+import org.robonewbie.programs.completion.Proposal;
 import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
 
@@ -144,8 +144,7 @@ public final class CompilerInPage {
     /** {@return the names of the compiled class files, separated by blanks} */
     @JSExport
     public static String classFiles() {
-        return String.join(
-                " ", FILES.made().stream().map(MemoryFile::path).toList());
+        return String.join(" ", FILES.made().stream().map(MemoryFile::path).toList());
     }
 
     /**

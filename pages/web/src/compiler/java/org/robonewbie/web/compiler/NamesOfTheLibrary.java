@@ -11,7 +11,7 @@ import javax.lang.model.element.ElementKind;
 import javax.lang.model.element.Modifier;
 import javax.lang.model.element.TypeElement;
 import javax.lang.model.util.Elements;
-import org.robonewbie.app.hint.FrameworkNames;
+import org.robonewbie.programs.hint.FrameworkNames;
 
 /** Collects candidates for misspelt names from RoboNewbie's classes. */
 final class NamesOfTheLibrary {
