@@ -64,8 +64,10 @@ final class Bridges {
         MAKERS.put(BiPredicate.class, call -> (BiPredicate<Object, Object>) (a, b) -> toBoolean(call.of("test", a, b)));
         MAKERS.put(BooleanSupplier.class, call -> (BooleanSupplier) () -> toBoolean(call.of("getAsBoolean")));
         MAKERS.put(ToIntFunction.class, call -> (ToIntFunction<Object>) a -> toInt(call.of("applyAsInt", a)));
-        MAKERS.put(ToLongFunction.class, call -> (ToLongFunction<Object>) a -> (Long) nonNull(call.of("applyAsLong", a)));
-        MAKERS.put(ToDoubleFunction.class, call -> (ToDoubleFunction<Object>) a -> toDouble(call.of("applyAsDouble", a)));
+        MAKERS.put(ToLongFunction.class, call ->
+                (ToLongFunction<Object>) a -> (Long) nonNull(call.of("applyAsLong", a)));
+        MAKERS.put(
+                ToDoubleFunction.class, call -> (ToDoubleFunction<Object>) a -> toDouble(call.of("applyAsDouble", a)));
         MAKERS.put(ToDoubleBiFunction.class, call ->
                 (ToDoubleBiFunction<Object, Object>) (a, b) -> toDouble(call.of("applyAsDouble", a, b)));
         MAKERS.put(IntSupplier.class, call -> (IntSupplier) () -> toInt(call.of("getAsInt")));
@@ -105,7 +107,7 @@ final class Bridges {
         }
         Function<Call, Object> maker = MAKERS.get(type);
         if (maker == null) {
-            throw new Missing("An object of the program cannot be passed to Java's classes as a " + type.getName()");
+            throw new Missing("An object of the program cannot be passed to Java's classes as a " + type.getName());
         }
         return maker.apply((method, arguments) -> call(value, method, arguments, machine));
     }

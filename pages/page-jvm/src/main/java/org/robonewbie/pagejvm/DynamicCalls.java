@@ -29,7 +29,8 @@ final class DynamicCalls {
             case "java/lang/invoke/LambdaMetafactory" -> lambda(call, type, bootstrap.arguments(), arguments);
             case "java/lang/invoke/StringConcatFactory" -> text(type, bootstrap.arguments(), arguments);
             case "java/lang/runtime/ObjectMethods" -> ofRecord(call.name(), bootstrap.arguments(), arguments);
-            default -> throw new Missing("The program uses an unsupported bootstrap method of " + linker.replace('/', '.'));
+            default ->
+                throw new Missing("The program uses an unsupported bootstrap method of " + linker.replace('/', '.'));
         };
     }
 

@@ -203,9 +203,10 @@ public final class Machine {
         stepsLeftAtNextCheck = 0;
         slowCycles++;
         if (slowCycles == SLOW_CYCLES_TO_REPORT) {
-            output.println("The program executes more than " + SLOW_STEPS + " instructions in a cycle, at " + placeText()
-                    + ". There are 50 cycles per simulated second, so the page becomes slow."
-                    + " Compute less in a cycle, or spread the work over several cycles.");
+            output.println(
+                    "The program executes more than " + SLOW_STEPS + " instructions in a cycle, at " + placeText()
+                            + ". There are 50 cycles per simulated second, so the page becomes slow."
+                            + " Compute less in a cycle, or spread the work over several cycles.");
         }
     }
 

@@ -108,8 +108,7 @@ final class Members {
         Descriptor type = Descriptor.of(method.descriptor());
         Object[] arguments = frame.pop(type.parameters().size());
         Object target = Objects.requireNonNull(
-                frame.pop(),
-                () -> "Cannot call \"" + method.name() + "()\" because the value before the dot is null");
+                frame.pop(), () -> "Cannot call \"" + method.name() + "()\" because the value before the dot is null");
         call(frame, method, type, target, arguments);
     }
 
@@ -213,7 +212,8 @@ final class Members {
     private void cast(Frame frame, String type) {
         Object value = frame.pop();
         if (value != null && !StudentObjects.isInstance(value, type, program)) {
-            throw new ClassCastException("A " + StudentObjects.className(value) + " is not a " + type.replace('/', '.'));
+            throw new ClassCastException(
+                    "A " + StudentObjects.className(value) + " is not a " + type.replace('/', '.'));
         }
         frame.push(value);
     }
