@@ -112,7 +112,7 @@ class FreePitchTest {
 
     private static byte[] bytes(PageRecording recording) {
         ByteArrayOutputStream all = new ByteArrayOutputStream();
-        recording.give((bytes, first) -> all.writeBytes(bytes));
+        recording.sendTo((bytes, first) -> all.writeBytes(bytes));
         return all.toByteArray();
     }
 
@@ -122,10 +122,10 @@ class FreePitchTest {
         List<Boolean> firsts = new ArrayList<>();
 
         pitch.cycle();
-        recording.give((bytes, first) -> firsts.add(first));
-        recording.give((bytes, first) -> firsts.add(first));
+        recording.sendTo((bytes, first) -> firsts.add(first));
+        recording.sendTo((bytes, first) -> firsts.add(first));
         pitch.cycle();
-        recording.give((bytes, first) -> firsts.add(first));
+        recording.sendTo((bytes, first) -> firsts.add(first));
 
         assertThat(firsts).containsExactly(true, false);
     }
