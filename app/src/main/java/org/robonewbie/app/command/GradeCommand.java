@@ -1,5 +1,6 @@
 package org.robonewbie.app.command;
 
+import org.robonewbie.programs.ClassPath;
 import java.io.IOException;
 import java.nio.charset.Charset;
 import java.nio.file.Files;
@@ -193,7 +194,7 @@ final class GradeCommand implements Callable<Integer> {
 
     /** What distinguishes this judge from that of another build. */
     private static String judge() throws IOException {
-        Optional<Path> jar = ProgramFile.ofThisProgram();
+        Optional<Path> jar = ClassPath.ownJar();
         return jar.isPresent() ? Files.getLastModifiedTime(jar.get()).toString() : "not packaged";
     }
 

@@ -1,5 +1,6 @@
 package org.robonewbie.app.command;
 
+import org.robonewbie.programs.process.JavaCommand;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -116,7 +117,7 @@ final class RecordCommand implements Callable<Integer> {
             if (set.runs() > 0) {
                 System.out.println(set.runs() + " runs are complete already and kept.");
             }
-            new ParallelRecording(order, runs, set, ProgramFile.command(argumentsOnCall())).run(threads);
+            new ParallelRecording(order, runs, set, JavaCommand.ofCommand(argumentsOnCall())).run(threads);
             return end(set);
         } finally {
             guard.close();

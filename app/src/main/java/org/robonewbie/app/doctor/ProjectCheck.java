@@ -1,5 +1,7 @@
 package org.robonewbie.app.doctor;
 
+import org.robonewbie.programs.ClassPath;
+import org.robonewbie.programs.process.JavaCommand;
 import java.io.IOException;
 import java.nio.charset.Charset;
 import java.nio.file.Files;
@@ -7,7 +9,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
-import org.robonewbie.app.command.ProgramFile;
 import org.robonewbie.nao.file.TemporaryFolder;
 
 /** Makes a project as {@code robonewbie new} does and runs its program, for which no network may be needed. */
@@ -21,7 +22,7 @@ final class ProjectCheck {
     private ProjectCheck() {}
 
     static Finding made() {
-        if (ProgramFile.ofThisProgram().isEmpty()) {
+        if (ClassPath.ownJar().isEmpty()) {
             return Finding.notable(
                     SUBJECT, "not tried, since this program was not packaged", "Start it by ./robonewbie instead.");
         }
@@ -45,7 +46,7 @@ final class ProjectCheck {
     private static Optional<String> trouble(Path folder, List<String> words) {
         Path output = folder.resolve("output.txt");
         try {
-            Process process = new ProcessBuilder(ProgramFile.command(words))
+            Process process = new ProcessBuilder(JavaCommand.ofCommand(words))
                     .directory(folder.toFile())
                     .redirectErrorStream(true)
                     .redirectOutput(output.toFile())

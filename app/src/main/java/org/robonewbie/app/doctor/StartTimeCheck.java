@@ -1,10 +1,10 @@
 package org.robonewbie.app.doctor;
 
+import org.robonewbie.programs.process.JavaCommand;
 import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
-import org.robonewbie.app.command.ProgramFile;
 
 /** Measures how long this program takes to start: scanners of viruses and slow network drives show here first. */
 final class StartTimeCheck {
@@ -44,7 +44,7 @@ final class StartTimeCheck {
 
     private static double seconds() throws IOException, InterruptedException {
         long begin = System.nanoTime();
-        Process process = new ProcessBuilder(ProgramFile.command(List.of("--version")))
+        Process process = new ProcessBuilder(JavaCommand.ofCommand(List.of("--version")))
                 .redirectErrorStream(true)
                 .redirectOutput(ProcessBuilder.Redirect.DISCARD)
                 .start();

@@ -1,5 +1,6 @@
 package org.robonewbie.app.command;
 
+import org.robonewbie.programs.process.JavaCommand;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -257,7 +258,7 @@ class RecordCommandTest {
         String[] words = {
             "record", "Agent_BasicStructure", "--runs", "12", "--seconds", "5", "--runs-per-file", "4", "--out"
         };
-        Process process = new ProcessBuilder(ProgramFile.command(List.of(with(words, folder.resolve("one")))))
+        Process process = new ProcessBuilder(JavaCommand.ofCommand(List.of(with(words, folder.resolve("one")))))
                 .redirectError(ProcessBuilder.Redirect.DISCARD)
                 .start();
         List<ProcessHandle> helpers;

@@ -1,5 +1,6 @@
 package org.robonewbie.app.studio;
 
+import org.robonewbie.programs.process.JavaCommand;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -15,7 +16,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.Project;
-import org.robonewbie.app.command.ProgramFile;
 import org.robonewbie.app.course.Coach;
 import org.robonewbie.exercises.progress.ProgressFile;
 import org.robonewbie.exercises.progress.SolutionRepository;
@@ -163,7 +163,7 @@ class LocalCourseServiceTest {
         Files.writeString(
                 folder.resolve("RaiseArms.java"), RAISE_ARMS.replace("    @Override", MAIN + "    @Override"));
         try (ChildProcess student = ChildProcess.start(
-                ProgramFile.command(List.of(
+                JavaCommand.ofCommand(List.of(
                         "run", "RaiseArms.java", "--port", Integer.toString(port), "--headless", "--team", "Students")),
                 folder,
                 false,

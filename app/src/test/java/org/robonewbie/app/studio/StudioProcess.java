@@ -1,5 +1,6 @@
 package org.robonewbie.app.studio;
 
+import org.robonewbie.programs.process.JavaCommand;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -9,7 +10,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import org.robonewbie.app.command.ProgramFile;
 import org.robonewbie.studio.StudioCookie;
 
 /** A studio in a process of its own, as a person starts it, and what its page asks of it. */
@@ -30,7 +30,7 @@ public final class StudioProcess implements AutoCloseable {
     /** Starts it in a folder. */
     public static StudioProcess start(Path folder) throws IOException {
         ProcessBuilder builder = new ProcessBuilder(
-                        ProgramFile.command(List.of("studio", "--no-browser", "--agent-port", "0")))
+                        JavaCommand.ofCommand(List.of("studio", "--no-browser", "--agent-port", "0")))
                 .directory(folder.toFile())
                 .redirectError(ProcessBuilder.Redirect.DISCARD);
         builder.environment().put("ROBONEWBIE_RECORDINGS", "off");
