@@ -14,8 +14,8 @@ import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 
 /**
- * Compiles javac to WebAssembly: takes it out of the JDK that runs this, compiles what makes it callable from a page and what the
- * studio proposes, and calls {@code CompileToWebAssembly}. All that needs files is left out.
+ * Compiles javac to WebAssembly: copies it from the running JDK, compiles the page's entry points and the studio's code completion, and
+ * calls {@code CompileToWebAssembly}. Parts that need files are stubbed out.
  *
  * <p>Usage: {@code java -cp CLASS_PATH CompileCompiler.java FOLDER_OF_SOURCES WORK_FOLDER FILE}
  */
@@ -23,7 +23,7 @@ final class CompileCompiler {
 
     private static final List<String> MODULES = List.of("jdk.compiler", "java.compiler", "jdk.internal.opt");
 
-    /** What the studio proposes and says while somebody writes; the page does the same. */
+    /** Code completion and hints that the page shares with the studio. */
     private static final List<String> SHARED = List.of(
             "course/programs/src/main/java/org/robonewbie/programs/completion",
             "course/programs/src/main/java/org/robonewbie/programs/hint",
@@ -69,7 +69,7 @@ final class CompileCompiler {
         System.exit(exitCode);
     }
 
-    /** The compiler needs nothing of RoboNewbie, and least of all the rules for its other program. */
+    /** The compiler must not see RoboNewbie's classes, and in particular not the TeaVM policies of the other module. */
     private static String withoutRobonewbie(String classPath) {
         return Arrays.stream(classPath.split(File.pathSeparator))
                 .filter(place -> !place.endsWith("classes") && !place.contains("robonewbie-"))

@@ -17,8 +17,8 @@ import org.robonewbie.programs.completion.ApiDocumentation;
 import org.robonewbie.web.compiling.ProgramLibrary;
 
 /**
- * Writes what the classes of RoboNewbie that programs may use and their members do, for the proposals of the editor: plain texts by
- * class and member.
+ * Writes the Javadoc of RoboNewbie's classes that programs may use, as plain text by class and member, for the code completion of the
+ * page.
  *
  * <p>Usage: {@code java -cp CLASS_PATH PackComments.java ROOT FILE}
  */

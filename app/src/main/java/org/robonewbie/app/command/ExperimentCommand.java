@@ -5,7 +5,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
-
 import org.robonewbie.learning.series.Experiment;
 import org.robonewbie.learning.series.ExperimentPlan;
 import org.robonewbie.learning.series.ExperimentRun;

@@ -16,12 +16,12 @@ import org.robonewbie.nao.file.TemporaryFolder;
 import org.robonewbie.programs.process.RobotProcess;
 import org.robonewbie.programs.process.Sandbox;
 
-/** Grades a program as students do: it is written, compiled and run in a process of its own, and judged. */
+/** Grades the starter program of an exercise: writes it, compiles it, runs it in its own process, and judges it. */
 final class ExerciseCheckup {
 
     private static final String SUBJECT = "An exercise";
     private static final String ADVICE =
-            "Try the same by hand: robonewbie grade raise-arms --start, then robonewbie grade raise-arms RaiseArms.java";
+            "Try it by hand: robonewbie grade raise-arms --start, then robonewbie grade raise-arms RaiseArms.java";
 
     private ExerciseCheckup() {}
 

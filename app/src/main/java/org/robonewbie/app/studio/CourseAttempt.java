@@ -21,8 +21,8 @@ import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.watch.WatchedTrial;
 
 /**
- * Trials of one exercise, one seed after the other, under the eyes of the student. The program runs in a process of its own, or
- * the student starts it, so what it does wrong does no harm to the studio.
+ * Trials of one exercise with consecutive seeds, shown to the student. The program runs in its own process, or the student starts it, so
+ * that its failures cannot harm the studio.
  */
 final class CourseAttempt implements AutoCloseable {
 
@@ -60,13 +60,13 @@ final class CourseAttempt implements AutoCloseable {
     }
 
     /**
-     * Begins with the first trial.
+     * Starts the first trial.
      *
      * @param id number of the attempt
      * @param program a Java file or class; empty for an agent that the student starts
-     * @param folder where the program runs
+     * @param folder working directory of the program
      * @param screen shows each trial
-     * @param complete hears of the attempt when all trials are judged
+     * @param complete receives the attempt when all trials have been judged
      * @throws IOException if no port is free
      */
     static CourseAttempt begin(
@@ -79,7 +79,7 @@ final class CourseAttempt implements AutoCloseable {
             Consumer<Attempt> complete)
             throws IOException {
         boolean own = program.isEmpty();
-        Optional<GuestDoor> door = own ? Optional.of(usualDoor()) : Optional.empty();
+        Optional<GuestDoor> door = own ? Optional.of(defaultDoor()) : Optional.empty();
         Optional<RobotProcess> student = own ? Optional.empty() : Optional.of(start(program, folder));
         CourseAttempt attempt = new CourseAttempt(id, exercise, program, trials, door, student, screen, complete);
         Thread thread = new Thread(attempt::tryAll, "exercise");
@@ -88,12 +88,10 @@ final class CourseAttempt implements AutoCloseable {
         return attempt;
     }
 
-    /**
-     * Students' own agents connect to the same port each time if possible; their debuggers may hold them as long as they like.
-     */
-    private static GuestDoor usualDoor() throws IOException {
+    /** Opens the same port each time if possible, without a timeout, since the student's agent may be held by a debugger. */
+    private static GuestDoor defaultDoor() throws IOException {
         try {
-            return GuestDoor.open(LocalCourseService.USUAL_PORT, 0);
+            return GuestDoor.open(LocalCourseService.DEFAULT_PORT, 0);
         } catch (IOException inUse) {
             return GuestDoor.open(0, 0);
         }
@@ -153,7 +151,7 @@ final class CourseAttempt implements AutoCloseable {
 
     private synchronized void end(long seed, Score score) {
         trial.leave();
-        sendAway();
+        disconnect();
         if (!closed) {
             judged.add(new Attempt.Judged(seed, score.passed(), score.points(), score.finding(), score.hint()));
         }
@@ -166,7 +164,7 @@ final class CourseAttempt implements AutoCloseable {
         notifyAll();
     }
 
-    /** Waits until all trials are over. */
+    /** Waits until all trials have ended. */
     synchronized void awaitEnd() throws InterruptedException {
         while (state != State.OVER) {
             wait();
@@ -177,7 +175,7 @@ final class CourseAttempt implements AutoCloseable {
         return closed;
     }
 
-    /** The present state of the attempt. */
+    /** The current state of the attempt. */
     synchronized Attempt state() {
         double points =
                 judged.stream().mapToInt(Attempt.Judged::points).average().orElse(0);
@@ -187,18 +185,18 @@ final class CourseAttempt implements AutoCloseable {
         return new Attempt(id, state, exercise.name(), program, port, trials, judged, points, passed, output);
     }
 
-    private void sendAway() {
+    private void disconnect() {
         guests.forEach(Controller::close);
         guests.clear();
     }
 
-    /** Ends the attempt, whatever it is at. */
+    /** Ends the attempt in any state. */
     @Override
     public synchronized void close() {
         closed = true;
         door.ifPresent(GuestDoor::close);
         student.ifPresent(RobotProcess::close);
-        sendAway();
+        disconnect();
         trial.leave();
     }
 }

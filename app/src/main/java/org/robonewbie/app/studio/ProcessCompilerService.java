@@ -16,7 +16,7 @@ import org.robonewbie.programs.process.WaitingProcess;
 import org.robonewbie.studio.program.CompilerService;
 import org.robonewbie.studio.program.RunningProgram;
 
-/** The compiler and the processes behind the studio's room for programs. */
+/** Compiles programs in this process and runs each in its own process. */
 public final class ProcessCompilerService implements CompilerService, AutoCloseable {
 
     private final Path folder;
@@ -24,9 +24,9 @@ public final class ProcessCompilerService implements CompilerService, AutoClosea
     private final ExampleSources sources = new ExampleSources();
 
     /**
-     * Opens the workshop.
+     * Creates the service.
      *
-     * @param folder where the programs are
+     * @param folder folder of the programs
      */
     public ProcessCompilerService(Path folder) {
         this.folder = folder;

@@ -118,9 +118,7 @@ class RecordCommandTest {
                     }
                 }
                 """.formatted(folder.toString().replace('\\', '/')));
-        String[] words = {
-            "record", agent.toString(), "--runs", "3", "--seconds", "2", "--threads", "1", "--out"
-        };
+        String[] words = {"record", agent.toString(), "--runs", "3", "--seconds", "2", "--threads", "1", "--out"};
 
         Printed first = Printed.by(with(words, folder.resolve("set")));
         List<String> rows = Files.readAllLines(folder.resolve("set/runs.csv"));
@@ -209,7 +207,8 @@ class RecordCommandTest {
         assertThat(Printed.by("record", "Agent_BasicStructure", "--seconds", "0")
                         .err())
                 .contains("give a number greater than 0");
-        assertThat(record(folder.resolve("x"), "--format", "parquet").err()).contains("The option --format is unknown.");
+        assertThat(record(folder.resolve("x"), "--format", "parquet").err())
+                .contains("The option --format is unknown.");
         assertThat(folder.resolve("x")).doesNotExist();
     }
 

@@ -19,7 +19,7 @@ import org.robonewbie.programs.ExampleCatalogue;
 import org.robonewbie.programs.process.Limits;
 import org.robonewbie.programs.process.Sandbox;
 
-/** What the wall of a contest is told while a contest is held. */
+/** Updates of the wall during a contest. */
 class ContestStudioTest {
 
     @TempDir

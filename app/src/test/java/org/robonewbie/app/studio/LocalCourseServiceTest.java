@@ -28,7 +28,7 @@ import org.robonewbie.studio.course.Attempt.State;
 import org.robonewbie.studio.course.Lesson;
 import org.robonewbie.trial.watch.WatchedTrial;
 
-/** The exercises as the studio's page asks for them, with students' programs in processes of their own. */
+/** The exercises as requested by the studio's page, with students' programs in separate processes. */
 @Timeout(300)
 class LocalCourseServiceTest {
 
@@ -80,7 +80,7 @@ class LocalCourseServiceTest {
     }
 
     @Test
-    void lessonsSayWhatTheirWorksheetsSay() throws Exception {
+    void lessonsMatchTheirWorksheets() throws Exception {
         for (Lesson lesson : service.lessons()) {
             String sheet =
                     Files.readString(Project.ROOT.resolve(lesson.worksheet().replace(".html", ".md")));
@@ -109,7 +109,7 @@ class LocalCourseServiceTest {
     }
 
     @Test
-    void hintsOpenOneByOneAndTheSolutionStaysClosedBeforeThreeTries() {
+    void hintsOpenOneByOneAndTheSolutionIsLockedForThreeTries() {
         int all = service.help("raise-arms").allHints();
 
         assertThat(all).isPositive();
@@ -120,7 +120,7 @@ class LocalCourseServiceTest {
     }
 
     @Test
-    void programToBeginWithIsHandedOutOnceAndFailsWithAHint() throws Exception {
+    void starterProgramIsWrittenOnceAndFailsWithAHint() throws Exception {
         String file = service.handOut("raise-arms");
         service.begin("raise-arms", file, 1);
         Attempt attempt = service.awaitEnd();
@@ -129,11 +129,11 @@ class LocalCourseServiceTest {
         assertThat(attempt.passed()).isFalse();
         assertThat(attempt.judged().get(0).hint()).isNotEmpty();
         assertThatThrownBy(() -> service.handOut("raise-arms"))
-                .hasMessage("There is a file RaiseArms.java already, and it is kept. Rename it to start over.");
+                .hasMessage("The file RaiseArms.java already exists and is kept. Rename it to start over.");
     }
 
     @Test
-    void programThatEndsItsProcessFailsItsTrialAndNothingElse() throws Exception {
+    void programThatExitsFailsOnlyItsTrial() throws Exception {
         Files.writeString(
                 folder.resolve("RaiseArms.java"),
                 RAISE_ARMS.replace("hold(Joint.LEFT_SHOULDER_PITCH, 60);", "System.exit(7);"));
@@ -145,7 +145,7 @@ class LocalCourseServiceTest {
     }
 
     @Test
-    void programWithAMistakeIsShownWithWhatTheCompilerSays() throws Exception {
+    void programWithAnErrorIsShownWithTheDiagnostics() throws Exception {
         Files.writeString(folder.resolve("RaiseArms.java"), RAISE_ARMS.replace("60);", "60)"));
 
         service.begin("raise-arms", "RaiseArms.java", 1);
@@ -183,6 +183,6 @@ class LocalCourseServiceTest {
 
         assertThat(service.attempt()).isEqualTo(Attempt.NONE);
         assertThatThrownBy(() -> service.begin("nonsense", "", 1))
-                .hasMessage("There is no exercise \"nonsense\". Load the page again.");
+                .hasMessage("There is no exercise named \"nonsense\". Load the page again.");
     }
 }

@@ -8,7 +8,7 @@ import org.robonewbie.programs.completion.Proposal;
 import org.robonewbie.studio.program.CompilerService;
 import org.robonewbie.studio.program.RunningProgram;
 
-/** A room for programs without a compiler: it knows one mistake, and no program runs. */
+/** A compiler service without a compiler: it reports one fixed error, and no program runs. */
 record SmallWorkshop(Path folder) implements CompilerService {
 
     static final String MISTAKE = "degres";

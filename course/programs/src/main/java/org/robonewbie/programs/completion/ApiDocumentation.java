@@ -7,21 +7,21 @@ import javax.lang.model.element.Element;
 import javax.lang.model.element.ExecutableElement;
 import javax.lang.model.element.TypeElement;
 
-/** Documentation of classes whose source the compiler does not read along with the program. */
+/** Documentation of classes whose sources are not compiled together with the program. */
 @FunctionalInterface
 public interface ApiDocumentation {
 
     /**
-     * Finds what is known of a class or of one of its members.
+     * Finds the documentation of a class or member.
      *
-     * @param className name of the class, with dollars before inner ones
+     * @param className binary name of the class
      * @param key the class or member, see {@link #key}
-     * @return what it does, as plain text; empty if nothing is known
+     * @return plain text; empty if there is none
      */
     String of(String className, String key);
 
     /**
-     * Names a class or a member within its source file.
+     * Returns the key of a class or member within its source file.
      *
      * @param element the class or member
      * @return a name such as {@code Robot.setJointSpeed/2}
@@ -36,10 +36,10 @@ public interface ApiDocumentation {
     }
 
     /**
-     * Reads the comments of a source file.
+     * Extracts the documentation comments of a source file.
      *
      * @param unit the file
-     * @param trees the compiler that has read it
+     * @param trees the compiler that has parsed it
      * @return plain texts by key
      */
     static Map<String, String> comments(CompilationUnitTree unit, Trees trees) {

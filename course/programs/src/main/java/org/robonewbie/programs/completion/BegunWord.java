@@ -1,22 +1,22 @@
 package org.robonewbie.programs.completion;
 
 /**
- * The word that somebody is writing.
+ * Partly typed identifier at the cursor.
  *
- * @param text the program with {@link #STAND_IN} in the place of the word
- * @param begun what of the word is there
+ * @param text the program with {@link #STAND_IN} in place of the identifier
+ * @param begun the part before the cursor
  */
 public record BegunWord(String text, String begun) {
 
-    /** A word that nobody writes, by which the compiler finds the place. */
+    /** Placeholder by which the cursor is found in the syntax tree. */
     static final String STAND_IN = "__here__";
 
     /**
-     * Finds the word at a place.
+     * Finds the identifier at a position.
      *
      * @param text a program
-     * @param at index of the place
-     * @return the word, which may be empty
+     * @param at index of the cursor
+     * @return the identifier, which may be empty
      */
     public static BegunWord at(String text, int at) {
         int start = at;

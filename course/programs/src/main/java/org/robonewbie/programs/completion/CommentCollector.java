@@ -10,7 +10,7 @@ import java.util.HashMap;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/** Reads the comments of a class and its members. */
+/** Tree scanner that collects the documentation comments of classes and members. */
 final class CommentCollector extends TreePathScanner<@Nullable Void, String> {
 
     private final Map<String, String> comments = new HashMap<>();

@@ -28,10 +28,10 @@ import javax.lang.model.util.Elements;
 import javax.lang.model.util.Types;
 import org.jspecify.annotations.Nullable;
 
-/** What could be written at a place of a program: the compiler reads it with a word at that place that nobody writes. */
+/** Code completion based on the compiler's syntax tree, in which a placeholder marks the cursor. */
 public final class Completion {
 
-    private static final int MOST = 150;
+    private static final int MAX_PROPOSALS = 150;
 
     private final Compiler compiler;
     private final List<Element> found = new ArrayList<>();
@@ -41,23 +41,23 @@ public final class Completion {
     }
 
     /**
-     * The compiler that has read the program.
+     * Facilities of the compiler that has analysed the program.
      *
-     * @param trees what it knows of places in the program
-     * @param elements what it knows of classes and their members
-     * @param types what it knows of types
+     * @param trees syntax trees
+     * @param elements classes and members
+     * @param types types
      */
     public record Compiler(Trees trees, Elements elements, Types types) {}
 
     /**
-     * Proposes what could be written.
+     * Returns completion proposals.
      *
-     * @param compiler the compiler, which has read and analysed the program with a {@link BegunWord}
-     * @param unit the file with the word
-     * @param begun what of the word is there
-     * @param documentation of classes that are not part of the program
-     * @param typeNames full names of classes that are proposed where a class may stand
-     * @return proposals that go on with the word, the likely ones first
+     * @param compiler the compiler, which has analysed the program with a {@link BegunWord}
+     * @param unit the file that contains the cursor
+     * @param begun the part of the identifier before the cursor
+     * @param documentation documentation of classes outside the program
+     * @param typeNames full names of classes that are proposed where a type is expected
+     * @return the proposals, the most likely ones first
      */
     public static List<Proposal> of(
             Compiler compiler,
@@ -73,7 +73,7 @@ public final class Completion {
                 .filter(each -> startsWith(each, wanted))
                 .distinct()
                 .sorted(Comparator.comparingInt(Completion::rank))
-                .limit(MOST)
+                .limit(MAX_PROPOSALS)
                 .map(writer::write)
                 .toList();
     }
@@ -86,7 +86,7 @@ public final class Completion {
                 && name.toLowerCase(Locale.ROOT).startsWith(wanted);
     }
 
-    /** What all classes have comes last. */
+    /** Members of {@code Object} are ranked last. */
     private static int rank(Element element) {
         return element.getEnclosingElement() != null
                         && element.getEnclosingElement().toString().equals("java.lang.Object")
@@ -104,7 +104,7 @@ public final class Completion {
         }
     }
 
-    /** What stands behind a dot. */
+    /** Collects the members that may follow a dot. */
     private void collectMembers(TreePath expression, Scope scope) {
         Element element = compiler.trees.getElement(expression);
         TypeMirror type = compiler.trees.getTypeMirror(expression);
@@ -131,7 +131,7 @@ public final class Completion {
         }
     }
 
-    /** What can be named without a dot: variables, members of the own class, and types. */
+    /** Collects what can be used without qualification: variables, members of the enclosing classes, and types. */
     private void collectVisible(Scope scope) {
         for (@Nullable Scope each = scope; each != null; each = each.getEnclosingScope()) {
             each.getLocalElements().forEach(found::add);
@@ -150,7 +150,7 @@ public final class Completion {
                 .forEach(found::add);
     }
 
-    /** Finds the word that nobody writes. */
+    /** Finds the placeholder in the syntax tree. */
     private static final class Finder extends TreePathScanner<@Nullable TreePath, @Nullable Void> {
 
         @Override
@@ -165,7 +165,7 @@ public final class Completion {
             return identifier.getName().contentEquals(BegunWord.STAND_IN) ? getCurrentPath() : null;
         }
 
-        /** A statement that is not finished yet. */
+        /** An incomplete statement. */
         @Override
         public @Nullable TreePath visitErroneous(ErroneousTree unfinished, @Nullable Void nothing) {
             return scan(unfinished.getErrorTrees(), null);

@@ -1,16 +1,11 @@
 package org.robonewbie.programs.completion;
 
-/** Documentation comments as plain text. */
+/** Converts documentation comments to plain text. */
 final class PlainJavadoc {
 
     private PlainJavadoc() {}
 
-    /**
-     * Takes away what is meant for browsers.
-     *
-     * @param comment a documentation comment without its stars
-     * @return its text
-     */
+    /** Removes tags and HTML from a documentation comment. */
     static String of(String comment) {
         return comment.replaceAll("\\{@return\\s+([^}]*)\\}", "Returns $1.")
                 .replaceAll("(?s)<pre>\\{@code(.*?)\\}</pre>", "$1")

@@ -8,7 +8,7 @@ import javax.lang.model.element.VariableElement;
 import javax.lang.model.type.TypeMirror;
 import javax.lang.model.util.Elements;
 
-/** Describes what could be written, for people who choose among it. */
+/** Converts elements of the compiler to completion proposals. */
 final class ProposalWriter {
 
     private final Elements elements;
@@ -48,12 +48,12 @@ final class ProposalWriter {
         };
     }
 
-    /** The type without packages, as people write it. */
+    /** The simple name of a type. */
     private static String shortName(TypeMirror type) {
         return type.toString().replaceAll("@\\S+ ", "").replaceAll("\\b[a-z]\\w*\\.", "");
     }
 
-    /** Of the student's own source the compiler knows the comment; that of the framework comes along. */
+    /** Prefers the comment in the student's own source; else looks the element up in the packaged documentation. */
     private String documentation(Element element) {
         String own = elements.getDocComment(element);
         if (own != null) {

@@ -1,8 +1,8 @@
 /**
- * What could be written at a place of a program, and the documentation of it, for the compiler of this computer and for that in a page
- * alike. Nothing here knows files or the rest of RoboNewbie. Read {@link org.robonewbie.programs.completion.Completion} first.
+ * Code completion with documentation, shared by the compiler on this computer and the one in the browser. Depends neither on files nor
+ * on the rest of RoboNewbie. Start with {@link org.robonewbie.programs.completion.Completion}.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.programs.completion;

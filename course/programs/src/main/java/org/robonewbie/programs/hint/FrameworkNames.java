@@ -7,24 +7,23 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * What students may have meant: the classes of the framework that they name most, and what is in them.
+ * Candidates for misspelt names: the framework's most used classes and their members.
  *
- * @param types full name by simple name
- * @param constants those of all enumerations
- * @param methods public methods by simple name of their class, without those that each object has, in order and each once
+ * @param types full names by simple name
+ * @param constants constants of all enumerations
+ * @param methods public methods by simple class name, sorted, without those of {@code Object}
  */
 public record FrameworkNames(
         Map<String, String> types, Collection<String> constants, Map<String, ? extends Collection<String>> methods) {
 
     private static final String PACKAGE = "org.robonewbie.";
 
-    /** The full names of the classes that programs of students use most. */
+    /** Full names of the classes that students' programs use most. */
     public static final List<String> TYPES = List.of(
                     "agent.Agent",
                     "agent.Nao",
                     "agent.Options",
                     "agent.Robot",
-                    "agent.StartPose",
                     "agent.localisation.Odometry",
                     "agent.localisation.SelfLocalisation",
                     "agent.log.Logger",
@@ -58,7 +57,7 @@ public record FrameworkNames(
             .map(PACKAGE::concat)
             .toList();
 
-    /** The packages of {@link #TYPES} and those of Java that programs of students use most. */
+    /** The packages of {@link #TYPES}, and the packages of Java that students' programs use most. */
     public static final List<String> PACKAGES = Stream.concat(
                     TYPES.stream().map(name -> name.substring(0, name.lastIndexOf('.'))),
                     Stream.of(
@@ -76,26 +75,26 @@ public record FrameworkNames(
             .distinct()
             .toList();
 
-    /** What each object has and a student hardly means. */
+    /** Methods of every object, which are never proposed. */
     private static final List<String> INHERITED = List.of("equals", "hashCode", "toString");
 
     /**
-     * Returns whether a student can mean a public method.
+     * Returns whether a public method is a candidate.
      *
      * @param name its name
      * @param declaredBy full name of the class that declares it
-     * @return whether it is more than what each object has
+     * @return whether it is declared beyond {@code Object}
      */
     public static boolean isMeant(String name, String declaredBy) {
         return !declaredBy.equals("java.lang.Object") && !INHERITED.contains(name);
     }
 
-    /** The line that a file needs to name a class. */
+    /** The import line of a class. */
     Optional<String> importOf(String type) {
         return Optional.ofNullable(types.get(type)).map(name -> "import " + name + ";");
     }
 
-    /** The methods of a class; those of all classes if it is none of them. */
+    /** The methods of a class; those of all classes if the class is unknown. */
     List<String> methodsOf(Optional<String> type) {
         return methods.entrySet().stream()
                 .filter(each -> type.map(each.getKey()::equals).orElse(true))

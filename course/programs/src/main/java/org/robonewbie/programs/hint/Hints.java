@@ -12,19 +12,19 @@ import java.util.regex.Pattern;
 import org.robonewbie.nao.text.Spelling;
 
 /**
- * Says what to do about a remark of the compiler: the import that is missing, the name of the framework that was probably meant, or what
- * mistakes of its kind need.
+ * Advice for compiler diagnostics: the missing import, the framework's name that was probably meant, or general advice for errors of
+ * this kind.
  */
 public final class Hints {
 
-    /** Such as {@code location: class org.robonewbie.nao.motion.Posture}. */
+    /** Matches for example {@code location: class org.robonewbie.nao.motion.Posture}. */
     private static final Pattern OWNER =
             Pattern.compile("symbol: +method[^\\n]*\\n.*\\b(?:class|interface|of type) (?:\\w+\\.)*(\\w+)");
 
-    /** The compiler takes a class that it does not know for a package, if more than one name follows. */
+    /** The compiler takes an unknown class for a package if more than one name follows. */
     private static final Pattern TAKEN_FOR_PACKAGE = Pattern.compile("package ([A-Z]\\w*) does not exist");
 
-    /** A class or all of a package, with the package, as they stand in a line that imports them. */
+    /** The argument of an import: a package with a class or an asterisk. */
     private static final Pattern IMPORTED = Pattern.compile("((?:[a-z_]\\w*\\.)+)([A-Z]\\w*|\\*)");
 
     private static final Pattern UNKNOWN_PACKAGE = Pattern.compile("package ([a-z_]\\w*(?:\\.\\w+)*) does not exist");
@@ -33,20 +33,20 @@ public final class Hints {
     private final FrameworkNames names;
 
     /**
-     * Prepares hints.
+     * Creates advice.
      *
-     * @param names what can have been meant
+     * @param names candidates for misspelt names
      */
     public Hints(FrameworkNames names) {
         this.names = names;
     }
 
     /**
-     * A remark of the compiler.
+     * A compiler diagnostic.
      *
-     * @param code the compiler's name of the mistake
-     * @param place what it has underlined
-     * @param text what it says, in English
+     * @param code the compiler's code of the error
+     * @param place the underlined text
+     * @param text the English message
      */
     public record Remark(String code, String place, String text) {
 
@@ -56,7 +56,7 @@ public final class Hints {
                     || TAKEN_FOR_PACKAGE.matcher(text).find();
         }
 
-        /** Whether it is about a name that is written with its package, as in a line that imports it. */
+        /** Returns whether it concerns a qualified name, as in an import. */
         private boolean isAboutImport() {
             Matcher unknown = UNKNOWN_PACKAGE.matcher(text);
             boolean noPackage = unknown.find();
@@ -65,17 +65,17 @@ public final class Hints {
                     || (noPackage && unknown.group(1).contains(".") && isWholePackage());
         }
 
-        /** In a line that imports all of a package nothing of it is underlined. */
+        /** In an import on demand, no part of the package is underlined. */
         private boolean isWholePackage() {
             return !place.contains(".");
         }
 
-        /** What is underlined, without blanks around it. */
+        /** The underlined text without surrounding blanks. */
         private String imported() {
             return place.strip();
         }
 
-        /** The compiler takes a variable that it does not know for a package, too. */
+        /** The compiler also takes an unknown variable for a package. */
         private boolean isUnknownVariable() {
             return UNKNOWN_PACKAGE.matcher(text).find() && !isAboutImport();
         }
@@ -91,10 +91,10 @@ public final class Hints {
     }
 
     /**
-     * Returns what to do.
+     * Returns advice for a diagnostic.
      *
-     * @param remark a remark of the compiler
-     * @return a sentence or two; empty if nothing is to be added
+     * @param remark the diagnostic
+     * @return a sentence or two; may be empty
      */
     public String of(Remark remark) {
         return meantImport(remark)
@@ -106,23 +106,22 @@ public final class Hints {
     }
 
     /**
-     * Returns the line that is missing at the top of the file.
+     * Returns the missing import line.
      *
-     * @param remark a remark of the compiler
-     * @return the line with the import; empty if the remark is about something else
+     * @param remark the diagnostic
+     * @return the line; empty if no import is missing
      */
     public Optional<String> missingImport(Remark remark) {
         return remark.isUnknownName() && !remark.isAboutImport() ? names.importOf(remark.lastName()) : Optional.empty();
     }
 
     /**
-     * Leaves out what only follows from imports that are missing or misspelt: each later line that uses one of these names is a mistake
-     * to the compiler, too.
+     * Removes follow-up errors of missing or misspelt imports: the compiler reports every later use of such a name as well.
      *
-     * @param all what the compiler has said, in its order
-     * @param remark takes one of them as a remark
-     * @param <R> what the compiler's words come in
-     * @return those about imports, each once; all of them if none is about imports
+     * @param all all diagnostics in the compiler's order
+     * @param remark converts an element to a diagnostic
+     * @param <R> the type of the elements
+     * @return those about imports, without duplicates; all of them if none is about imports
      */
     public <R> List<R> withoutFollowUps(List<R> all, Function<? super R, Remark> remark) {
         List<R> aboutImports = new ArrayList<>();
@@ -143,7 +142,7 @@ public final class Hints {
         return aboutImports.isEmpty() ? all : aboutImports;
     }
 
-    /** What a misspelt import is meant to be: the package in which the class is, or one with a similar name. */
+    /** Corrects a misspelt import: to the package of the class, or to one with a similar name. */
     private Optional<String> meantImport(Remark remark) {
         if (!remark.isAboutImport()) {
             return Optional.empty();
@@ -173,13 +172,13 @@ public final class Hints {
                 .filter(question -> !question.isEmpty());
     }
 
-    /** What can be called where nothing similar to the written name is. */
+    /** Lists the methods of the class if no name is similar. */
     private Optional<String> offers(Remark remark) {
         Optional<String> owner = remark.isUnknownName() ? owner(remark) : Optional.empty();
         return owner.map(type -> type + " has the methods " + String.join(", ", names.methodsOf(owner)) + ".");
     }
 
-    /** The class of the framework in which the compiler has looked for a method; only its own can be meant. */
+    /** The framework class in which the compiler has looked for a method. */
     private Optional<String> owner(Remark remark) {
         Matcher place = OWNER.matcher(remark.text());
         return place.find() ? Optional.of(place.group(1)).filter(names.types()::containsKey) : Optional.empty();

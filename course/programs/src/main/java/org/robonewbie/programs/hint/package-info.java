@@ -1,8 +1,8 @@
 /**
- * What to do about the compiler's remarks, for the compiler of this computer and for that in a page alike. Nothing here knows files, and
- * of the rest of RoboNewbie only how to find misspelt words. Read {@link org.robonewbie.programs.hint.Hints} first.
+ * Advice for compiler diagnostics, shared by the compiler on this computer and the one in the browser. Depends neither on files nor on the
+ * rest of RoboNewbie, except its spelling correction. Start with {@link org.robonewbie.programs.hint.Hints}.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.programs.hint;
