@@ -1,11 +1,11 @@
 package org.robonewbie.app;
 
-import org.robonewbie.programs.ClassPath;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import org.robonewbie.programs.ClassPath;
 
 /**
  * The archive of loaded classes that halves the time of a start: Java's application class-data sharing (JEP 310, JEP 350). The

@@ -1,6 +1,5 @@
 package org.robonewbie.app;
 
-import org.robonewbie.programs.process.JavaCommand;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -13,6 +12,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.robonewbie.programs.process.JavaCommand;
 
 /** A judge decides by itself: no graded program can load code into it. */
 class AttachTest {

@@ -1,6 +1,5 @@
 package org.robonewbie.app;
 
-import org.robonewbie.programs.process.JavaCommand;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -27,6 +26,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.EnumSource.Mode;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.robonewbie.app.studio.ProcessCompilerService;
+import org.robonewbie.programs.process.JavaCommand;
 import org.robonewbie.programs.process.Sandbox;
 import org.robonewbie.studio.program.RunningProgram;
 

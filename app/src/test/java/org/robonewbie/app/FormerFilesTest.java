@@ -1,6 +1,5 @@
 package org.robonewbie.app;
 
-import org.robonewbie.programs.process.JavaCommand;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
@@ -20,6 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.agent.policy.file.PolicyFile;
 import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.motion.file.MotionFiles;
+import org.robonewbie.programs.process.JavaCommand;
 import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.simulator.recording.RecordingReader;
 

@@ -1,6 +1,5 @@
 package org.robonewbie.app.command;
 
-import org.robonewbie.programs.ClassPath;
 import java.io.IOException;
 import java.nio.charset.Charset;
 import java.nio.file.Files;
@@ -27,6 +26,7 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.file.TemporaryFiles;
 import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.programs.ClassPath;
 import org.robonewbie.programs.process.RobotProcess;
 import org.robonewbie.programs.process.Sandbox;
 import picocli.CommandLine.Command;

@@ -1,6 +1,5 @@
 package org.robonewbie.app.command;
 
-import org.robonewbie.programs.process.JavaCommand;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -19,6 +18,7 @@ import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.programs.ExampleCatalogue;
 import org.robonewbie.programs.Program;
 import org.robonewbie.programs.ProgramFinder;
+import org.robonewbie.programs.process.JavaCommand;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;

@@ -1,7 +1,5 @@
 package org.robonewbie.app.doctor;
 
-import org.robonewbie.programs.ClassPath;
-import org.robonewbie.programs.process.JavaCommand;
 import java.io.IOException;
 import java.nio.charset.Charset;
 import java.nio.file.Files;
@@ -10,6 +8,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import org.robonewbie.nao.file.TemporaryFolder;
+import org.robonewbie.programs.ClassPath;
+import org.robonewbie.programs.process.JavaCommand;
 
 /** Creates a project as {@code robonewbie new} does and runs its program; neither may need a network. */
 final class ProjectCheck {

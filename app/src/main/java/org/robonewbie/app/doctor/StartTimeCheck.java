@@ -1,10 +1,10 @@
 package org.robonewbie.app.doctor;
 
-import org.robonewbie.programs.process.JavaCommand;
 import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
+import org.robonewbie.programs.process.JavaCommand;
 
 /** Measures the start time of this program, which shows virus scanners and slow network drives. */
 final class StartTimeCheck {

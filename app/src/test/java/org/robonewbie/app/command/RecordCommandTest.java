@@ -1,6 +1,5 @@
 package org.robonewbie.app.command;
 
-import org.robonewbie.programs.process.JavaCommand;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -27,6 +26,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.Printed;
 import org.robonewbie.app.Project;
 import org.robonewbie.app.Python;
+import org.robonewbie.programs.process.JavaCommand;
 
 class RecordCommandTest {
 

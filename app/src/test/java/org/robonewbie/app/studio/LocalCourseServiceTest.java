@@ -1,6 +1,5 @@
 package org.robonewbie.app.studio;
 
-import org.robonewbie.programs.process.JavaCommand;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -20,6 +19,7 @@ import org.robonewbie.app.course.Coach;
 import org.robonewbie.exercises.progress.ProgressFile;
 import org.robonewbie.exercises.progress.SolutionRepository;
 import org.robonewbie.programs.process.ChildProcess;
+import org.robonewbie.programs.process.JavaCommand;
 import org.robonewbie.programs.process.Limits;
 import org.robonewbie.programs.process.ProgramOutput;
 import org.robonewbie.studio.ShownSimulation;

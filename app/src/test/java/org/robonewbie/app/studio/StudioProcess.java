@@ -1,6 +1,5 @@
 package org.robonewbie.app.studio;
 
-import org.robonewbie.programs.process.JavaCommand;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -10,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.robonewbie.programs.process.JavaCommand;
 import org.robonewbie.studio.StudioCookie;
 
 /** A studio in its own process, started as by a user, and a client for its API. */
