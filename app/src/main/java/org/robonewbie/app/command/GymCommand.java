@@ -2,11 +2,10 @@ package org.robonewbie.app.command;
 
 import java.io.IOException;
 import java.util.concurrent.Callable;
-import org.robonewbie.app.program.AgentFinder;
-import org.robonewbie.app.program.CalledWronglyException;
-import org.robonewbie.app.program.ClassPathOption;
 import org.robonewbie.learning.gym.GymOrder;
 import org.robonewbie.learning.gym.GymServer;
+import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.programs.ProgramFinder;
 import org.robonewbie.studio.AccessToken;
 import org.robonewbie.studio.StudioServer;
 import picocli.CommandLine.Command;
@@ -86,7 +85,7 @@ final class GymCommand implements Callable<Integer> {
             return GymServer.open(
                     port,
                     new GymOrder(task, reward),
-                    AgentFinder.loaderOf(classPath.folders()),
+                    ProgramFinder.loaderOf(classPath.folders()),
                     simulation -> StudioServer.start(simulation, 0, AccessToken.ofUser()),
                     System.err::println);
         } catch (IllegalArgumentException wrong) {

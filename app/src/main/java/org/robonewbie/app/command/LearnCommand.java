@@ -14,9 +14,6 @@ import org.robonewbie.agent.policy.file.PolicyFile;
 import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.WalkReflex;
 import org.robonewbie.agent.walk.WalkStyle;
-import org.robonewbie.app.program.AgentFinder;
-import org.robonewbie.app.program.CalledWronglyException;
-import org.robonewbie.app.program.ClassPathOption;
 import org.robonewbie.learning.gym.TaskCourse;
 import org.robonewbie.learning.policy.Course;
 import org.robonewbie.learning.policy.EvolutionStrategy;
@@ -26,6 +23,8 @@ import org.robonewbie.learning.policy.PolicyTraining;
 import org.robonewbie.learning.policy.TrainingPlan;
 import org.robonewbie.learning.policy.WalkCourse;
 import org.robonewbie.learning.policy.WalkDash;
+import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.programs.ProgramFinder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -153,7 +152,7 @@ final class LearnCommand implements Callable<Integer> {
         Optional<WalkCourse> walk = WalkCourse.named(task);
         return walk.isPresent()
                 ? walk.get().with(options)
-                : TaskCourse.of(task, inputs, hidden, AgentFinder.loaderOf(classPath.folders()));
+                : TaskCourse.of(task, inputs, hidden, ProgramFinder.loaderOf(classPath.folders()));
     }
 
     private TrainingPlan plan() {

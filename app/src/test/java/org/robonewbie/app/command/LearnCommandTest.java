@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.agent.policy.file.PolicyFile;
 import org.robonewbie.agent.walk.PolicyWalk;
-import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.programs.CalledWronglyException;
 import picocli.CommandLine;
 
 class LearnCommandTest {

@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.Place;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.WorldState;
 
@@ -19,7 +19,7 @@ final class GymEngineFollow extends GymEngineTask {
     private static final double MOST = 1;
     private static final double MOST_TURN = 30;
 
-    private Optional<Place> before = Optional.empty();
+    private Optional<Pose2d> before = Optional.empty();
     private double turned;
     private double metres;
 
@@ -33,7 +33,7 @@ final class GymEngineFollow extends GymEngineTask {
         Vector3 here = now.robot().position();
         before.ifPresent(place -> {
             turned += velocity().turn() * Cycle.SECONDS;
-            metres += new Place(place.x(), place.y(), first.place().degrees() + turned).ahead(here);
+            metres += new Pose2d(place.x(), place.y(), first.place().degrees() + turned).ahead(here);
         });
         before = Optional.of(now.place());
     }

@@ -5,8 +5,9 @@ import java.util.Deque;
 import java.util.List;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.geometry.Angles;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.WorldState;
 
@@ -26,7 +27,7 @@ class GymFollow extends GymCommandedTask {
     private static final double FOR_A_FALL = 5;
     private static final double DONE_PART = 0.5;
 
-    private final Deque<Place> places = new ArrayDeque<>();
+    private final Deque<Pose2d> places = new ArrayDeque<>();
     private final double toleratedMetresPerSecond;
     private double earned;
     private double possible;
@@ -78,10 +79,10 @@ class GymFollow extends GymCommandedTask {
     }
 
     /** The error between two places, seen from half-way between their headings. */
-    private double lost(Place before, Place now) {
+    private double lost(Pose2d before, Pose2d now) {
         double seconds = WINDOW * Cycle.SECONDS;
-        double turned = PortableMath.IEEEremainder(now.degrees() - before.degrees(), 360);
-        Place middle = new Place(before.x(), before.y(), before.degrees() + turned / 2);
+        double turned = Angles.wrap(now.degrees() - before.degrees());
+        Pose2d middle = new Pose2d(before.x(), before.y(), before.degrees() + turned / 2);
         double error = PortableMath.hypot(
                 middle.ahead(now.point(0, 0, 0)) / seconds - velocity().forward(),
                 middle.left(now.point(0, 0, 0)) / seconds - velocity().left());

@@ -2,8 +2,8 @@ package org.robonewbie.learning.gym;
 
 import java.util.List;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyState;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.WorldState;
 
 /** What is true in an episode, without noise and delay, as a row of numbers in the world frame; and whether the task is done. */
@@ -29,7 +29,7 @@ final class GymTruth {
 
     /** The numbers of a moment and one of its robots, in the order of the names. */
     static double[] of(WorldState now, Vector3 velocity, int robot, GymTask task) {
-        Place place = now.place(robot);
+        Pose2d place = now.place(robot);
         BodyState body = now.robots().get(robot);
         return new double[] {
             place.x(),

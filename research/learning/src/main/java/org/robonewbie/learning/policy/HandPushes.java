@@ -2,7 +2,7 @@ package org.robonewbie.learning.policy;
 
 import java.util.Random;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.Place;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.Trial;
 
 /** A hand that pushes the first robot for a tenth of a second in each second, into any direction and with any strength up to the hardest. */
@@ -24,7 +24,7 @@ final class HandPushes {
     void act(Trial room, int cycle) {
         int phase = cycle % CYCLES_BETWEEN;
         if (phase == 0) {
-            Place centre = new Place(0, 0, random.nextDouble() * 360);
+            Pose2d centre = new Pose2d(0, 0, random.nextDouble() * 360);
             push = centre.point(newtons * random.nextDouble(), 0, 0);
         }
         if (phase >= CYCLES_BETWEEN - CYCLES_OF_PUSH && newtons > 0) {

@@ -6,7 +6,7 @@ import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.learning.motion.ScriptedMotors;
 import org.robonewbie.learning.motion.ScriptedRobot;
-import org.robonewbie.trial.Place;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
@@ -26,7 +26,7 @@ public record WalkDash(double metres, double seconds, boolean fallen) {
         ScriptedRobot student = new ScriptedMotors(walk);
         room.reset(seed, student.controller());
         student.walk(new WalkVelocity(walk.style().most().forward(), 0, 0));
-        Place start = room.now().place();
+        Pose2d start = room.now().place();
         WorldState now = room.now();
         HandPushes pushes = new HandPushes(new Random(seed), newtons);
         int cycle = 0;

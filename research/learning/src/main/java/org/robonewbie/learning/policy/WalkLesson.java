@@ -8,13 +8,14 @@ import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.learning.motion.ScriptedMotors;
 import org.robonewbie.learning.motion.ScriptedRobot;
 import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.geometry.Angles;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.trial.Controller;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
@@ -112,9 +113,9 @@ final class WalkLesson {
     /** Compares how the robot has moved with what was wanted, seen from half-way between its headings. */
     private void see(WorldState before, WorldState now, boolean settled) {
         double seconds = WINDOW * Cycle.SECONDS;
-        Place place = before.place();
-        double turned = PortableMath.IEEEremainder(now.place().degrees() - place.degrees(), 360);
-        Place middle = new Place(place.x(), place.y(), place.degrees() + turned / 2);
+        Pose2d place = before.place();
+        double turned = Angles.wrap(now.place().degrees() - place.degrees());
+        Pose2d middle = new Pose2d(place.x(), place.y(), place.degrees() + turned / 2);
         double error = PortableMath.hypot(
                 middle.ahead(now.robot().position()) / seconds - wanted.forward(),
                 middle.left(now.robot().position()) / seconds - wanted.left());
