@@ -106,9 +106,22 @@ class FormerFilesTest {
         assertThat(output).doesNotContain("There is no motion");
     }
 
+    /** The journal names the class of its experiment, which has changed since then. */
     @Test
     void experimentGoesOn() throws Exception {
-        assertThat(ends(0, "experiment", "push.plan", "--output", "push.csv")).contains("12 trials are done already");
+        Path journal = folder.resolve("push.csv.trials");
+        String refused = ends(2, "experiment", "push.plan", "--output", "push.csv");
+        String header = refused.lines()
+                .map(String::strip)
+                .filter(line -> line.startsWith("RoboNewbie trials "))
+                .reduce((former, present) -> present)
+                .orElseThrow();
+        AtomicFile.write(journal, Files.readString(journal).replaceFirst("RoboNewbie trials .*", header));
+
+        String resumed = ends(0, "experiment", "push.plan", "--output", "push.csv");
+
+        assertThat(refused).contains("push.csv.trials belongs to another run", "delete the file to begin again");
+        assertThat(resumed).contains("12 trials are done already");
         assertThat(folder.resolve("push.csv")).content().hasLineCount(41);
     }
 
