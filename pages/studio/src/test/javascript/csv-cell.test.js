@@ -4,7 +4,10 @@ import test from 'node:test';
 import { csvCell } from '../../main/resources/org/robonewbie/studio/web/state/csv-cell.js';
 import { tableOf } from '../../main/resources/org/robonewbie/studio/web/state/robot/traces.js';
 
-const CELLS = new URL('../../../../../core/nao/src/test/resources/org/robonewbie/nao/text/csv-cells.txt', import.meta.url);
+const CELLS = new URL(
+  '../../../../../core/nao/src/test/resources/org/robonewbie/nao/text/csv-cells.txt',
+  import.meta.url,
+);
 
 /** @param {string} text */
 function unescaped(text) {

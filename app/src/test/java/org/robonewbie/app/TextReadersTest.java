@@ -49,6 +49,7 @@ class TextReadersTest {
             Map.entry("simulator/recording/ByteSource", WRITTEN),
             Map.entry("simulator/recording/RecordCursor", WRITTEN),
             Map.entry("bench/fidelity/FidelityBench", RESOURCE),
+            Map.entry("bench/jmh/ReplayLink", WIRE),
             Map.entry("bench/fidelity/ReferenceReader", "recordings of a server, written by a program"),
             Map.entry("learning/series/TrialJournal", WRITTEN),
             Map.entry("learning/policy/TrainingState", WRITTEN),

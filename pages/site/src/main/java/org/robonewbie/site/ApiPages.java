@@ -90,9 +90,9 @@ final class ApiPages {
 
     private List<Path> packages() throws IOException {
         List<Path> packages = new ArrayList<>();
-        try (Stream<Path> modules = Files.find(root, 3, (file, attributes) -> file.endsWith("pom.xml"))) {
-            for (Path module : modules.sorted().toList()) {
-                Path sources = module.resolveSibling("src/main/java");
+        try (Stream<Path> poms = Files.find(root, 3, (file, attributes) -> file.endsWith("pom.xml"))) {
+            for (Path pom : poms.sorted().toList()) {
+                Path sources = pom.resolveSibling("src/main/java");
                 if (Files.isDirectory(sources)) {
                     try (Stream<Path> files = Files.walk(sources)) {
                         files.filter(ApiPages::isPackageOfApi).sorted().forEach(packages::add);

@@ -21,6 +21,7 @@ class ApiPagesTest {
 
     @BeforeEach
     void makeSmallProject() throws IOException {
+        source("../../../pom.xml", "<project/>");
         source("one/package-info.java", "/** For everybody. */ package one;");
         source("one/Arm.java", "package one; /** An arm. */ public class Arm { }");
         source("two/package-info.java", "/** Parts.\n<p><strong>Internal</strong>: may change. */ package two;");
@@ -71,7 +72,7 @@ class ApiPagesTest {
     }
 
     private void source(String name, String text) throws IOException {
-        Path file = project.resolve("module/src/main/java").resolve(name);
+        Path file = project.resolve("module/src/main/java").resolve(name).normalize();
         Files.createDirectories(Objects.requireNonNull(file.getParent()));
         Files.writeString(file, text);
     }
