@@ -1,11 +1,11 @@
-import org.robonewbie.learning.gym.GymTask;
+import org.robonewbie.learning.environment.TrainingTask;
 import org.robonewbie.trial.Chance;
 import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 
 /** Get low without falling: pays the metres that the torso has sunk by at most, and takes them back after a fall. */
-public final class Squat extends GymTask {
+public final class Squat extends TrainingTask {
 
     private double deepest;
 

@@ -16,7 +16,7 @@ import org.robonewbie.app.BoardPage;
 import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.app.studio.SearchStudio;
 import org.robonewbie.app.studio.SearchStudioOptions;
-import org.robonewbie.learning.optimise.Cloud;
+import org.robonewbie.learning.optimise.SearchDistribution;
 import org.robonewbie.learning.optimise.Evaluation;
 import org.robonewbie.learning.optimise.Generation;
 import org.robonewbie.learning.optimise.MotionSubject;
@@ -133,7 +133,7 @@ class OptimiseCommandTest {
                     1,
                     2,
                     new Generation.Score(5.9, 5.7, 1),
-                    new Cloud(0.1, middle, spread),
+                    new SearchDistribution(0.1, middle, spread),
                     new Generation.Pace(8, 30)));
 
             try (BoardPage page = new BoardPage(URI.create(studio.invitation()), "search")) {

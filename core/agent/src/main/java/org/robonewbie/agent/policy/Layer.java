@@ -8,22 +8,22 @@ import org.robonewbie.nao.math.PortableMath;
  *
  * @param inputs how many numbers go in
  * @param outputs how many numbers come out
- * @param bend how sums are pressed between -1 and 1
+ * @param activation limits sums to [-1, 1]
  * @param numbers for each output its bias and then the weight of each input
  */
 @SuppressWarnings("ArrayRecordComponent")
-record Layer(int inputs, int outputs, Bend bend, double[] numbers) {
+record Layer(int inputs, int outputs, Activation activation, double[] numbers) {
 
-    /** How a sum is pressed between -1 and 1. */
-    enum Bend {
-        /** By the hyperbolic tangent. */
+    /** Limits a sum to [-1, 1]. */
+    enum Activation {
+        /** Hyperbolic tangent. */
         TANH {
             @Override
             double of(double sum) {
                 return 1 - 2 / (PortableMath.exp(2 * sum) + 1);
             }
         },
-        /** By cutting off what is beyond. */
+        /** Clamping. */
         CUT {
             @Override
             double of(double sum) {
@@ -56,7 +56,7 @@ record Layer(int inputs, int outputs, Bend bend, double[] numbers) {
             for (int j = 0; j < inputs; j++) {
                 sum += numbers[first + 1 + j] * input[j];
             }
-            output[i] = bend.of(sum);
+            output[i] = activation.of(sum);
         }
         return output;
     }

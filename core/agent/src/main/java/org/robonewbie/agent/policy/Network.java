@@ -46,7 +46,7 @@ public final class Network {
         int from = 0;
         for (int i = 1; i < sizes.length; i++) {
             int to = from + Layer.size(sizes[i - 1], sizes[i]);
-            layers.add(new Layer(sizes[i - 1], sizes[i], Layer.Bend.TANH, Arrays.copyOfRange(numbers, from, to)));
+            layers.add(new Layer(sizes[i - 1], sizes[i], Layer.Activation.TANH, Arrays.copyOfRange(numbers, from, to)));
             from = to;
         }
         return new Network(layers);

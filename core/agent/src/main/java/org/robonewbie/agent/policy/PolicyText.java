@@ -105,7 +105,7 @@ public final class PolicyText {
                     "A layer has 1 to " + WIDEST_LAYER + " inputs and outputs, and tanh or cut: \"layer 12 6 tanh\".");
         }
         layers.add(new Layer(
-                from, to, Layer.Bend.valueOf(rest[1].toUpperCase(Locale.ROOT)), new double[Layer.size(from, to)]));
+                from, to, Layer.Activation.valueOf(rest[1].toUpperCase(Locale.ROOT)), new double[Layer.size(from, to)]));
         weights = new double[0];
         missing = to;
     }
@@ -121,7 +121,7 @@ public final class PolicyText {
         System.arraycopy(row, 0, weights, before, row.length);
         missing--;
         if (missing == 0) {
-            layers.set(layers.size() - 1, new Layer(layer.inputs(), layer.outputs(), layer.bend(), weights));
+            layers.set(layers.size() - 1, new Layer(layer.inputs(), layer.outputs(), layer.activation(), weights));
         }
     }
 
@@ -154,8 +154,8 @@ public final class PolicyText {
         policy.inputs().forEach(input -> lines.add("input " + input.name() + " " + input.unit()));
         policy.outputs().forEach(output -> lines.add("output " + output.name() + " " + output.unit()));
         for (Layer layer : policy.network().layers()) {
-            String bend = layer.bend().name().toLowerCase(Locale.ROOT);
-            lines.add("layer " + layer.inputs() + " " + layer.outputs() + " " + bend);
+            String activation = layer.activation().name().toLowerCase(Locale.ROOT);
+            lines.add("layer " + layer.inputs() + " " + layer.outputs() + " " + activation);
             for (int i = 0; i < layer.outputs(); i++) {
                 lines.add(words(Arrays.stream(layer.row(i)).boxed().toList()));
             }

@@ -27,7 +27,9 @@ import org.robonewbie.agent.policy.Policy;
  */
 public record PolicyWalk(WalkStyle style, WalkReflex reflex) {
 
-    private static final String GAIT = "gait";
+    /** Name of a policy's numbers for {@link FastWalk#style}. */
+    public static final String GAIT = "gait";
+
     private static final String STEP = "step-millis";
     private static final String MOST = "most-forward-left-turn-backward";
 
@@ -42,8 +44,8 @@ public record PolicyWalk(WalkStyle style, WalkReflex reflex) {
     }
 
     private static WalkReflex reflex(Policy policy) {
-        policy.require(LearnedReflex.INPUTS, LearnedReflex.OUTPUTS);
-        return new LearnedReflex(policy.network());
+        policy.require(ResidualPolicy.INPUTS, ResidualPolicy.OUTPUTS);
+        return new ResidualPolicy(policy.network());
     }
 
     private static WalkStyle style(Policy policy) {
@@ -61,7 +63,7 @@ public record PolicyWalk(WalkStyle style, WalkReflex reflex) {
      * @param most the largest speeds
      * @param backward the largest speed backward, metres per second
      * @param gait the coordinates of {@link FastWalk#style}
-     * @param network takes {@link LearnedReflex#INPUTS} and gives {@link LearnedReflex#OUTPUTS}
+     * @param network takes {@link ResidualPolicy#INPUTS} and gives {@link ResidualPolicy#OUTPUTS}
      * @return the policy
      */
     public static Policy policy(
@@ -76,6 +78,6 @@ public record PolicyWalk(WalkStyle style, WalkReflex reflex) {
                 GAIT, DoubleStream.of(gait).boxed().toList(),
                 STEP, List.of((double) stepMillis),
                 MOST, List.of(most.forward(), most.left(), most.turn(), backward));
-        return new Policy(task, about, numbers, LearnedReflex.INPUTS, LearnedReflex.OUTPUTS, network);
+        return new Policy(task, about, numbers, ResidualPolicy.INPUTS, ResidualPolicy.OUTPUTS, network);
     }
 }

@@ -28,7 +28,7 @@ class NetworkTest {
 
     @Test
     void cutsOffWhatIsBeyondOne() {
-        Network network = new Network(List.of(new Layer(1, 1, Layer.Bend.CUT, new double[] {0.25, 1})));
+        Network network = new Network(List.of(new Layer(1, 1, Layer.Activation.CUT, new double[] {0.25, 1})));
 
         assertThat(network.apply(0.5)[0]).isEqualTo(0.75);
         assertThat(network.apply(5)[0]).isEqualTo(1);
@@ -42,7 +42,7 @@ class NetworkTest {
 
     @Test
     void refusesLayersThatDoNotFit() {
-        Layer layer = new Layer(1, 2, Layer.Bend.TANH, new double[4]);
+        Layer layer = new Layer(1, 2, Layer.Activation.TANH, new double[4]);
 
         assertThatThrownBy(() -> new Network(List.of(layer, layer)))
                 .hasMessage("Layer 2 takes 1 numbers, but the one before gives 2.");

@@ -1,7 +1,7 @@
 package org.robonewbie.learning.optimise;
 
 import java.util.List;
-import org.robonewbie.learning.search.CautiousMean;
+import org.robonewbie.learning.search.RiskAverseMean;
 
 /**
  * What a candidate has done in one trial, or in several.
@@ -35,7 +35,7 @@ public record Evaluation(double value, double success, double flaws) {
 
     /** Judges several trials by their mean, drawn towards the worst of them. */
     static double cost(List<Evaluation> evaluations, double sign, double scale) {
-        return CautiousMean.of(
+        return RiskAverseMean.of(
                 evaluations.stream().mapToDouble(one -> one.cost(sign, scale)).toArray());
     }
 }

@@ -9,7 +9,7 @@ package org.robonewbie.learning.optimise;
  * @param cloud from where the next generation will be drawn
  * @param pace how fast the search is; {@link Pace#UNKNOWN} for a generation from before an interruption
  */
-public record Generation(int number, int of, Score score, Cloud cloud, Pace pace) {
+public record Generation(int number, int of, Score score, SearchDistribution cloud, Pace pace) {
 
     /**
      * How the candidates of a generation did.

@@ -152,7 +152,7 @@ public final class Optimisation {
     }
 
     private Generation generation(int index, Score score, AskAndTell cloud, Pace pace) {
-        return new Generation(index + 1, plan.generations(), score, Cloud.of(cloud), pace);
+        return new Generation(index + 1, plan.generations(), score, SearchDistribution.of(cloud), pace);
     }
 
     private static Score score(List<List<Evaluation>> evaluations, double[] costs) {

@@ -56,7 +56,7 @@ public final class Search {
                 .mapToDouble(i -> trial.cost(candidates.get(i / trials), seed(epoch, i % trials)))
                 .toArray();
         return IntStream.range(0, candidates.size())
-                .mapToDouble(i -> CautiousMean.of(Arrays.copyOfRange(all, i * trials, (i + 1) * trials)))
+                .mapToDouble(i -> RiskAverseMean.of(Arrays.copyOfRange(all, i * trials, (i + 1) * trials)))
                 .toArray();
     }
 

@@ -92,8 +92,8 @@ class OptimisationTest {
 
         new Optimisation(new Hill(), OBJECTIVE, plan(40, 1), folder.resolve("hill.txt")).run(false, generations::add);
 
-        Cloud first = generations.get(0).cloud();
-        Cloud last = generations.get(39).cloud();
+        SearchDistribution first = generations.get(0).cloud();
+        SearchDistribution last = generations.get(39).cloud();
         assertThat(first.spread()).allSatisfy(spread -> assertThat(spread).isBetween(0.2, 1.0));
         assertThat(last.spread()).allSatisfy(spread -> assertThat(spread).isLessThan(0.2));
         assertThat(last.middle()).allSatisfy(x -> assertThat(x).isCloseTo(1, within(0.3)));

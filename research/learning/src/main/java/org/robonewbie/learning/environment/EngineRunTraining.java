@@ -1,0 +1,43 @@
+package org.robonewbie.learning.environment;
+
+import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.Trial;
+
+/**
+ * Run straight ahead for 10 s by correcting the walk engine, which is asked for more than it can do: a robot that corrects nothing
+ * falls within two seconds. It pays 1 per metre along the first heading, and a fall costs 3. The robot is pushed once at the
+ * beginning, from any side.
+ */
+final class EngineRunTraining extends EngineFollowTraining {
+
+    private static final double MIN = 0.7;
+    private static final double MAX = 1.1;
+    private static final double MAX_NEWTONS = 40;
+
+    private double metres;
+
+    @Override
+    WalkVelocity any(Chance chance, WalkVelocity before) {
+        return before.equals(WalkVelocity.ZERO) ? new WalkVelocity(chance.between(MIN, MAX), 0, 0) : before;
+    }
+
+    @Override
+    public void begin(Trial trial) {
+        super.begin(trial);
+        Place centre = new Place(0, 0, chance().between(-180, 180));
+        trial.robot(0).push(centre.point(chance().between(0, MAX_NEWTONS), 0, 0));
+    }
+
+    @Override
+    protected void see(Moment first, Moment now) {
+        metres = first.place().ahead(now.place().point(0, 0, 0));
+    }
+
+    @Override
+    double metres() {
+        return metres;
+    }
+}

@@ -1,0 +1,24 @@
+package org.robonewbie.learning.environment;
+
+import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.trial.Chance;
+
+/**
+ * Run straight ahead with a commanded speed from 0.9 to 1.3 m/s, the same for the whole episode. It pays as {@link FollowTraining}, but an
+ * error of 0.6 m/s costs 1. A robot that stands still earns nothing, one that dives loses 5.
+ */
+final class RunTraining extends FollowTraining {
+
+    private static final double MIN = 0.9;
+    private static final double MAX = 1.3;
+
+    /** Creates a run. */
+    RunTraining() {
+        super(0.6);
+    }
+
+    @Override
+    WalkVelocity any(Chance chance, WalkVelocity before) {
+        return before.equals(WalkVelocity.ZERO) ? new WalkVelocity(chance.between(MIN, MAX), 0, 0) : before;
+    }
+}
