@@ -1,6 +1,6 @@
 /**
  * The simulator and its agent, off the page's own thread. A message such as `{begin: {agents, seed}}` or `{ask: command}` has the name of
- * a deed and what it needs. News are sent as texts, states as bytes.
+ * a action and what it needs. News are sent as texts, states as bytes.
  */
 import { load } from './webassembly-loader.js';
 
@@ -115,10 +115,10 @@ const DEEDS = {
   call: (exports, { id, name, given }) => postMessage({ id, result: exports[name](...given) }),
 };
 
-/** @param {() => void} deed */
-function attempt(deed) {
+/** @param {() => void} action */
+function attempt(action) {
   try {
-    deed();
+    action();
   } catch (failure) {
     clearInterval(turns);
     postMessage({ failure: String(failure) });

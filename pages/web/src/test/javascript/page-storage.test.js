@@ -4,7 +4,7 @@ import { useStudio } from './page-modules.js';
 
 useStudio();
 const { NO_ROOM, PageStorage } = await import('../../main/page/page/page-storage.js');
-const { ProgramShelf } = await import('../../main/page/page/program-shelf.js');
+const { ProgramRepository } = await import('../../main/page/page/program-repository.js');
 
 /** A browser's storage with room for some letters. */
 function storeOf(room = Infinity, texts = new Map()) {
@@ -29,7 +29,7 @@ function storeOf(room = Infinity, texts = new Map()) {
 
 const shelfIn = (store, folder = '/') => {
   const storage = new PageStorage(() => store, folder);
-  return new ProgramShelf(() => storage);
+  return new ProgramRepository(() => storage);
 };
 const paths = (entries) => entries.map(({ path }) => path);
 const versionIn = (entries, wanted) => entries.find(({ path }) => path === wanted)?.version ?? '';
@@ -98,7 +98,7 @@ test('a browser that refuses its storage keeps texts as long as the page is open
   const storage = new PageStorage(() => {
     throw new DOMException('The operation is insecure.', 'SecurityError');
   }, '/');
-  const shelf = new ProgramShelf(() => storage);
+  const shelf = new ProgramRepository(() => storage);
 
   shelf.overwrite('MyAgent.java', 'mine', '');
 

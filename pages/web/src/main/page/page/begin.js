@@ -10,7 +10,7 @@ import { MotionServer } from './motion-server.js';
 import { answerInsteadOfServer } from './page-server.js';
 import { PageRecordings } from './page-recordings.js';
 import { ProgramServer } from './program-server.js';
-import { ProgramShelf } from './program-shelf.js';
+import { ProgramRepository } from './program-repository.js';
 import { addTakeaways } from './program-takeaway.js';
 import { RecordingStore } from './recording-store.js';
 import { addRecordingTools } from './recording-tools.js';
@@ -28,7 +28,7 @@ const NOT_KEPT =
 const NO_ROOM_FOR_SHARED =
   'This browser has no room for the program of this link: delete scenes that you do not need, and open the link again.';
 
-/** Takes the program out of the page's address, if it holds one. @param {ProgramShelf} shelf @returns {Promise<string>} what went wrong */
+/** Takes the program out of the page's address, if it holds one. @param {ProgramRepository} shelf @returns {Promise<string>} what went wrong */
 async function takeShared(shelf) {
   const { hash } = location;
   if (!isShared(hash)) {
@@ -47,7 +47,7 @@ async function takeShared(shelf) {
 
 /** @param {import('./world-process.js').World} worker */
 async function begin(worker) {
-  const shelf = new ProgramShelf();
+  const shelf = new ProgramRepository();
   const trouble = (await takeShared(shelf)) || (storage().isLost ? NOT_KEPT : '');
   const options = new URLSearchParams(location.search);
   const choice = new AgentChoice(options.getAll('agent'));

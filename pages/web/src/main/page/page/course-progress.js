@@ -97,9 +97,9 @@ export class CourseProgress {
     return this.#all[exercise] ?? NEW;
   }
 
-  /** @param {string} exercise @param {(state: State) => State} deed */
-  #change(exercise, deed) {
-    this.#open[exercise] = deed(this.#of(exercise));
+  /** @param {string} exercise @param {(state: State) => State} action */
+  #change(exercise, action) {
+    this.#open[exercise] = action(this.#of(exercise));
     try {
       storage().set(KEY, JSON.stringify(this.#all));
       this.#open = {};

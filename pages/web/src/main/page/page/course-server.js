@@ -43,7 +43,7 @@ export class CourseServer {
 
   /**
    * @param {import('./world-process.js').World} world
-   * @param {import('./program-shelf.js').ProgramShelf} shelf
+   * @param {import('./program-repository.js').ProgramRepository} shelf
    * @param {import('./program-server.js').ProgramServer} programs
    */
   constructor(world, shelf, programs) {

@@ -1,19 +1,19 @@
 /** Answers what the motion editor asks its server: motions of the browser, those of the library, and trials on a physical robot. */
 import { decodeText } from '../state/decoded-text.js';
-import { asBytes, asText, BrowserShelf, versionOf } from './browser-shelf.js';
+import { asBytes, asText, BrowserRepository, versionOf } from './browser-repository.js';
 
 const POSES = 'poses';
 
 /** @param {RequestInit} options */
 const bodyOf = async (options) => new Uint8Array(await new Response(options.body).arrayBuffer());
 
-/** @param {BrowserShelf} shelf */
+/** @param {BrowserRepository} shelf */
 const entries = (shelf) => shelf.list.map(({ path, version }) => ({ name: path, version }));
 
 export class MotionServer {
-  #own = new BrowserShelf('robonewbie-page-motion:');
-  #drafts = new BrowserShelf('robonewbie-page-motion-draft:');
-  #poses = new BrowserShelf('robonewbie-page-postures:');
+  #own = new BrowserRepository('robonewbie-page-motion:');
+  #drafts = new BrowserRepository('robonewbie-page-motion-draft:');
+  #poses = new BrowserRepository('robonewbie-page-postures:');
   /** @type {Promise<string> | undefined} */
   #robot;
   /** Called when a motion of this browser was saved or removed. */
@@ -57,7 +57,7 @@ export class MotionServer {
     });
   }
 
-  /** @param {BrowserShelf} shelf */
+  /** @param {BrowserRepository} shelf */
   #shelf(shelf) {
     return {
       answer: async (/** @type {string} */ place, /** @type {RequestInit} */ options) => {
@@ -79,7 +79,7 @@ export class MotionServer {
     };
   }
 
-  /** @param {BrowserShelf} shelf @param {string} name @param {RequestInit} options */
+  /** @param {BrowserRepository} shelf @param {string} name @param {RequestInit} options */
   async #write(shelf, name, options) {
     const text = asText(await bodyOf(options));
     const known = new Headers(options.headers).get('Known-Version');

@@ -1,10 +1,10 @@
 /** Answers what the room for programs asks its server: files of the browser, the compiler of the page, the program that runs. */
 import { decodeText } from '../state/decoded-text.js';
-import { versionOf } from './browser-shelf.js';
+import { versionOf } from './browser-repository.js';
 import { insteadOfMissing } from './missing-classes.js';
 import { publicClass } from './project.js';
 
-/** @typedef {import('./program-shelf.js').ProgramShelf} ProgramShelf */
+/** @typedef {import('./program-repository.js').ProgramRepository} ProgramRepository */
 
 const SEED = 1;
 
@@ -57,7 +57,7 @@ export class ProgramServer {
   /**
    * @param {import('./page-compiler.js').PageCompiler} compiler
    * @param {import('./world-process.js').World} world
-   * @param {ProgramShelf} shelf
+   * @param {ProgramRepository} shelf
    * @param {{others: string[]}} company the shipped agents that play beside a program
    */
   constructor(compiler, world, shelf, company) {

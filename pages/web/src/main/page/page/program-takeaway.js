@@ -4,7 +4,7 @@ import { project } from './project.js';
 import { linkOf } from './share.js';
 import { zip } from './zip.js';
 
-/** @param {() => any} room @param {import('./program-shelf.js').ProgramShelf} shelf */
+/** @param {() => any} room @param {import('./program-repository.js').ProgramRepository} shelf */
 export function addTakeaways(room, shelf) {
   const place = byId('program-room');
   const watch = new MutationObserver(() => {
@@ -27,7 +27,7 @@ export function addTakeaways(room, shelf) {
   watch.observe(place, { childList: true, subtree: true });
 }
 
-/** @param {any} room @param {import('./program-shelf.js').ProgramShelf} shelf */
+/** @param {any} room @param {import('./program-repository.js').ProgramRepository} shelf */
 async function save(room, shelf) {
   const { file } = room.files;
   const programs = shelf.texts;

@@ -117,17 +117,17 @@ export class RecordingStore {
    * @template T
    * @param {string[]} names
    * @param {IDBTransactionMode} mode
-   * @param {(store: (name: string) => IDBObjectStore) => IDBRequest<T>} deed
+   * @param {(store: (name: string) => IDBObjectStore) => IDBRequest<T>} action
    * @returns {Promise<T | undefined>}
    */
-  async #do(names, mode, deed) {
+  async #do(names, mode, action) {
     const database = await this.#database;
     if (!database) {
       return undefined;
     }
     const transaction = database.transaction(names, mode);
     const end = ended(transaction);
-    const request = deed((name) => transaction.objectStore(name));
+    const request = action((name) => transaction.objectStore(name));
     transaction.commit();
     try {
       await end;

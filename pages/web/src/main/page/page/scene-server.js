@@ -2,12 +2,12 @@
  * Answers what the panel of scenes and the button *Start here* ask their server. The program in the worker reads and writes scenes; this
  * browser keeps them.
  */
-import { asBytes, asText, BrowserShelf } from './browser-shelf.js';
+import { asBytes, asText, BrowserRepository } from './browser-repository.js';
 
 const NO_ROOM = 'This browser has no room for one more scene. Delete another one first.';
 
 export class SceneServer {
-  #shelf = new BrowserShelf('robonewbie-page-scene:');
+  #shelf = new BrowserRepository('robonewbie-page-scene:');
   #isFull = false;
 
   /**

@@ -32,7 +32,7 @@ export class World {
     this.#prepared ??= begin('programs');
   }
 
-  /** @param {object} data a deed of the worker, and what it needs */
+  /** @param {object} data a action of the worker, and what it needs */
   postMessage(data) {
     if (NEEDS_PROGRAMS.some((name) => name in data)) {
       this.#move();

@@ -9,7 +9,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.studio.StudioCookie;
-import org.robonewbie.studio.board.NewsBoard;
+import org.robonewbie.studio.board.EventBus;
 
 /** A page that watches a board of the studio, without a browser. */
 public final class BoardPage implements WebSocket.Listener, AutoCloseable {
@@ -27,7 +27,7 @@ public final class BoardPage implements WebSocket.Listener, AutoCloseable {
      * @param board the last word of the address at which it listens
      */
     public BoardPage(URI page, String board) {
-        URI feed = URI.create("ws://" + page.getAuthority() + NewsBoard.PATHS + board);
+        URI feed = URI.create("ws://" + page.getAuthority() + EventBus.PATHS + board);
         this.socket = HttpClient.newHttpClient()
                 .newWebSocketBuilder()
                 .header("Origin", "http://" + page.getAuthority())

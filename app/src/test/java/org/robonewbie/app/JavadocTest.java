@@ -32,14 +32,25 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Everything public says what it is: types, methods with each parameter and what they return, constants. Methods that override
- * another and compact constructors of records may rely on what is said there.
+ * Public types have a comment. In the packages of the API everything public has one: methods with each parameter and what they return,
+ * and constants. Overriding methods and compact constructors of records inherit theirs.
  */
 class JavadocTest {
 
     @Test
     void everythingPublicIsDocumented() throws IOException {
         assertThat(missing(Project.productSources(".java"))).isEmpty();
+    }
+
+    @Test
+    void internalPackagesDocumentTheirTypes(@TempDir Path folder) throws IOException {
+        Files.writeString(folder.resolve("package-info.java"), "/** <strong>Internal</strong>. */ package inside;");
+        Path file = Files.writeString(
+                folder.resolve("Quiet.java"), "public class Quiet { public int half(int angle) { return angle / 2; } }");
+
+        assertThat(missing(List.of(file)))
+                .extracting(line -> line.replaceFirst(".*: ", ""))
+                .containsExactly("Quiet has no comment");
     }
 
     @Test
@@ -89,9 +100,17 @@ class JavadocTest {
 
         private final List<String> missing = new ArrayList<>();
         private final DocTrees comments;
+        private boolean isInternal;
 
         Reader(DocTrees comments) {
             this.comments = comments;
+        }
+
+        @Override
+        public @Nullable Void visitCompilationUnit(CompilationUnitTree unit, @Nullable Void nothing) {
+            Path about = Path.of(unit.getSourceFile().toUri()).resolveSibling("package-info.java");
+            isInternal = Files.exists(about) && Project.read(about).contains("<strong>Internal</strong>");
+            return super.visitCompilationUnit(unit, null);
         }
 
         @Override
@@ -101,7 +120,7 @@ class JavadocTest {
             }
             DocCommentTree comment = comment();
             note(comment == null, type.getSimpleName() + " has no comment");
-            if (comment != null && type.getKind() == Tree.Kind.RECORD) {
+            if (comment != null && !isInternal && type.getKind() == Tree.Kind.RECORD) {
                 noteParameters(type.getSimpleName().toString(), comment, components(type));
             }
             return super.visitClass(type, null);
@@ -110,7 +129,7 @@ class JavadocTest {
         @Override
         public @Nullable Void visitMethod(MethodTree method, @Nullable Void nothing) {
             boolean hasOwnComment = !hasAnnotation(method.getModifiers(), "Override") && !isOfRecord(method);
-            if (isVisible(method.getModifiers()) && hasOwnComment) {
+            if (!isInternal && isVisible(method.getModifiers()) && hasOwnComment) {
                 noteMethod(method);
             }
             return null;
@@ -119,7 +138,7 @@ class JavadocTest {
         @Override
         public @Nullable Void visitVariable(VariableTree field, @Nullable Void nothing) {
             note(
-                    isVisible(field.getModifiers()) && comment() == null && !isOfRecord(field),
+                    !isInternal && isVisible(field.getModifiers()) && comment() == null && !isOfRecord(field),
                     field.getName() + " has no comment");
             return null;
         }

@@ -11,7 +11,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.app.command.RoboNewbieCommand;
 
 class MainTest {
@@ -21,7 +20,7 @@ class MainTest {
         Printed help = Printed.by("--help");
 
         assertThat(help.exitCode()).isZero();
-        assertThat(help.out()).contains("demo", "run", "simulator", "studio", "bench", "doctor");
+        assertThat(help.out()).contains("demo", "run", "simulator", "studio", "doctor");
     }
 
     static Set<String> commands() {
@@ -48,46 +47,11 @@ class MainTest {
         assertThat(help.out()).contains("Examples:", "  robonewbie " + command);
     }
 
-    @ParameterizedTest
-    @ValueSource(strings = {"motions", "agents", "server", "speed", "fidelity", "record"})
-    void everythingThatIsMeasuredHasItsHelp(String subject) {
-        Printed help = Printed.by("bench", subject, "--help");
-
-        assertThat(help.exitCode()).isZero();
-        assertThat(help.out()).startsWith("Usage: robonewbie bench " + subject);
-        assertThat(Printed.by("bench", "--help").out()).contains("  " + subject + " ");
-    }
-
-    @Test
-    void impossibleNumberOfTrialsIsRefused() {
-        assertThat(Printed.by("bench", "agents", "--seeds", "0").err())
-                .contains("--seeds 0: give a number of trials of at least 1.");
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"measure", "benchmark", "fidelity", "record-reference"})
-    void whatIsMeasuredHasOneName(String formerName) {
-        Printed answer = Printed.by(formerName, "--help");
-
-        assertThat(answer.exitCode()).isEqualTo(2);
-        assertThat(answer.err()).contains("There is no command \"" + formerName + "\".");
-        assertThat(Printed.by("bench", "--help").out()).doesNotContain("measure,", "record-reference");
-    }
-
     @Test
     void wordHelpShowsTheHelp() {
         assertThat(Printed.by("help")).isEqualTo(Printed.by("--help"));
         assertThat(Printed.by("help", "grade")).isEqualTo(Printed.by("grade", "--help"));
-        assertThat(Printed.by("help", "bench", "speed")).isEqualTo(Printed.by("bench", "speed", "--help"));
         assertThat(Printed.by("help", "graed").err()).contains("Did you mean grade?");
-    }
-
-    @Test
-    void benchWithoutASubjectSaysWhatThereIs() {
-        Printed answer = Printed.by("bench");
-
-        assertThat(answer.exitCode()).isEqualTo(2);
-        assertThat(answer.err()).contains("robonewbie bench --help");
     }
 
     @Test
@@ -166,13 +130,5 @@ class MainTest {
         assertThat(answer.exitCode()).isEqualTo(2);
         assertThat(answer.err())
                 .contains("\"127.0.0.1:many\" names no monitor port. Write HOST:PORT, such as 127.0.0.1:3200.");
-    }
-
-    @Test
-    void folderOfRecordingsThatIsMissingIsNamed() {
-        Printed answer = Printed.by("bench", "fidelity", "nowhere");
-
-        assertThat(answer.exitCode()).isEqualTo(2);
-        assertThat(answer.err()).contains("nowhere is not a folder");
     }
 }

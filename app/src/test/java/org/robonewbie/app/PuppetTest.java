@@ -30,7 +30,7 @@ import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
-import org.robonewbie.simulator.file.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.studio.AccessToken;
@@ -71,7 +71,7 @@ class PuppetTest {
                         .build(),
                 Console.silent());
         simulator.control().addObserver(seen::add);
-        RecordingShelf shelf = new RecordingShelf(folder, 1_000_000_000);
+        RecordingRepository shelf = new RecordingRepository(folder, 1_000_000_000);
         StudioFolders folders = new StudioFolders(folder.resolve("motions"), Optional.of(shelf));
         studio = StudioServer.start(simulator.control(), 0, AccessToken.random(), folders);
         cookie = StudioCookie.of(studio.oneTimeAddress());

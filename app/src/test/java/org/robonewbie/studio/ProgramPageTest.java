@@ -14,9 +14,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.course.Coach;
-import org.robonewbie.app.studio.CourseDesk;
-import org.robonewbie.app.studio.ProgramWorkshop;
-import org.robonewbie.exercises.progress.SolutionShelf;
+import org.robonewbie.app.studio.LocalCourseService;
+import org.robonewbie.app.studio.ProcessCompilerService;
+import org.robonewbie.exercises.progress.SolutionRepository;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
@@ -53,8 +53,8 @@ class ProgramPageTest {
 
     private final Chromium browser;
     private Simulator simulator;
-    private ProgramWorkshop workshop;
-    private CourseDesk course;
+    private ProcessCompilerService workshop;
+    private LocalCourseService course;
     private TelemetryServer telemetry;
     private StudioServer studio;
 
@@ -73,12 +73,12 @@ class ProgramPageTest {
                         .build(),
                 sentence -> {});
         ShownSimulation shown = new ShownSimulation(simulator.control());
-        workshop = new ProgramWorkshop(folder);
-        course = new CourseDesk(
+        workshop = new ProcessCompilerService(folder);
+        course = new LocalCourseService(
                 folder,
                 simulator.control(),
                 shown,
-                new Coach(Optional.empty(), new SolutionShelf(Optional.empty()), Clock.systemUTC()));
+                new Coach(Optional.empty(), new SolutionRepository(Optional.empty()), Clock.systemUTC()));
         StudioFolders folders = new StudioFolders(folder.resolve("motions"), Optional.empty());
         studio = StudioServer.start(shown, 0, AccessToken.random(), folders, course, workshop);
         telemetry = TelemetryServer.open(TelemetryServer.portFor(simulator.agentPort()), studio.telemetry());

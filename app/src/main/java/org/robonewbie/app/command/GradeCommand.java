@@ -32,7 +32,7 @@ import org.robonewbie.exercises.Grade;
 import org.robonewbie.exercises.Language;
 import org.robonewbie.exercises.progress.ExerciseProgress;
 import org.robonewbie.exercises.progress.Progress;
-import org.robonewbie.exercises.progress.SolutionShelf;
+import org.robonewbie.exercises.progress.SolutionRepository;
 import org.robonewbie.nao.file.TemporaryFiles;
 import org.robonewbie.nao.text.Spelling;
 import picocli.CommandLine.Command;
@@ -94,7 +94,7 @@ final class GradeCommand implements Callable<Integer> {
             names = "--solution",
             description =
                     "Show a solution, after three graded tries, if this computer has solutions and your teacher has not"
-                            + " locked this one (" + SolutionShelf.SWITCH + ").")
+                            + " locked this one (" + SolutionRepository.SWITCH + ").")
     private boolean solutionWanted;
 
     @Option(names = "--seeds", paramLabel = "N", defaultValue = "3", description = "How many trials (default: 3).")
@@ -238,7 +238,7 @@ final class GradeCommand implements Callable<Integer> {
     }
 
     private static int openSolution(Exercise exercise) {
-        SolutionShelf.Answer answer = Coach.ofUser().solution(exercise);
+        SolutionRepository.Answer answer = Coach.ofUser().solution(exercise);
         (answer.open() ? System.out : System.err).println(answer.text().stripTrailing());
         return answer.open() ? ExitCode.OK : ExitCode.SOFTWARE;
     }

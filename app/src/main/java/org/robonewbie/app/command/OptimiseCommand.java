@@ -11,7 +11,6 @@ import org.robonewbie.app.program.OptimisedAgent;
 import org.robonewbie.app.studio.SearchConsole;
 import org.robonewbie.app.studio.SearchStudio;
 import org.robonewbie.app.studio.SearchStudioOptions;
-import org.robonewbie.learning.design.MotionWorkshop;
 import org.robonewbie.learning.optimise.EngineSubject;
 import org.robonewbie.learning.optimise.MotionSubject;
 import org.robonewbie.learning.optimise.Objective;
@@ -52,7 +51,6 @@ import picocli.CommandLine.Parameters;
             "  robonewbie optimise my-walk.txt --objective walk-speed --generations 60 --seed 3 --resume",
             "  robonewbie optimise walk-engine --objective stability --threads 1 --headless",
             "  robonewbie optimise --agent Walker.java --objective distance-walked --seconds 10",
-            "  robonewbie optimise turn-left --again      make the library's motion again",
             "",
             "On a cluster: see docs/cluster.md."
         })
@@ -128,37 +126,16 @@ final class OptimiseCommand implements Callable<Integer> {
     @Option(names = "--resume", description = "Go on with an interrupted run, from its file OUTPUT.checkpoint.")
     private boolean resume;
 
-    @Option(
-            names = "--again",
-            description = "Search for a motion of the library again, from the first guess on; OUTPUT is a folder.")
-    private boolean again;
-
     @Mixin
     final SearchStudioOptions studio = new SearchStudioOptions();
 
     @Override
     public Integer call() throws IOException, InterruptedException {
         try {
-            return again ? makeAgain() : optimise();
+            return optimise();
         } catch (IllegalArgumentException wrong) {
             throw new CalledWronglyException(String.valueOf(wrong.getMessage()));
         }
-    }
-
-    private int makeAgain() throws IOException {
-        Path folder = output.orElse(Path.of("motions"));
-        MotionWorkshop.make(name, folder);
-        System.out.println("Written to the folder " + folder + ".");
-        laterSearch(name)
-                .ifPresent(command -> System.out.println("The library's file was improved then by: " + command));
-        return ExitCode.OK;
-    }
-
-    /** The search that continued from the result of {@code --again}, if there was one. */
-    static Optional<String> laterSearch(String motion) {
-        return ShippedMotions.file(motion)
-                .property("made by")
-                .filter(command -> command.startsWith("robonewbie ") && !command.contains(" --again"));
     }
 
     private int optimise() throws IOException, InterruptedException {

@@ -95,7 +95,7 @@ public final class RoboNewbieCommand {
 
     /** {@return all commands with their options} */
     public static CommandLine commandLine() {
-        return prepared(new CommandLine(new RoboNewbieCommand()).addSubcommand(BenchCommand.commandLine()));
+        return prepared(new CommandLine(new RoboNewbieCommand()));
     }
 
     private static CommandLine prepared(CommandLine commandLine) {

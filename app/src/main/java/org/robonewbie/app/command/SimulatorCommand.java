@@ -13,7 +13,6 @@ import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.app.script.StartScript;
-import org.robonewbie.bench.load.MatchLoad;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.simulator.Console;
@@ -21,8 +20,8 @@ import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.monitor.MonitorSettings;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
+import org.robonewbie.simulator.server.WarmUp;
 import org.robonewbie.simulator.soccer.SoccerParameters;
-import org.robonewbie.simulator.world.PhysicsEngine;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
@@ -99,12 +98,6 @@ final class SimulatorCommand implements Callable<Integer> {
 
     @Option(names = "--seed", paramLabel = "S", description = "Start of all random numbers: same seed, same run.")
     private Optional<Long> seed = Optional.empty();
-
-    @Option(
-            names = "--physics",
-            paramLabel = "ENGINE",
-            description = "What computes the motion: exact (ode4j's step) or fast (our own). Usual: ${DEFAULT-VALUE}.")
-    private PhysicsEngine physics = PhysicsEngine.STANDARD;
 
     @Option(names = "--seconds", paramLabel = "T", description = "End after T simulated seconds.")
     private Optional<Double> seconds = Optional.empty();
@@ -216,7 +209,7 @@ final class SimulatorCommand implements Callable<Integer> {
         Thread warmUp = new Thread(
                 () -> {
                     try {
-                        MatchLoad.warmUp(physics, () -> simulator.connectedAgents() < Math.max(1, awaitedAgents));
+                        WarmUp.run(() -> simulator.connectedAgents() < Math.max(1, awaitedAgents));
                     } catch (IOException e) {
                         console.say("The warm-up has failed, so the first seconds may be slow: " + e.getMessage());
                     }
@@ -242,7 +235,6 @@ final class SimulatorCommand implements Callable<Integer> {
                 .synchronous(synchronous || isFast || start.isSynchronous())
                 .speed(isFast ? SimulationControl.AS_FAST_AS_POSSIBLE : 1)
                 .noise(!withoutNoise)
-                .physics(physics)
                 .landscape(scene.landscape())
                 .groundTruth(isTold("mypos"), isTold("myorien"), isTold("ballpos"))
                 .silentAgentSeconds(silentAgentSeconds())

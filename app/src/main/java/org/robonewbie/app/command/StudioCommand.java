@@ -6,16 +6,16 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.robonewbie.app.course.Coach;
-import org.robonewbie.app.studio.CourseDesk;
+import org.robonewbie.app.studio.LocalCourseService;
 import org.robonewbie.app.studio.OpenedFile;
-import org.robonewbie.app.studio.ProgramWorkshop;
+import org.robonewbie.app.studio.ProcessCompilerService;
 import org.robonewbie.protocol.tcp.TelemetryServer;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.embedded.Browser;
 import org.robonewbie.simulator.embedded.EnterKey;
 import org.robonewbie.simulator.embedded.Viewer;
-import org.robonewbie.simulator.file.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.studio.ShownSimulation;
@@ -98,10 +98,10 @@ final class StudioCommand implements Callable<Integer> {
         OpenedFile opened = OpenedFile.of(file);
         SimulationControl simulation = monitor.isPresent() ? watch(monitor.get()) : start();
         ShownSimulation shown = new ShownSimulation(simulation);
-        CourseDesk course = new CourseDesk(opened.programs(), simulation, shown, Coach.ofUser());
+        LocalCourseService course = new LocalCourseService(opened.programs(), simulation, shown, Coach.ofUser());
         course.speak(language.language());
         Runtime.getRuntime().addShutdownHook(new Thread(course::close, "end-of-exercise"));
-        ProgramWorkshop workshop = new ProgramWorkshop(opened.programs());
+        ProcessCompilerService workshop = new ProcessCompilerService(opened.programs());
         Runtime.getRuntime().addShutdownHook(new Thread(workshop::close, "end-of-programs"));
         StudioServer view = StudioViewer.open(shown, port, opened.folders(), course, workshop);
         URI address = URI.create(view.oneTimeAddress() + opened.place());
@@ -146,8 +146,9 @@ final class StudioCommand implements Callable<Integer> {
     }
 
     private SimulationControl start() throws IOException {
-        Optional<Path> recording =
-                file.isPresent() ? Optional.empty() : RecordingShelf.ofUser().flatMap(shelf -> shelf.next(""));
+        Optional<Path> recording = file.isPresent()
+                ? Optional.empty()
+                : RecordingRepository.ofUser().flatMap(shelf -> shelf.next(""));
         Simulator simulator = Simulator.start(
                 SimulatorSettings.beginner()
                         .agentPort(agentPort)

@@ -14,7 +14,7 @@ import org.robonewbie.exercises.Language;
 import org.robonewbie.exercises.progress.ExerciseProgress;
 import org.robonewbie.exercises.progress.Progress;
 import org.robonewbie.exercises.progress.ProgressFile;
-import org.robonewbie.exercises.progress.SolutionShelf;
+import org.robonewbie.exercises.progress.SolutionRepository;
 import org.robonewbie.exercises.progress.Worksheet;
 
 /**
@@ -24,7 +24,7 @@ import org.robonewbie.exercises.progress.Worksheet;
 public final class Coach {
 
     private final Optional<ProgressFile> file;
-    private final SolutionShelf solutions;
+    private final SolutionRepository solutions;
     private final Clock clock;
     private final Map<String, ExerciseProgress> remembered = new HashMap<>();
     private boolean unwritable;
@@ -37,7 +37,7 @@ public final class Coach {
      * @param solutions the solutions
      * @param clock says when something happens
      */
-    public Coach(Optional<ProgressFile> file, SolutionShelf solutions, Clock clock) {
+    public Coach(Optional<ProgressFile> file, SolutionRepository solutions, Clock clock) {
         this.file = file;
         this.solutions = solutions;
         this.clock = clock;
@@ -47,7 +47,7 @@ public final class Coach {
     public static Coach ofUser() {
         Optional<Path> home =
                 Optional.ofNullable(System.getProperty("robonewbie.home")).map(Path::of);
-        return new Coach(ProgressFile.ofUser(), SolutionShelf.ofUser(home), Clock.systemUTC());
+        return new Coach(ProgressFile.ofUser(), SolutionRepository.ofUser(home), Clock.systemUTC());
     }
 
     /**
@@ -142,8 +142,8 @@ public final class Coach {
      * @param exercise the exercise
      * @return the program, or why it is not shown
      */
-    public SolutionShelf.Answer solution(Exercise exercise) {
-        SolutionShelf.Answer answer = solutions.ask(exercise, progress().of(exercise));
+    public SolutionRepository.Answer solution(Exercise exercise) {
+        SolutionRepository.Answer answer = solutions.ask(exercise, progress().of(exercise));
         if (answer.open()) {
             change(exercise, ExerciseProgress::withSolution);
         }

@@ -39,7 +39,7 @@ final class SettingAdvice {
             Map.entry("$serverMultiThreadedMode", THREADS),
             Map.entry("$monitorMultiThreadedMode", THREADS),
             Map.entry("$defaultTimerSystem", THREADS),
-            Map.entry("$defaultPhysicsBundle", "use the option --physics ENGINE."),
+            Map.entry("$defaultPhysicsBundle", PHYSICS),
             Map.entry("$physicsGlobalCFM", PHYSICS),
             Map.entry("$physicsGlobalERP", PHYSICS),
             Map.entry("$physicsGlobalGravity", PHYSICS));

@@ -11,16 +11,16 @@ import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.studio.StudioFolders;
 import org.robonewbie.studio.StudioServer;
 import org.robonewbie.studio.StudioViewer;
-import org.robonewbie.studio.board.NewsBoard;
+import org.robonewbie.studio.board.EventBus;
 
 /** A studio with an empty pitch whose first page is the board on which a program reports its progress. */
 final class BoardStudio implements Viewer.View {
 
-    private final NewsBoard board;
+    private final EventBus board;
     private final Simulator world;
     private final StudioServer view;
 
-    private BoardStudio(NewsBoard board, Simulator world, StudioServer view) {
+    private BoardStudio(EventBus board, Simulator world, StudioServer view) {
         this.board = board;
         this.world = world;
         this.view = view;
@@ -35,7 +35,7 @@ final class BoardStudio implements Viewer.View {
      * @return the open studio
      * @throws IOException if the port cannot be opened
      */
-    static BoardStudio open(NewsBoard board, int port, StudioFolders folders) throws IOException {
+    static BoardStudio open(EventBus board, int port, StudioFolders folders) throws IOException {
         SimulatorSettings pitch = SimulatorSettings.beginner()
                 .agentPort(0)
                 .synchronous(true)

@@ -93,7 +93,7 @@ final class CourseAttempt implements AutoCloseable {
      */
     private static GuestDoor usualDoor() throws IOException {
         try {
-            return GuestDoor.open(CourseDesk.USUAL_PORT, 0);
+            return GuestDoor.open(LocalCourseService.USUAL_PORT, 0);
         } catch (IOException inUse) {
             return GuestDoor.open(0, 0);
         }

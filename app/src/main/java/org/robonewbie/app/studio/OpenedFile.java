@@ -11,7 +11,7 @@ import java.util.Optional;
 import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.nao.file.TemporaryFiles;
 import org.robonewbie.simulator.file.RecordingFile;
-import org.robonewbie.simulator.file.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.studio.StudioFolders;
 import org.robonewbie.studio.monitor.MonitorLogReader;
@@ -60,7 +60,7 @@ public record OpenedFile(StudioFolders folders, String place, Path programs) {
         }
         Path recording = isRecording(file) ? file : converted(file, name);
         String title = String.valueOf(recording.getFileName()).replace(".part", "");
-        String shown = title.replace(RecordingShelf.ENDING, "");
+        String shown = title.replace(RecordingRepository.ENDING, "");
         return new OpenedFile(
                 StudioFolders.ofWorkingDirectory().withRecording(recording), "#replay/" + encoded(shown) + PLAYING);
     }
@@ -100,7 +100,7 @@ public record OpenedFile(StudioFolders folders, String place, Path programs) {
     /** A log is turned into a recording, which the system's folder for temporary files keeps until the program ends. */
     private static Path converted(Path log, String name) throws IOException {
         Path folder = TemporaryFiles.folder("robonewbie-log");
-        Path recording = folder.resolve(name.replaceAll("\\.(log|txt|gz)", "") + RecordingShelf.ENDING);
+        Path recording = folder.resolve(name.replaceAll("\\.(log|txt|gz)", "") + RecordingRepository.ENDING);
         recording.toFile().deleteOnExit();
         folder.toFile().deleteOnExit();
         try {

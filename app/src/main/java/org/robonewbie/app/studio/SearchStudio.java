@@ -17,7 +17,7 @@ import org.robonewbie.learning.optimise.OptimisationResult;
 import org.robonewbie.learning.optimise.Subject;
 import org.robonewbie.learning.optimise.SubjectNumber;
 import org.robonewbie.studio.StudioFolders;
-import org.robonewbie.studio.search.SearchBoard;
+import org.robonewbie.studio.search.SearchFeed;
 import org.robonewbie.studio.search.SearchNumber;
 import org.robonewbie.studio.search.SearchRound;
 import org.robonewbie.studio.search.SearchTask;
@@ -27,13 +27,13 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
 
     private final Subject subject;
     private final List<SubjectNumber> start;
-    private final SearchBoard board;
+    private final SearchFeed board;
     private final Path fileSoFar;
     private final Path file;
     private final boolean withBrowser;
     private final BoardStudio studio;
 
-    private SearchStudio(Subject subject, SearchBoard board, Path fileSoFar, Path file, SearchStudioOptions options)
+    private SearchStudio(Subject subject, SearchFeed board, Path fileSoFar, Path file, SearchStudioOptions options)
             throws IOException {
         this.subject = subject;
         this.start = subject.numbers(new double[subject.dimension()]);
@@ -71,7 +71,7 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
                 plan.generations(),
                 plan.population(),
                 plan.trials());
-        SearchBoard board = new SearchBoard(new SearchTask(
+        SearchFeed board = new SearchFeed(new SearchTask(
                 subject.name(),
                 objective.label(),
                 objective.unit(),

@@ -33,23 +33,6 @@ class OptimiseCommandTest {
     @TempDir
     private Path folder;
 
-    @Tag("slow")
-    @Test
-    void makesAMotionOfTheLibraryAgain() throws Exception {
-        OptimiseCommand command = command("turn-left-small", "--again", "--output", folder.toString());
-
-        assertThat(command.call()).isZero();
-        assertThat(Files.readString(folder.resolve("turn-right-small.txt")))
-                .contains("// made by: robonewbie optimise turn-left-small --again");
-    }
-
-    @Test
-    void namesTheSearchThatWentOnFromAnEarlierOne() {
-        assertThat(OptimiseCommand.laterSearch("kick-right").orElseThrow()).contains("sketches/kick-right.txt");
-        assertThat(OptimiseCommand.laterSearch("turn-left-small")).isEmpty();
-        assertThat(OptimiseCommand.laterSearch("wave")).isEmpty();
-    }
-
     @Test
     void leavesACheckpointAndCanGoOn() throws Exception {
         Path output = folder.resolve("kick-right.txt");

@@ -8,7 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.zip.GZIPOutputStream;
-import org.robonewbie.agent.policy.PolicyPlayer;
+import org.robonewbie.agent.PolicyPlayer;
 import org.robonewbie.agent.policy.PolicyText;
 import org.robonewbie.agent.running.Surroundings;
 import org.robonewbie.competition.team.TeamList;

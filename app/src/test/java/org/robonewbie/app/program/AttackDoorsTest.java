@@ -24,7 +24,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.EnumSource.Mode;
 import org.robonewbie.app.Printed;
-import org.robonewbie.app.studio.ProgramWorkshop;
+import org.robonewbie.app.studio.ProcessCompilerService;
 import org.robonewbie.competition.team.Fence;
 import org.robonewbie.studio.program.RunningProgram;
 
@@ -177,7 +177,7 @@ class AttackDoorsTest {
         Path file = all().resolve("anna/RaiseArms.java");
 
         try (ServerSocket world = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
-                ProgramWorkshop workshop = new ProgramWorkshop(all().resolve("anna"));
+                ProcessCompilerService workshop = new ProcessCompilerService(all().resolve("anna"));
                 RunningProgram program =
                         workshop.start(file, world.getLocalPort(), () -> {}).orElseThrow()) {
             world.setSoTimeout(60_000);
@@ -287,7 +287,7 @@ class AttackDoorsTest {
         input.make(all().resolve("anna"));
         Path file = all().resolve("anna/RaiseArms.java");
 
-        try (ProgramWorkshop workshop = new ProgramWorkshop(all().resolve("anna"))) {
+        try (ProcessCompilerService workshop = new ProcessCompilerService(all().resolve("anna"))) {
             if (input == Input.ANOTHERS_FILE) {
                 assertThat(workshop.start(file, 1, () -> {})).isEmpty();
             } else {

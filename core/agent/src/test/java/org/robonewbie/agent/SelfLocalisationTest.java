@@ -7,13 +7,13 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.agent.localisation.SelfLocalisation;
 import org.robonewbie.agent.perception.Direction;
 import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.PolarPosition;
 import org.robonewbie.protocol.perceptor.Vision;
@@ -35,7 +35,7 @@ class SelfLocalisationTest {
 
     @Test
     void findsItsPlaceByTwoLandmarks() {
-        GroundPose truth = new GroundPose(1.5, -0.7, 20);
+        Pose2d truth = new Pose2d(1.5, -0.7, 20);
 
         agent.respond(seeing(truth, TeamSide.LEFT, 1, Landmark.GOAL_POST_1_RIGHT, Landmark.FLAG_2_RIGHT));
 
@@ -47,7 +47,7 @@ class SelfLocalisationTest {
     @Test
     void recognisesThePitchOfTheLeagueByTheDistancesOfItsLandmarks() {
         SelfLocalisation unsure = new SelfLocalisation();
-        GroundPose truth = new GroundPose(9, -3, 30);
+        Pose2d truth = new Pose2d(9, -3, 30);
         List<Vision.SeenLandmark> seen = List.of(
                 sighting(SoccerField.LEAGUE, truth, Landmark.GOAL_POST_1_RIGHT),
                 sighting(SoccerField.LEAGUE, truth, Landmark.FLAG_1_RIGHT));
@@ -62,9 +62,9 @@ class SelfLocalisationTest {
     @Test
     void doesNotGuessThePitchByOneLandmark() {
         SelfLocalisation unsure = new SelfLocalisation();
-        unsure.setPose(new GroundPose(-1, 0, 0));
+        unsure.setPose(new Pose2d(-1, 0, 0));
 
-        rehearse(unsure, List.of(sighting(SoccerField.LEAGUE, GroundPose.ORIGIN, Landmark.FLAG_1_RIGHT)));
+        rehearse(unsure, List.of(sighting(SoccerField.LEAGUE, Pose2d.ORIGIN, Landmark.FLAG_1_RIGHT)));
 
         assertThat(unsure.field()).isEqualTo(SoccerField.BEGINNER);
         assertThat(unsure.pose().x()).isCloseTo(-1, within(1e-6));
@@ -72,7 +72,7 @@ class SelfLocalisationTest {
 
     @Test
     void usesTheOwnTeamsCoordinatesOnTheRightSideToo() {
-        GroundPose truth = new GroundPose(-2, 1, -10);
+        Pose2d truth = new Pose2d(-2, 1, -10);
 
         agent.respond(seeing(truth, TeamSide.RIGHT, 1, Landmark.GOAL_POST_1_LEFT, Landmark.GOAL_POST_2_LEFT));
 
@@ -81,7 +81,7 @@ class SelfLocalisationTest {
 
     @Test
     void doesNotBelieveToKnowItsPlaceByOneLandmark() {
-        agent.respond(seeing(GroundPose.ORIGIN, TeamSide.LEFT, 1, Landmark.FLAG_1_RIGHT));
+        agent.respond(seeing(Pose2d.ORIGIN, TeamSide.LEFT, 1, Landmark.FLAG_1_RIGHT));
 
         assertThat(self.isKnown()).isFalse();
         assertThat(self.ageSeconds()).isInfinite();
@@ -89,8 +89,8 @@ class SelfLocalisationTest {
 
     @Test
     void isDrawnToItsTruePlaceByOneLandmarkIfItKnowsItsDirection() {
-        GroundPose truth = new GroundPose(1, 1, 0);
-        self.setPose(new GroundPose(0.5, 0.8, 0));
+        Pose2d truth = new Pose2d(1, 1, 0);
+        self.setPose(new Pose2d(0.5, 0.8, 0));
 
         for (int i = 0; i < 60; i++) {
             agent.respond(seeing(truth, TeamSide.LEFT, 1 + 0.02 * i, Landmark.FLAG_1_RIGHT));
@@ -101,14 +101,10 @@ class SelfLocalisationTest {
 
     @Test
     void findsItsPlaceAgainAfterItWasCarriedAway() {
-        GroundPose there = new GroundPose(-2, -1, 120);
+        Pose2d there = new Pose2d(-2, -1, 120);
         for (int i = 0; i < 10; i++) {
             agent.respond(seeing(
-                    new GroundPose(1, 1, 0),
-                    TeamSide.LEFT,
-                    1 + 0.02 * i,
-                    Landmark.FLAG_1_RIGHT,
-                    Landmark.FLAG_2_RIGHT));
+                    new Pose2d(1, 1, 0), TeamSide.LEFT, 1 + 0.02 * i, Landmark.FLAG_1_RIGHT, Landmark.FLAG_2_RIGHT));
         }
 
         for (int i = 10; i < 40; i++) {
@@ -120,7 +116,7 @@ class SelfLocalisationTest {
 
     @Test
     void knowsThatItLiesOnItsBack() {
-        self.setPose(new GroundPose(1, 1, 90));
+        self.setPose(new Pose2d(1, 1, 90));
 
         for (int i = 0; i < 50; i++) {
             double degrees = 1.8 * i;
@@ -139,7 +135,7 @@ class SelfLocalisationTest {
 
     @Test
     void turnsByTheGyroscopeWhileItSeesNothing() {
-        self.setPose(GroundPose.ORIGIN);
+        self.setPose(Pose2d.ORIGIN);
 
         for (int i = 0; i < 50; i++) {
             agent.respond(Messages.standing().at(1 + 0.02 * i).gyro(0, 0, 45).build());
@@ -169,13 +165,13 @@ class SelfLocalisationTest {
         assertThat(now[0].distanceTo(new Vector3(0, -2, 0))).isLessThan(1e-6);
     }
 
-    private void assertIs(GroundPose truth, double tolerance) {
+    private void assertIs(Pose2d truth, double tolerance) {
         assertThat(self.pose().x()).isCloseTo(truth.x(), within(tolerance));
         assertThat(self.pose().y()).isCloseTo(truth.y(), within(tolerance));
         assertThat(self.pose().headingDegrees()).isCloseTo(truth.headingDegrees(), within(tolerance * 100));
     }
 
-    private static PerceptorMessage seeing(GroundPose truth, TeamSide side, double seconds, Landmark... landmarks) {
+    private static PerceptorMessage seeing(Pose2d truth, TeamSide side, double seconds, Landmark... landmarks) {
         List<Vision.SeenLandmark> seen = Arrays.stream(landmarks)
                 .map(landmark -> new Vision.SeenLandmark(landmark, polar(truth, side, landmark)))
                 .toList();
@@ -199,15 +195,15 @@ class SelfLocalisationTest {
                 .build());
     }
 
-    private static Vision.SeenLandmark sighting(SoccerField field, GroundPose truth, Landmark landmark) {
+    private static Vision.SeenLandmark sighting(SoccerField field, Pose2d truth, Landmark landmark) {
         return new Vision.SeenLandmark(landmark, polar(truth, field.position(landmark)));
     }
 
-    private static PolarPosition polar(GroundPose truth, TeamSide side, Landmark landmark) {
+    private static PolarPosition polar(Pose2d truth, TeamSide side, Landmark landmark) {
         return polar(truth, FIELD.position(landmark).times(side == TeamSide.LEFT ? 1 : -1));
     }
 
-    private static PolarPosition polar(GroundPose truth, Vector3 place) {
+    private static PolarPosition polar(Pose2d truth, Vector3 place) {
         Vector3 seen = truth.fromFrame(place).minus(new Vector3(0, 0, CAMERA_METRES));
         Direction direction = Direction.of(seen);
         return new PolarPosition(direction.distance(), direction.bearing(), direction.elevation());

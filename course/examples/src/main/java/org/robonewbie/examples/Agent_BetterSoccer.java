@@ -3,13 +3,13 @@ package org.robonewbie.examples;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.Options;
 import org.robonewbie.agent.StartPose;
-import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.agent.localisation.SelfLocalisation;
 import org.robonewbie.agent.perception.CameraTransformation;
 import org.robonewbie.agent.perception.FieldItem;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 
 /**
  * A soccer player that shows what improvement looks like: it scores about twenty times as fast as {@link Agent_SimpleSoccer}.
@@ -145,7 +145,7 @@ public class Agent_BetterSoccer extends Agent {
             nao.beam(start);
             motions.reset();
         }
-        self.setPose(new GroundPose(start.x(), start.y(), start.degrees()));
+        self.setPose(new Pose2d(start.x(), start.y(), start.degrees()));
         placed = true;
     }
 }

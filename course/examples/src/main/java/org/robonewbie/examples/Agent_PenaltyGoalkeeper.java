@@ -2,12 +2,12 @@ package org.robonewbie.examples;
 
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.Options;
-import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.agent.localisation.SelfLocalisation;
 import org.robonewbie.agent.perception.CameraTransformation;
 import org.robonewbie.agent.perception.FieldItem;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 
 /**
  * Keeps the goal against {@link Agent_PenaltyAttacker}: watches the ball, foresees where it will cross the goal line, and dives
@@ -49,7 +49,7 @@ public final class Agent_PenaltyGoalkeeper extends Agent {
 
     @Override
     protected Options defaults() {
-        GroundPose place = place();
+        Pose2d place = place();
         return Options.none().withTeam("Keepers").withNumber(1).withPose(place.x(), place.y(), place.headingDegrees());
     }
 
@@ -105,8 +105,8 @@ public final class Agent_PenaltyGoalkeeper extends Agent {
     }
 
     /** A step in front of the middle of the team's own goal; where that is depends on the pitch. */
-    private GroundPose place() {
-        return new GroundPose(BEFORE_LINE_METRES - self.field().length() / 2, 0, 0);
+    private Pose2d place() {
+        return new Pose2d(BEFORE_LINE_METRES - self.field().length() / 2, 0, 0);
     }
 
     /** Where the straight way of the ball into the middle of the goal comes by, in metres to the left. */
@@ -125,7 +125,7 @@ public final class Agent_PenaltyGoalkeeper extends Agent {
     }
 
     private void goToPlace() {
-        GroundPose place = place();
+        Pose2d place = place();
         if (placed) {
             nao.beam(place.x(), place.y(), place.headingDegrees());
             motions.reset();

@@ -2,10 +2,10 @@ package org.robonewbie.examples;
 
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.Options;
-import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.agent.localisation.SelfLocalisation;
 import org.robonewbie.agent.perception.CameraPicture;
 import org.robonewbie.agent.perception.CameraTransformation;
+import org.robonewbie.nao.geometry.Pose2d;
 
 /**
  * Determines its place on the pitch while walking about, and compares it with the truth.
@@ -45,7 +45,7 @@ public final class Agent_TestSelfLocalisation extends Agent {
     @Override
     protected void think() {
         self.update(nao, fieldView);
-        GroundPose pose = self.pose();
+        Pose2d pose = self.pose();
         nao.tellPose(pose.x(), pose.y(), pose.headingDegrees());
         lookAround.look();
         if (motions.start(WAY[step % WAY.length])) {

@@ -3,32 +3,6 @@ package org.robonewbie.exercises;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import org.robonewbie.exercises.task.ArmBySideTask;
-import org.robonewbie.exercises.task.AroundTheBallTask;
-import org.robonewbie.exercises.task.BallDirectionTask;
-import org.robonewbie.exercises.task.BetterPassTask;
-import org.robonewbie.exercises.task.DanceTask;
-import org.robonewbie.exercises.task.DribblePastTask;
-import org.robonewbie.exercises.task.FasterWalkTask;
-import org.robonewbie.exercises.task.FindTheBallTask;
-import org.robonewbie.exercises.task.FormationTask;
-import org.robonewbie.exercises.task.GetUpTask;
-import org.robonewbie.exercises.task.GoToTheBallTask;
-import org.robonewbie.exercises.task.GoalkeeperTask;
-import org.robonewbie.exercises.task.HillTask;
-import org.robonewbie.exercises.task.KickTask;
-import org.robonewbie.exercises.task.ObstacleCourseTask;
-import org.robonewbie.exercises.task.PassingTask;
-import org.robonewbie.exercises.task.PushTogetherTask;
-import org.robonewbie.exercises.task.RaiseArmsTask;
-import org.robonewbie.exercises.task.RollingBallTask;
-import org.robonewbie.exercises.task.ScoreAGoalTask;
-import org.robonewbie.exercises.task.SmoothMotionTask;
-import org.robonewbie.exercises.task.StopAt30Task;
-import org.robonewbie.exercises.task.TeamEyesTask;
-import org.robonewbie.exercises.task.TwoBehavioursTask;
-import org.robonewbie.exercises.task.UnseenBallTask;
-import org.robonewbie.exercises.task.WhereAmITask;
 
 /** All exercises in the order of the course. */
 public final class Exercises {

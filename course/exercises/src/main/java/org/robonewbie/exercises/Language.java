@@ -24,9 +24,9 @@ public enum Language {
     /** The environment variable with the language of all programs, such as {@code de}. */
     public static final String VARIABLE = "ROBONEWBIE_LANGUAGE";
 
-    private static final Phrasebook NONE = Phrasebook.empty();
-    private static final Phrasebook IN_GERMAN =
-            Phrasebook.read("/org/robonewbie/exercises/hints-de.txt", "/org/robonewbie/exercises/findings-de.txt");
+    private static final Translations NONE = Translations.empty();
+    private static final Translations IN_GERMAN =
+            Translations.read("/org/robonewbie/exercises/hints-de.txt", "/org/robonewbie/exercises/findings-de.txt");
 
     private final String code;
 
@@ -73,7 +73,7 @@ public enum Language {
     }
 
     /** {@return what is translated} */
-    Phrasebook phrases() {
+    Translations phrases() {
         return this == GERMAN ? IN_GERMAN : NONE;
     }
 }

@@ -25,13 +25,18 @@ class LanguageTest {
             Pattern.compile("\"([A-Z0-9](?:[^\"\\\\]|\\\\.)* (?:[^\"\\\\]|\\\\.)*[.?])\"");
 
     private static final Pattern TEXT = Pattern.compile("\"((?:[^\"\\\\]|\\\\.)*)\"");
-    private static final Path TASKS = Path.of("src/main/java/org/robonewbie/exercises/task");
+    private static final Path SOURCES = Path.of("src/main/java/org/robonewbie/exercises");
 
     private static final String MEND = "Mend this first; the rest was not tried.";
 
     static Stream<String> hintsOfTasks() throws IOException {
-        try (Stream<Path> tasks = Files.list(TASKS)) {
-            return tasks.map(LanguageTest::read).flatMap(LanguageTest::sentences).toList().stream();
+        try (Stream<Path> files = Files.list(SOURCES)) {
+            return files
+                    .filter(file -> file.toString().endsWith("Task.java"))
+                    .map(LanguageTest::read)
+                    .flatMap(LanguageTest::sentences)
+                    .toList()
+                    .stream();
         }
     }
 
@@ -55,8 +60,14 @@ class LanguageTest {
     }
 
     static Stream<String> findingsOfTasks() throws IOException {
-        try (Stream<Path> tasks = Files.list(TASKS)) {
-            return tasks.map(LanguageTest::read).flatMap(LanguageTest::clauses).distinct().toList().stream();
+        try (Stream<Path> files = Files.list(SOURCES)) {
+            return files
+                    .filter(file -> file.toString().endsWith("Task.java"))
+                    .map(LanguageTest::read)
+                    .flatMap(LanguageTest::clauses)
+                    .distinct()
+                    .toList()
+                    .stream();
         }
     }
 
@@ -74,11 +85,11 @@ class LanguageTest {
     @Test
     void noTranslationIsLeftOver() throws IOException {
         String sources;
-        try (Stream<Path> files = Files.walk(TASKS.getParent())) {
+        try (Stream<Path> files = Files.walk(SOURCES)) {
             sources = files.filter(Files::isRegularFile).map(LanguageTest::read).reduce("", String::concat);
         }
 
-        assertThat(Phrasebook.read("/org/robonewbie/exercises/hints-de.txt").phrases())
+        assertThat(Translations.read("/org/robonewbie/exercises/hints-de.txt").phrases())
                 .hasSizeGreaterThan(30)
                 .allSatisfy((english, german) -> {
                     assertThat(sources).contains("\"" + english.replace("\"", "\\\"") + "\"");

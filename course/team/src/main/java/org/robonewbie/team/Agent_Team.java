@@ -5,8 +5,9 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.Options;
-import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.agent.perception.CameraTransformation;
+import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.team.skill.Dribble;
 import org.robonewbie.team.skill.Footwork;
@@ -24,7 +25,6 @@ import org.robonewbie.team.tactics.Strategy;
 import org.robonewbie.team.talk.Talk;
 import org.robonewbie.team.talk.TeamMessage;
 import org.robonewbie.team.world.Situation;
-import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
 
 /**
@@ -57,8 +57,8 @@ public class Agent_Team extends Agent {
     private final GetUp getUp = new GetUp(body);
     private final Goalkeeping keeping = new Goalkeeping(body);
     private final Gaze gaze = new Gaze(body);
-    private final Board board = new Board(nao, world);
-    private List<Spot> way = List.of();
+    private final DecisionDrawing board = new DecisionDrawing(nao, world);
+    private List<Translation2d> way = List.of();
     private double beamedSeconds = Double.NEGATIVE_INFINITY;
 
     /** Creates a player with any number that is free. */
@@ -132,7 +132,7 @@ public class Agent_Team extends Agent {
     @Override
     protected void think() {
         world.update(nao, fieldView);
-        Talk.listen(nao, world);
+        world.listen(nao);
         if (nao.getVision().isPresent()) {
             strategy.decide();
         }
@@ -157,8 +157,8 @@ public class Agent_Team extends Agent {
     /** Goes to its place before a kick-off: by beam, and again if the referee has moved it. */
     private void lineUp() {
         boolean small = !Roles.isKeeper(world, 1);
-        GroundPose place = KickOffPlaces.place(world.number(), !world.hasScored(), small, world.field());
-        boolean away = world.place().distanceTo(Spot.of(place)) > 0.3 || nao.isFallen();
+        Pose2d place = KickOffPlaces.place(world.number(), !world.hasScored(), small, world.field());
+        boolean away = world.place().distanceTo(Translation2d.of(place)) > 0.3 || nao.isFallen();
         boolean free = motions.isFinished() || nao.isFallen();
         if (away && free && world.seconds() - beamedSeconds > BEAM_AGAIN_SECONDS) {
             nao.beam(place.x(), place.y(), place.headingDegrees());
@@ -190,8 +190,8 @@ public class Agent_Team extends Agent {
         }
     }
 
-    private Spot behindBall(double headingDegrees) {
-        return world.ball().plus(Spot.polar(headingDegrees, -BEHIND_METRES));
+    private Translation2d behindBall(double headingDegrees) {
+        return world.ball().plus(Translation2d.polar(headingDegrees, -BEHIND_METRES));
     }
 
     private void keep(Plan plan) {

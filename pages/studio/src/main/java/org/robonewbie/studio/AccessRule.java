@@ -2,7 +2,7 @@ package org.robonewbie.studio;
 
 import java.util.Optional;
 import java.util.Set;
-import org.robonewbie.studio.board.NewsBoard;
+import org.robonewbie.studio.board.EventBus;
 
 /**
  * Decides who may talk to the studio: only pages that this very server has delivered, opened under this computer's own name.
@@ -46,7 +46,7 @@ final class AccessRule {
         if (!origin.isEmpty() && !origin.equals("http://" + host)) {
             return Optional.of("Pages of \"" + origin + "\" may not talk to the studio.");
         }
-        boolean isLive = path.equals(LIVE_PATH) || path.startsWith(NewsBoard.PATHS);
+        boolean isLive = path.equals(LIVE_PATH) || path.startsWith(EventBus.PATHS);
         if (isLive || path.startsWith(WORK_PATH)) {
             return refusalOfUse(isLive, method, origin, site, isSignedIn);
         }

@@ -26,7 +26,7 @@ import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.soccer.MatchEvent;
-import org.robonewbie.studio.roboviz.RoboVizBoard;
+import org.robonewbie.studio.roboviz.RoboVizFeed;
 
 /**
  * Sends the latest state of the simulation to all pages, about 25 times per second.
@@ -35,7 +35,7 @@ import org.robonewbie.studio.roboviz.RoboVizBoard;
  * each spectator that has finished with its last frame; the others miss it. So no page can slow down the simulation or another
  * page.
  */
-final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCloseable {
+final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext, AutoCloseable {
 
     /** A little less than two cycles, so that in real time every second cycle is sent. */
     private static final long SEND_INTERVAL_NANOS = TimeUnit.MILLISECONDS.toNanos(37);
@@ -45,17 +45,17 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
     private static final long LATEST_LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
 
     private final SimulationControl simulation;
-    private final PuppetDesk puppets;
-    private final RoboVizBoard board = new RoboVizBoard();
+    private final PuppetService puppets;
+    private final RoboVizFeed board = new RoboVizFeed();
     private final NumberWishes numbers = new NumberWishes();
-    private final WaitingRoom waitingRoom = new ThreadWaitingRoom();
-    private final Deeds deeds = new Deeds(this, this::told);
+    private final CommandQueue commandQueue = new ThreadedCommandQueue();
+    private final UndoManager undoManager = new UndoManager(this, this::told);
     private final Queue<MatchEvent> events = new ConcurrentLinkedQueue<>();
     private final Queue<String> sentences = new ConcurrentLinkedQueue<>();
     private final List<Spectator> spectators = new CopyOnWriteArrayList<>();
-    private final BlockingQueue<TelemetryMessage> thoughts = new ArrayBlockingQueue<>(MOST_THOUGHTS);
+    private final BlockingQueue<TelemetryMessage> telemetry = new ArrayBlockingQueue<>(MOST_THOUGHTS);
     private final BlockingQueue<AgentMessages> messages = new ArrayBlockingQueue<>(MOST_MESSAGES);
-    private final MistakeNews mistakes = new MistakeNews();
+    private final DiagnosticsFeed mistakes = new DiagnosticsFeed();
     private final TelemetryHistory memory = new TelemetryHistory();
     private final Consumer<TelemetryMessage> notes;
     private final Thread sender = new Thread(this::send, "studio-live-feed");
@@ -65,7 +65,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
     private long lastWakeNanos = System.nanoTime() - SEND_INTERVAL_NANOS;
 
     private @Nullable WorldSnapshot written;
-    private @Nullable LineUp scene;
+    private @Nullable SceneDescription scene;
     private int sceneRevision;
     private String sceneJson = "";
     private ByteBuffer frame = ByteBuffer.allocate(0);
@@ -79,7 +79,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
     LiveFeed(SimulationControl simulation, Consumer<TelemetryMessage> notes) {
         this.simulation = simulation;
         this.notes = notes;
-        this.puppets = new PuppetDesk(
+        this.puppets = new PuppetService(
                 simulation, ServiceLoader.load(PuppetProvider.class).findFirst());
         sender.setDaemon(true);
     }
@@ -104,22 +104,22 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
         return Optional.of(numbers);
     }
 
-    RoboVizBoard board() {
+    RoboVizFeed board() {
         return board;
     }
 
     @Override
-    public Deeds deeds() {
-        return deeds;
+    public UndoManager undoManager() {
+        return undoManager;
     }
 
     @Override
-    public WaitingRoom waitingRoom() {
-        return waitingRoom;
+    public CommandQueue commandQueue() {
+        return commandQueue;
     }
 
     @Override
-    public PuppetDesk puppets() {
+    public PuppetService puppets() {
         return puppets;
     }
 
@@ -181,7 +181,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
 
     @Override
     public void anotherBegins() {
-        deeds.forget();
+        undoManager.forget();
     }
 
     @Override
@@ -192,8 +192,8 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
     /** Takes what a robot tells; what is too much for the pages is left out. */
     @Override
     public void accept(TelemetryMessage message) {
-        if (isWanted() && !thoughts.offer(message)) {
-            thoughts.clear();
+        if (isWanted() && !telemetry.offer(message)) {
+            telemetry.clear();
         }
     }
 
@@ -204,7 +204,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
 
     private void handOnEvents() {
         for (MatchEvent event = events.poll(); event != null; event = events.poll()) {
-            String json = LineUpWriter.event(event);
+            String json = SceneDescriptionWriter.event(event);
             spectators.forEach(spectator -> spectator.tell(json));
         }
     }
@@ -212,25 +212,25 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
     /** What was told before a page was open is kept for the first one. */
     private void handOnSentences() {
         while (isWanted() && !sentences.isEmpty()) {
-            String json = LineUpWriter.told(sentences.remove());
+            String json = SceneDescriptionWriter.told(sentences.remove());
             spectators.forEach(spectator -> spectator.tell(json));
         }
     }
 
     private void handOnDeeds() {
-        Deeds.Names names = deeds.names();
+        UndoManager.Names names = undoManager.names();
         spectators.forEach(spectator -> spectator.tellDeeds(names));
     }
 
     private void handOnThoughts() {
         List<TelemetryMessage> news = new ArrayList<>();
-        thoughts.drainTo(news);
-        spectators.forEach(spectator -> spectator.thoughts().remember(memory));
+        telemetry.drainTo(news);
+        spectators.forEach(spectator -> spectator.telemetry().remember(memory));
         for (TelemetryMessage message : news) {
             memory.keep(message);
             notes.accept(message);
             mistakes.of(message).ifPresent(json -> spectators.forEach(spectator -> spectator.tell(json)));
-            spectators.forEach(spectator -> spectator.thoughts().hear(message));
+            spectators.forEach(spectator -> spectator.telemetry().hear(message));
         }
         handOnMessages();
     }
@@ -240,7 +240,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
         messages.drainTo(news);
         for (AgentMessages exchanged : news) {
             String robot = watchedRobots.getOrDefault(exchanged.robot(), "");
-            spectators.forEach(spectator -> spectator.thoughts().hear(robot, exchanged));
+            spectators.forEach(spectator -> spectator.telemetry().hear(robot, exchanged));
         }
     }
 
@@ -248,7 +248,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
         Map<Integer, String> watched = new HashMap<>();
         for (RobotSnapshot robot : snapshot.robots()) {
             String key = TelemetryHistory.key(robot.team(), robot.number());
-            if (spectators.stream().anyMatch(spectator -> spectator.thoughts().watches(key))) {
+            if (spectators.stream().anyMatch(spectator -> spectator.telemetry().watches(key))) {
                 watched.put(robot.id(), key);
             }
         }
@@ -279,11 +279,11 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
             return;
         }
         puppets.place(snapshot);
-        LineUp current = LineUp.of(simulation, puppets, snapshot);
+        SceneDescription current = SceneDescription.of(simulation, puppets, snapshot);
         if (!current.equals(scene)) {
             scene = current;
             sceneRevision = (sceneRevision + 1) & 0xffff;
-            sceneJson = LineUpWriter.write(current, sceneRevision);
+            sceneJson = SceneDescriptionWriter.write(current, sceneRevision);
         }
         frame = StateFrame.write(snapshot, sceneRevision);
         written = snapshot;
@@ -294,7 +294,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, Stage, AutoCl
         simulation.removeObserver(this);
         open = false;
         puppets.close();
-        waitingRoom.close();
+        commandQueue.close();
         LockSupport.unpark(sender);
         spectators.forEach(Spectator::sayGoodbye);
     }

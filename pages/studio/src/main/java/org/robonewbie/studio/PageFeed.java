@@ -16,6 +16,7 @@ import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.soccer.MatchEvent;
+import org.robonewbie.studio.replay.NoteLines;
 
 /**
  * Shows a world to one page in whose worker it runs: the messages are those of the live feed, but there is neither thread nor clock
@@ -25,17 +26,17 @@ public final class PageFeed implements TelemetrySink {
 
     private final World world;
     private final Page page;
-    private final SteppedStage stage;
-    private final Thoughts thoughts = new Thoughts();
+    private final SteppedContext context;
+    private final TelemetryFeed telemetry = new TelemetryFeed();
     private final TelemetryHistory memory = new TelemetryHistory();
-    private final MistakeNews mistakes = new MistakeNews();
+    private final DiagnosticsFeed mistakes = new DiagnosticsFeed();
     private final NoteLines notes = new NoteLines();
     private final List<String> news = new ArrayList<>();
     private Optional<TrialLabel> judged = Optional.empty();
-    private Optional<Deeds.Names> toldDeeds = Optional.empty();
+    private Optional<UndoManager.Names> toldDeeds = Optional.empty();
     private boolean ready = true;
     private int sceneRevision;
-    private @Nullable LineUp scene;
+    private @Nullable SceneDescription scene;
     private @Nullable ByteBuffer shown;
 
     /** The world that is shown. What the page asks for is carried out at once, and puppets enter before their maker returns. */
@@ -89,7 +90,7 @@ public final class PageFeed implements TelemetrySink {
     public PageFeed(World world, Page page) {
         this.world = world;
         this.page = page;
-        this.stage = new SteppedStage(world, this::told);
+        this.context = new SteppedContext(world, this::told);
     }
 
     /**
@@ -102,8 +103,8 @@ public final class PageFeed implements TelemetrySink {
     }
 
     /** What the page can act upon. */
-    SteppedStage stage() {
-        return stage;
+    SteppedContext context() {
+        return context;
     }
 
     /** {@return what is judged in this world; empty where everybody just plays} */
@@ -122,10 +123,10 @@ public final class PageFeed implements TelemetrySink {
             if (request instanceof StudioRequest.Seen) {
                 ready = true;
             } else if (request instanceof StudioRequest.Watch watch) {
-                thoughts.watch(TelemetryHistory.key(watch.team(), watch.number()));
-                thoughts.remember(memory);
+                telemetry.watch(TelemetryHistory.key(watch.team(), watch.number()));
+                telemetry.remember(memory);
             } else {
-                request.applyTo(stage);
+                request.applyTo(context);
             }
         } catch (IllegalArgumentException | IllegalStateException wrong) {
             told(String.valueOf(wrong.getMessage()));
@@ -139,7 +140,7 @@ public final class PageFeed implements TelemetrySink {
      * @return whether its agent's messages are wanted
      */
     public boolean watches(RobotSnapshot robot) {
-        return thoughts.watches(TelemetryHistory.key(robot.team(), robot.number()));
+        return telemetry.watches(TelemetryHistory.key(robot.team(), robot.number()));
     }
 
     /**
@@ -149,7 +150,7 @@ public final class PageFeed implements TelemetrySink {
      * @param messages what was said
      */
     public void exchanged(RobotSnapshot robot, AgentMessages messages) {
-        thoughts.hear(TelemetryHistory.key(robot.team(), robot.number()), messages);
+        telemetry.hear(TelemetryHistory.key(robot.team(), robot.number()), messages);
     }
 
     /**
@@ -158,7 +159,7 @@ public final class PageFeed implements TelemetrySink {
      * @param event the event
      */
     public void happened(MatchEvent event) {
-        news.add(LineUpWriter.event(event));
+        news.add(SceneDescriptionWriter.event(event));
     }
 
     /**
@@ -167,20 +168,20 @@ public final class PageFeed implements TelemetrySink {
      * @param sentence a complete sentence
      */
     public void told(String sentence) {
-        news.add(LineUpWriter.told(sentence));
+        news.add(SceneDescriptionWriter.told(sentence));
     }
 
     @Override
     public void accept(TelemetryMessage message) {
         memory.keep(message);
         mistakes.of(message).ifPresent(news::add);
-        thoughts.hear(message);
+        telemetry.hear(message);
         notes.of(message).ifPresent(page::keep);
     }
 
     @Override
     public Optional<NumberWishes> wishes() {
-        return Optional.of(stage.numbers());
+        return Optional.of(context.numbers());
     }
 
     /** {@return whether the page has drawn what it got last} */
@@ -197,12 +198,12 @@ public final class PageFeed implements TelemetrySink {
         if (!ready) {
             return;
         }
-        stage.puppets().place(snapshot);
+        context.puppets().place(snapshot);
         tellWhoPlays(snapshot);
         tellDeeds();
         news.forEach(page::tell);
         news.clear();
-        thoughts.take().ifPresent(page::tell);
+        telemetry.take().ifPresent(page::tell);
         ByteBuffer frame = StateFrame.write(snapshot, sceneRevision);
         if (!frame.equals(shown)) {
             ready = false;
@@ -214,19 +215,19 @@ public final class PageFeed implements TelemetrySink {
     }
 
     private void tellWhoPlays(WorldSnapshot snapshot) {
-        LineUp current = LineUp.of(world, stage.puppets(), snapshot);
+        SceneDescription current = SceneDescription.of(world, context.puppets(), snapshot);
         if (!current.equals(scene)) {
             scene = current;
             sceneRevision++;
-            page.tell(LineUpWriter.write(current, sceneRevision));
+            page.tell(SceneDescriptionWriter.write(current, sceneRevision));
         }
     }
 
     private void tellDeeds() {
-        Optional<Deeds.Names> names = Optional.of(stage.deeds().names());
+        Optional<UndoManager.Names> names = Optional.of(context.undoManager().names());
         if (!names.equals(toldDeeds)) {
             toldDeeds = names;
-            news.add(LineUpWriter.deeds(names.get()));
+            news.add(SceneDescriptionWriter.undoManager(names.get()));
         }
     }
 }

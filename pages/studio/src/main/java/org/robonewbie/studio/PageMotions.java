@@ -13,12 +13,12 @@ public final class PageMotions {
 
     /** {@return the robot whose motions are edited, as JSON} */
     public static String robot() {
-        return RobotDescription.write(LineUpWriter.model(NaoModel.of(RobotType.TYPE_0)));
+        return RobotDescription.write(SceneDescriptionWriter.model(NaoModel.of(RobotType.TYPE_0)));
     }
 
     /** {@return the bodies of all robot types, as JSON} */
     public static String models() {
-        return LineUpWriter.allModels().toString();
+        return SceneDescriptionWriter.allModels().toString();
     }
 
     /**

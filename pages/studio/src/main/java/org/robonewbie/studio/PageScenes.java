@@ -5,28 +5,28 @@ import java.io.IOException;
 import java.util.Optional;
 import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.studio.file.RefusedException;
-import org.robonewbie.studio.scene.SceneDesk;
-import org.robonewbie.studio.scene.SceneShelf;
+import org.robonewbie.studio.scene.SceneRepository;
+import org.robonewbie.studio.scene.SceneService;
 
 /** The scenes of a page in whose worker the world runs. */
 public final class PageScenes {
 
     private static final String PLACE = "this browser";
 
-    private final SceneShelf shelf;
+    private final SceneRepository repository;
 
     /**
      * Opens an empty shelf.
      *
      * @param keeper the browser, which keeps scenes for longer
      */
-    public PageScenes(SceneShelf.Keeper keeper) {
-        shelf = new SceneShelf(keeper);
+    public PageScenes(SceneRepository.Keeper keeper) {
+        repository = new SceneRepository(keeper);
     }
 
     /** {@return the scenes, which the browser hands over} */
-    public SceneShelf shelf() {
-        return shelf;
+    public SceneRepository repository() {
+        return repository;
     }
 
     /**
@@ -41,7 +41,8 @@ public final class PageScenes {
      */
     public String answer(PageFeed feed, String method, String name, String old) {
         return attempt(
-                feed, desk -> desk.answer(method, name, old.isEmpty() ? Optional.empty() : Optional.of(old), false));
+                feed,
+                service -> service.answer(method, name, old.isEmpty() ? Optional.empty() : Optional.of(old), false));
     }
 
     /**
@@ -56,20 +57,20 @@ public final class PageScenes {
     public String start(PageFeed feed, byte[] recording, long moment) {
         return attempt(
                 feed,
-                desk -> desk.start(
+                service -> service.start(
                         RecordingReader.ofUnpacked(new ByteArrayInputStream(recording), "This"),
                         moment,
-                        SceneDesk.ENDS_BEFORE));
+                        SceneService.ENDS_BEFORE));
     }
 
     private interface Request {
-        String answer(SceneDesk desk) throws IOException;
+        String answer(SceneService service) throws IOException;
     }
 
     private String attempt(PageFeed feed, Request request) {
-        Deeds deeds = feed.stage().deeds();
+        UndoManager undoManager = feed.context().undoManager();
         try {
-            return request.answer(new SceneDesk(shelf, PLACE, deeds, deeds::done));
+            return request.answer(new SceneService(repository, PLACE, undoManager, undoManager::done));
         } catch (IllegalArgumentException | IllegalStateException | IOException refused) {
             throw new RefusedException(409, String.valueOf(refused.getMessage()));
         }

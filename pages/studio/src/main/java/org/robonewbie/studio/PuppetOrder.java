@@ -74,8 +74,8 @@ sealed interface PuppetOrder {
      */
     record To(PlayerNumber player, PuppetOrder order) implements StudioRequest {
         @Override
-        public void applyTo(Stage stage) {
-            order.applyTo(stage.puppets().puppet(player));
+        public void applyTo(StudioContext context) {
+            order.applyTo(context.puppets().puppet(player));
         }
     }
 }

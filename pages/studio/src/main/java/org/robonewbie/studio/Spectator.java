@@ -12,7 +12,7 @@ import org.eclipse.jetty.websocket.api.Callback;
 import org.eclipse.jetty.websocket.api.Session;
 import org.eclipse.jetty.websocket.api.StatusCode;
 import org.jspecify.annotations.Nullable;
-import org.robonewbie.studio.roboviz.RoboVizBoard;
+import org.robonewbie.studio.roboviz.RoboVizFeed;
 
 /**
  * A page that watches the simulation.
@@ -27,9 +27,9 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
     private static final long REPEAT_NANOS = TimeUnit.SECONDS.toNanos(1);
 
     private final LiveFeed feed;
-    private final Thoughts thoughts = new Thoughts();
+    private final TelemetryFeed telemetry = new TelemetryFeed();
     private final Deque<String> news = new ArrayDeque<>();
-    private Optional<Deeds.Names> toldDeeds = Optional.empty();
+    private Optional<UndoManager.Names> toldDeeds = Optional.empty();
     private int toldBoard;
     private volatile boolean ready;
     private int sentScene = -1;
@@ -54,7 +54,7 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
             if (command instanceof StudioRequest.Seen) {
                 ready = true;
             } else if (command instanceof StudioRequest.Watch watch) {
-                thoughts.watch(TelemetryHistory.key(watch.team(), watch.number()));
+                telemetry.watch(TelemetryHistory.key(watch.team(), watch.number()));
             } else {
                 command.applyTo(feed);
             }
@@ -70,9 +70,9 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         getSession().sendText(json.toString(), Callback.NOOP);
     }
 
-    /** What the page hears of robots. Called by the feed's thread only, but for {@link Thoughts#watch}. */
-    Thoughts thoughts() {
-        return thoughts;
+    /** What the page hears of robots. Called by the feed's thread only, but for {@link TelemetryFeed#watch}. */
+    TelemetryFeed telemetry() {
+        return telemetry;
     }
 
     /** Keeps what has happened in the game until the page is ready for it. Called by the feed's thread only. */
@@ -84,15 +84,15 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
     }
 
     /** Passes on what would be undone and redone, if the page does not know it yet. Called by the feed's thread only. */
-    void tellDeeds(Deeds.Names names) {
+    void tellDeeds(UndoManager.Names names) {
         if (!toldDeeds.equals(Optional.of(names))) {
             toldDeeds = Optional.of(names);
-            tell(LineUpWriter.deeds(names));
+            tell(SceneDescriptionWriter.undoManager(names));
         }
     }
 
     /** Keeps the sets of drawings that have changed since the page has got its last frame. Called by the feed's thread only. */
-    void tellDrawings(RoboVizBoard board) {
+    void tellDrawings(RoboVizFeed board) {
         int revision = board.revision();
         if (ready && revision > toldBoard) {
             board.since(toldBoard).ifPresent(this::tell);
@@ -120,7 +120,7 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         }
         texts.addAll(news);
         news.clear();
-        thoughts.take().ifPresent(texts::add);
+        telemetry.take().ifPresent(texts::add);
         send(session, texts, frame);
     }
 

@@ -3,7 +3,7 @@ package org.robonewbie.studio;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.robonewbie.simulator.file.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingRepository;
 
 /**
  * The folders that the studio's pages may use; nothing else of the disk can be reached from a page.
@@ -17,7 +17,7 @@ import org.robonewbie.simulator.file.RecordingShelf;
 public record StudioFolders(
         Path motions,
         Path scenes,
-        Optional<RecordingShelf> recordings,
+        Optional<RecordingRepository> recordings,
         List<Path> projects,
         Optional<Path> openedRecording) {
 
@@ -29,7 +29,7 @@ public record StudioFolders(
      * @param motions where motion files are read and written; it need not exist
      * @param recordings where recordings are read; empty if nothing is recorded
      */
-    public StudioFolders(Path motions, Optional<RecordingShelf> recordings) {
+    public StudioFolders(Path motions, Optional<RecordingRepository> recordings) {
         this(motions, motions.resolveSibling(SCENES), recordings, List.of(), Optional.empty());
     }
 
@@ -52,6 +52,6 @@ public record StudioFolders(
     public static StudioFolders ofWorkingDirectory() {
         List<Path> projects = List.of(Path.of(""), Path.of("recordings"));
         return new StudioFolders(
-                Path.of("motions"), Path.of(SCENES), RecordingShelf.ofUser(), projects, Optional.empty());
+                Path.of("motions"), Path.of(SCENES), RecordingRepository.ofUser(), projects, Optional.empty());
     }
 }

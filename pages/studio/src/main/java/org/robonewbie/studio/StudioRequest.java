@@ -12,14 +12,14 @@ interface StudioRequest {
     /**
      * Does what is asked for.
      *
-     * @param stage what can be acted upon
+     * @param context what can be acted upon
      */
-    void applyTo(Stage stage);
+    void applyTo(StudioContext context);
 
     /** The page has drawn its last frame and is ready for the next. */
     record Seen() implements StudioRequest {
         @Override
-        public void applyTo(Stage stage) {}
+        public void applyTo(StudioContext context) {}
     }
 
     /**
@@ -30,7 +30,7 @@ interface StudioRequest {
      */
     record Watch(String team, int number) implements StudioRequest {
         @Override
-        public void applyTo(Stage stage) {}
+        public void applyTo(StudioContext context) {}
     }
 
     /**
@@ -40,8 +40,8 @@ interface StudioRequest {
      */
     record Tune(NumberWish wish) implements StudioRequest {
         @Override
-        public void applyTo(Stage stage) {
-            stage.numbers().put(wish);
+        public void applyTo(StudioContext context) {
+            context.numbers().put(wish);
         }
     }
 
@@ -57,8 +57,8 @@ interface StudioRequest {
         }
 
         @Override
-        public void applyTo(Stage stage) {
-            orders.forEach(stage.simulation()::order);
+        public void applyTo(StudioContext context) {
+            orders.forEach(context.simulation()::order);
         }
     }
 
@@ -76,8 +76,8 @@ interface StudioRequest {
         }
 
         @Override
-        public void applyTo(Stage stage) {
-            stage.deeds().change(name, gesture, () -> orders.forEach(stage.simulation()::order));
+        public void applyTo(StudioContext context) {
+            context.undoManager().change(name, gesture, () -> orders.forEach(context.simulation()::order));
         }
     }
 
@@ -85,14 +85,14 @@ interface StudioRequest {
     enum History implements StudioRequest {
         UNDO {
             @Override
-            public void applyTo(Stage stage) {
-                stage.deeds().undo();
+            public void applyTo(StudioContext context) {
+                context.undoManager().undo();
             }
         },
         REDO {
             @Override
-            public void applyTo(Stage stage) {
-                stage.deeds().redo();
+            public void applyTo(StudioContext context) {
+                context.undoManager().redo();
             }
         }
     }
@@ -104,9 +104,9 @@ interface StudioRequest {
      */
     record AddPuppet(TeamSide side) implements StudioRequest {
         @Override
-        public void applyTo(Stage stage) {
-            PlayerNumber player = stage.puppets().add(side, stage.now());
-            stage.deeds().puppetAdded(player);
+        public void applyTo(StudioContext context) {
+            PlayerNumber player = context.puppets().add(side, context.now());
+            context.undoManager().puppetAdded(player);
         }
     }
 
@@ -117,8 +117,8 @@ interface StudioRequest {
      */
     record RemovePuppet(PlayerNumber player) implements StudioRequest {
         @Override
-        public void applyTo(Stage stage) {
-            stage.deeds().removePuppet(player);
+        public void applyTo(StudioContext context) {
+            context.undoManager().removePuppet(player);
         }
     }
 }

@@ -22,15 +22,15 @@ import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.studio.board.BoardReader;
-import org.robonewbie.studio.board.NewsBoard;
+import org.robonewbie.studio.board.EventBus;
 import org.robonewbie.studio.course.Course;
 import org.robonewbie.studio.course.CourseApi;
 import org.robonewbie.studio.motion.MotionApi;
+import org.robonewbie.studio.program.CompilerService;
 import org.robonewbie.studio.program.ProgramApi;
-import org.robonewbie.studio.program.Workshop;
 import org.robonewbie.studio.replay.ReplayApi;
 import org.robonewbie.studio.replay.RunNotes;
-import org.robonewbie.studio.roboviz.RoboVizBoard;
+import org.robonewbie.studio.roboviz.RoboVizFeed;
 import org.robonewbie.studio.scene.SceneApi;
 
 /**
@@ -99,7 +99,7 @@ public final class StudioServer implements Viewer.View {
 
     /** Starts the studio, also with the page of a board. */
     static StudioServer start(
-            SimulationControl simulation, int port, AccessToken token, StudioFolders folders, Optional<NewsBoard> board)
+            SimulationControl simulation, int port, AccessToken token, StudioFolders folders, Optional<EventBus> board)
             throws IOException {
         return start(simulation, port, signIn(token), folders, board, Lessons.NONE);
     }
@@ -136,14 +136,14 @@ public final class StudioServer implements Viewer.View {
             AccessToken token,
             StudioFolders folders,
             Course course,
-            Workshop workshop)
+            CompilerService compiler)
             throws IOException {
-        Lessons lessons = new Lessons(Optional.of(course), Optional.of(workshop));
+        Lessons lessons = new Lessons(Optional.of(course), Optional.of(compiler));
         return start(simulation, port, signIn(token), folders, Optional.empty(), lessons);
     }
 
     /** What a studio offers to students, if it does. */
-    private record Lessons(Optional<Course> course, Optional<Workshop> workshop) {
+    private record Lessons(Optional<Course> course, Optional<CompilerService> compiler) {
 
         private static final Lessons NONE = new Lessons(Optional.empty(), Optional.empty());
     }
@@ -153,7 +153,7 @@ public final class StudioServer implements Viewer.View {
             int port,
             IntFunction<SignIn> signInAtPort,
             StudioFolders folders,
-            Optional<NewsBoard> board,
+            Optional<EventBus> board,
             Lessons lessons)
             throws IOException {
         silenceServerTalk();
@@ -175,7 +175,7 @@ public final class StudioServer implements Viewer.View {
         AccessRule rule = new AccessRule(openPort);
         String policy = WebFiles.contentSecurityPolicy(openPort);
         WebFiles files = new WebFiles();
-        ProgramApi programs = new ProgramApi(lessons.workshop(), new ProgramGround(feed));
+        ProgramApi programs = new ProgramApi(lessons.compiler(), new ShownArena(feed));
         Handler rooms = rooms(feed, folders, new CourseApi(lessons.course()), programs, files);
         server.setHandler(new AccessGuard(rule, signIn, policy, live(server, feed, board, rooms)));
         run(server);
@@ -190,7 +190,7 @@ public final class StudioServer implements Viewer.View {
         }
     }
 
-    private static Handler live(Server server, LiveFeed feed, Optional<NewsBoard> board, Handler rooms) {
+    private static Handler live(Server server, LiveFeed feed, Optional<EventBus> board, Handler rooms) {
         WebSocketUpgradeHandler live = WebSocketUpgradeHandler.from(server, container -> {
             container.setIdleTimeout(QUIET_LIMIT);
             container.setMaxTextMessageSize(MAX_COMMAND_BYTES);
@@ -205,10 +205,15 @@ public final class StudioServer implements Viewer.View {
 
     private static Handler rooms(
             LiveFeed feed, StudioFolders folders, CourseApi course, ProgramApi programs, WebFiles files) {
-        MotionApi motionRoom = new MotionApi(folders.motions(), LineUpWriter.model(NaoModel.of(RobotType.TYPE_0)));
+        MotionApi motionRoom =
+                new MotionApi(folders.motions(), SceneDescriptionWriter.model(NaoModel.of(RobotType.TYPE_0)));
         ReplayApi replayRoom = new ReplayApi(
-                folders.recordings(), folders.projects(), folders.openedRecording(), LineUpWriter.allModels());
-        SceneApi sceneRoom = new SceneApi(folders.scenes(), feed.deeds(), feed.deeds()::done, replayRoom::recording);
+                folders.recordings(),
+                folders.projects(),
+                folders.openedRecording(),
+                SceneDescriptionWriter.allModels());
+        SceneApi sceneRoom =
+                new SceneApi(folders.scenes(), feed.undoManager(), feed.undoManager()::done, replayRoom::recording);
         return new Handler.Sequence(course, programs, sceneRoom, replayRoom, motionRoom, files);
     }
 
@@ -253,7 +258,7 @@ public final class StudioServer implements Viewer.View {
     }
 
     /** {@return the board for drawings in RoboViz's protocol} */
-    public RoboVizBoard drawings() {
+    public RoboVizFeed drawings() {
         return feed.board();
     }
 

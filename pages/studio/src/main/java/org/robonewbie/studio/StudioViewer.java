@@ -4,9 +4,9 @@ import java.io.IOException;
 import java.util.Optional;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.embedded.Viewer;
-import org.robonewbie.studio.board.NewsBoard;
+import org.robonewbie.studio.board.EventBus;
 import org.robonewbie.studio.course.Course;
-import org.robonewbie.studio.program.Workshop;
+import org.robonewbie.studio.program.CompilerService;
 
 /**
  * Shows simulations in the browser; found by {@link java.util.ServiceLoader}.
@@ -42,11 +42,11 @@ public final class StudioViewer implements Viewer {
      * @param simulation a world for the other rooms
      * @param port TCP port on 127.0.0.1, 0 for the usual one, or any other if that is taken
      * @param folders the folders that the pages may use
-     * @param board what the program writes to; see {@link NewsBoard#page} for its address
+     * @param board what the program writes to; see {@link EventBus#page} for its address
      * @return the open view
      * @throws IOException if the port cannot be opened
      */
-    public static StudioServer open(SimulationControl simulation, int port, StudioFolders folders, NewsBoard board)
+    public static StudioServer open(SimulationControl simulation, int port, StudioFolders folders, EventBus board)
             throws IOException {
         return open(simulation, port, folders, Optional.of(board));
     }
@@ -58,26 +58,26 @@ public final class StudioViewer implements Viewer {
      * @param port TCP port on 127.0.0.1, 0 for the usual one, or any other if that is taken
      * @param folders what of the disk the pages may use
      * @param course the exercises
-     * @param workshop compiles and starts programs
+     * @param compiler compiles and starts programs
      * @return the open view
      * @throws IOException if the port cannot be opened
      */
     public static StudioServer open(
-            SimulationControl simulation, int port, StudioFolders folders, Course course, Workshop workshop)
+            SimulationControl simulation, int port, StudioFolders folders, Course course, CompilerService compiler)
             throws IOException {
         AccessToken token = AccessToken.ofUser();
         try {
-            return StudioServer.start(simulation, port == 0 ? USUAL_PORT : port, token, folders, course, workshop);
+            return StudioServer.start(simulation, port == 0 ? USUAL_PORT : port, token, folders, course, compiler);
         } catch (IOException inUse) {
             if (port != 0) {
                 throw inUse;
             }
-            return StudioServer.start(simulation, 0, token, folders, course, workshop);
+            return StudioServer.start(simulation, 0, token, folders, course, compiler);
         }
     }
 
     private static StudioServer open(
-            SimulationControl simulation, int port, StudioFolders folders, Optional<NewsBoard> board)
+            SimulationControl simulation, int port, StudioFolders folders, Optional<EventBus> board)
             throws IOException {
         return port == 0
                 ? openAtUsual(USUAL_PORT, simulation, folders, board)
@@ -86,7 +86,7 @@ public final class StudioViewer implements Viewer {
 
     /** Takes a port if it is free, and any other if it is not. */
     static StudioServer openAtUsual(
-            int port, SimulationControl simulation, StudioFolders folders, Optional<NewsBoard> board)
+            int port, SimulationControl simulation, StudioFolders folders, Optional<EventBus> board)
             throws IOException {
         AccessToken token = AccessToken.ofUser();
         try {

@@ -1,17 +1,17 @@
 package org.robonewbie.studio;
 
 import java.util.Optional;
-import org.robonewbie.studio.scene.Deed;
-import org.robonewbie.studio.scene.KeptMoment;
+import org.robonewbie.studio.scene.Checkpoint;
+import org.robonewbie.studio.scene.UndoableCommand;
 
 /** A change of the world, which is taken back by going on from the moment before it. */
-final class WorldChange implements Deed {
+final class WorldChange implements UndoableCommand {
 
-    private final Continuation world;
+    private final Restore world;
     private final String name;
     private final long gesture;
-    private final KeptMoment before;
-    private Optional<KeptMoment> after = Optional.empty();
+    private final Checkpoint before;
+    private Optional<Checkpoint> after = Optional.empty();
 
     /**
      * Remembers the moment before a change.
@@ -20,7 +20,7 @@ final class WorldChange implements Deed {
      * @param name what will be done
      * @param gesture number of the drag that it belongs to, 0 if it is none
      */
-    WorldChange(Continuation world, String name, long gesture) {
+    WorldChange(Restore world, String name, long gesture) {
         this.world = world;
         this.name = name;
         this.gesture = gesture;
@@ -39,7 +39,7 @@ final class WorldChange implements Deed {
 
     @Override
     public String undo() {
-        KeptMoment now = world.keep();
+        Checkpoint now = world.keep();
         String remark = world.goBackTo(before, false);
         after = Optional.of(now);
         return remark;

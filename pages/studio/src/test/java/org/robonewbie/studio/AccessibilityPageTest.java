@@ -13,7 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.robonewbie.studio.search.SearchBoard;
+import org.robonewbie.studio.search.SearchFeed;
 import org.robonewbie.studio.search.SearchTask;
 
 /** axe-core finds no violation in any room, light and dark, nor in what opens there. */
@@ -72,7 +72,7 @@ class AccessibilityPageTest {
     @ParameterizedTest
     @ValueSource(strings = {"light", "dark"})
     void searchHasNoViolation(String theme) throws IOException {
-        SearchBoard board = new SearchBoard(new SearchTask("kick", "kick-distance", "m", true, 3, "3 rounds"));
+        SearchFeed board = new SearchFeed(new SearchTask("kick", "kick-distance", "m", true, 3, "3 rounds"));
         StudioFolders folders = new StudioFolders(folder, Optional.empty());
         try (StudioServer other =
                 StudioServer.start(studio.simulation(), 0, AccessToken.random(), folders, Optional.of(board))) {

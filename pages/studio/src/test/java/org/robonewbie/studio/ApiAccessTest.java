@@ -11,7 +11,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.robonewbie.simulator.file.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingRepository;
 
 /** Each address below {@code /api/} answers pages of the studio only, and no name leads out of its folder. */
 class ApiAccessTest {
@@ -31,8 +31,8 @@ class ApiAccessTest {
         for (Path notes : new Path[] {runs.resolve("game.notes"), place.resolve("secret.notes")}) {
             Files.writeString(notes, "{\"seconds\":1,\"robot\":\"A 1\",\"level\":\"INFO\",\"text\":\"hush\"}\n");
         }
-        RecordingShelf shelf = new RecordingShelf(runs, 1_000_000_000);
-        StudioFolders folders = new StudioFolders(place.resolve("motions"), Optional.of(shelf));
+        RecordingRepository repository = new RecordingRepository(runs, 1_000_000_000);
+        StudioFolders folders = new StudioFolders(place.resolve("motions"), Optional.of(repository));
         studio = StudioServer.start(simulation.start(), 0, AccessToken.random(), folders);
         cookie = "Cookie: " + StudioCookie.of(studio.oneTimeAddress());
     }
@@ -115,8 +115,8 @@ class ApiAccessTest {
     @ValueSource(
             strings = {"..%2fsecret", "%2e%2e%2fsecret", "..%5csecret", "../secret", "..", "%00", "%2fetc%2fpasswd"})
     void namesOfRunsThatLeadElsewhereAreNotFound(String name) throws IOException {
-        for (String shelf : new String[] {"notes", "index", "cards", "pieces", "log"}) {
-            assertThat(ask("GET /api/" + shelf + "/" + name, host(), cookie))
+        for (String repository : new String[] {"notes", "index", "cards", "pieces", "log"}) {
+            assertThat(ask("GET /api/" + repository + "/" + name, host(), cookie))
                     .containsPattern("^HTTP/1.1 40[0-9]")
                     .doesNotContain("hush");
         }

@@ -10,7 +10,7 @@ import java.util.OptionalInt;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.simulator.file.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.studio.monitor.MonitoredSimulation;
 
 /** The studio that looks at something that is not its own: a server with a monitor port, or a recording of somebody. */
@@ -32,15 +32,15 @@ class AttachedStudioTest {
     @Test
     void serverIsSeenThroughItsMonitorPortAndItsClockIsLeftAlone() throws IOException {
         RecordedRun.write(folder.resolve("game.rec"));
-        StudioFolders folders =
-                new StudioFolders(folder.resolve("motions"), Optional.of(new RecordingShelf(folder, 1_000_000_000)));
+        StudioFolders folders = new StudioFolders(
+                folder.resolve("motions"), Optional.of(new RecordingRepository(folder, 1_000_000_000)));
         try (PlayingRobot robot = PlayingRobot.start(OptionalInt.of(0));
                 MonitoredSimulation watched = MonitoredSimulation.connect(
                         "127.0.0.1", robot.simulator().monitorPort().orElseThrow());
                 StudioServer studio = StudioServer.start(watched, 0, AccessToken.random(), folders)) {
             browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light");
             browser.await(
-                    "studio.state.scene?.robots.length === 1 && studio.view.crowd.meshes.some(mesh => mesh.visible)");
+                    "studio.state.scene?.robots.length === 1 && studio.view.robots.meshes.some(mesh => mesh.visible)");
             browser.await("document.querySelector('.team.left').textContent === 'Stars'");
 
             browser.await("document.querySelector('#no-clock').offsetParent !== null");
@@ -74,7 +74,7 @@ class AttachedStudioTest {
             browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light#replay/my%20game");
 
             browser.await("studio.replay?.file?.name === 'my game' && studio.replay.file.isWhole");
-            browser.await("studio.view.crowd.poses.length === 1 && studio.view.drawCalls > 0");
+            browser.await("studio.view.robots.poses.length === 1 && studio.view.drawCalls > 0");
             browser.click("#replay-play");
             browser.await("studio.replay.state.index > 20");
             assertThat(browser.complaints()).isEmpty();

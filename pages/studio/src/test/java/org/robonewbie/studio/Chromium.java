@@ -187,7 +187,7 @@ final class Chromium implements AnyBrowser, AutoCloseable {
     }
 
     /** Does something that makes the page offer a file, and waits until the file is there. */
-    Path download(Path folder, Runnable deed) {
+    Path download(Path folder, Runnable command) {
         downloaded = new CompletableFuture<>();
         JsonObject behavior = new JsonObject();
         behavior.addProperty("behavior", "allow");
@@ -197,7 +197,7 @@ final class Chromium implements AnyBrowser, AutoCloseable {
         tools.send("", "Browser.setDownloadBehavior", behavior)
                 .orTimeout(PATIENCE_SECONDS, TimeUnit.SECONDS)
                 .join();
-        deed.run();
+        command.run();
         return folder.resolve(
                 downloaded.orTimeout(PATIENCE_SECONDS, TimeUnit.SECONDS).join());
     }

@@ -135,7 +135,7 @@ class CoursePageTest {
         browser.click("#course-start");
 
         browser.await("studio.state.scene.trial.attempt === 2 && studio.field.ghosts.group.visible");
-        browser.await("studio.field.ghosts.crowd.scene.robots.length === 1");
+        browser.await("studio.field.ghosts.robots.scene.robots.length === 1");
         browser.click("#course-ghost");
         browser.await("!studio.field.ghosts.group.visible");
         assertThat(browser.complaints()).isEmpty();

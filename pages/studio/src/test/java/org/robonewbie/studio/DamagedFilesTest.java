@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.robonewbie.simulator.file.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingRepository;
 
 /** Whatever lies in the folders of recordings and scenes, a page gets data or a sentence. */
 class DamagedFilesTest {
@@ -41,7 +41,7 @@ class DamagedFilesTest {
         RecordedRun.write(recording);
         whole = Files.readAllBytes(recording);
         StudioFolders folders =
-                new StudioFolders(place.resolve("motions"), Optional.of(new RecordingShelf(runs, 1_000_000_000)));
+                new StudioFolders(place.resolve("motions"), Optional.of(new RecordingRepository(runs, 1_000_000_000)));
         studio = StudioServer.start(simulation.start(), 0, AccessToken.random(), folders);
         cookie = StudioCookie.of(studio.oneTimeAddress());
     }

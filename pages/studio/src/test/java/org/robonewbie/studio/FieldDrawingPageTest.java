@@ -53,7 +53,7 @@ class FieldDrawingPageTest {
 
     private void visit() {
         browser.visit(studio.oneTimeAddress() + "&theme=light&quality=lowest");
-        browser.await("studio.state.scene?.robots.length === 2 && studio.view.crowd.poses[1]?.[2] > 0");
+        browser.await("studio.state.scene?.robots.length === 2 && studio.view.robots.poses[1]?.[2] > 0");
     }
 
     @AfterEach
@@ -91,7 +91,7 @@ class FieldDrawingPageTest {
 
         JsonArray circle = browser.evaluate("(() => { const { view } = studio; const head ="
                         + " studio.state.scene.models.TYPE_0.links.findIndex(({name}) => name === 'head');"
-                        + " const [x, y] = view.crowd.poses[0].slice(7 * head); const point = new"
+                        + " const [x, y] = view.robots.poses[0].slice(7 * head); const point = new"
                         + " view.camera.position.constructor(x + 0.5, y + 2, 0.012).project(view.camera);"
                         + " const box = view.stage.getBoundingClientRect(); return [x, y, box.left"
                         + " + (point.x + 1) / 2 * box.width, box.top + (1 - point.y) / 2 * box.height]; })()")

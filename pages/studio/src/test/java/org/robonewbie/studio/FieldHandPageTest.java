@@ -37,7 +37,7 @@ class FieldHandPageTest {
                 .withRobot(RobotType.TYPE_0, TeamSide.RIGHT, 7, 2, 1, 180, Posture.STANDING);
         studio = StudioServer.start(simulation.start(), 0, AccessToken.random());
         browser.visit(studio.oneTimeAddress() + "&theme=light&quality=lowest");
-        browser.await("studio.state.scene?.robots.length === 2 && studio.view.crowd.poses[1]?.[2] > 0"
+        browser.await("studio.state.scene?.robots.length === 2 && studio.view.robots.poses[1]?.[2] > 0"
                 + " && studio.view.covered.bottom > 0");
         browser.await("studio.desk.isStill && !document.querySelector('#scenes').hidden");
     }

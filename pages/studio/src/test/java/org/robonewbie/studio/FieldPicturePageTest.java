@@ -55,7 +55,7 @@ class FieldPicturePageTest {
     private void openWithRobot(String options) {
         simulation.withRobot();
         open(options);
-        browser.await("studio.state.scene?.robots.length === 1 && studio.view.crowd.poses[0]?.[2] > 0");
+        browser.await("studio.state.scene?.robots.length === 1 && studio.view.robots.poses[0]?.[2] > 0");
     }
 
     private boolean seesFreely(String points) {
@@ -81,7 +81,7 @@ class FieldPicturePageTest {
 
         browser.await("studio.desk.isStill && !studio.desk.opens");
 
-        assertThat(seesFreely("[[...studio.view.crowd.poses[0]].slice(0, 3), [0, 0, 0.04], [6, 0, 0.4]]"))
+        assertThat(seesFreely("[[...studio.view.robots.poses[0]].slice(0, 3), [0, 0, 0.04], [6, 0, 0.4]]"))
                 .isTrue();
     }
 
@@ -130,10 +130,10 @@ class FieldPicturePageTest {
 
         BufferedImage picture = ImageIO.read(new ByteArrayInputStream(browser.screenshot()));
         Color sky = new Color(picture.getRGB(300, (int) horizon - 30));
-        Color ground = new Color(picture.getRGB(300, (int) horizon + 30));
+        Color arena = new Color(picture.getRGB(300, (int) horizon + 30));
 
-        assertThat(sky.getBlue() - ground.getBlue()).isGreaterThan(35);
-        assertThat(ground.getGreen()).isGreaterThan(ground.getBlue());
+        assertThat(sky.getBlue() - arena.getBlue()).isGreaterThan(35);
+        assertThat(arena.getGreen()).isGreaterThan(arena.getBlue());
     }
 
     @Test

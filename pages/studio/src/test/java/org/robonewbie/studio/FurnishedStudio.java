@@ -5,7 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.robonewbie.protocol.order.Order;
-import org.robonewbie.simulator.file.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingRepository;
 
 /** A studio in which each room has something to do: a robot on the pitch, a motion, a recording, a course of exercises, a place for programs. */
 final class FurnishedStudio implements AutoCloseable {
@@ -22,7 +22,7 @@ final class FurnishedStudio implements AutoCloseable {
     FurnishedStudio(Path folder) throws IOException {
         RecordedRun.write(folder.resolve("game.rec"));
         Files.writeString(folder.resolve("mine.txt"), "200" + " 0".repeat(22) + "\n400" + " 0".repeat(22) + "\n");
-        StudioFolders folders = new StudioFolders(folder, Optional.of(new RecordingShelf(folder, SHELF_BYTES)));
+        StudioFolders folders = new StudioFolders(folder, Optional.of(new RecordingRepository(folder, SHELF_BYTES)));
         studio = StudioServer.start(shown, 0, AccessToken.random(), folders, course, new SmallWorkshop(folder));
         simulation.start();
         pitchOfTrial.start();

@@ -130,8 +130,9 @@ class JavaScriptTest {
                     3.5);
             Files.writeString(
                     folder.resolve("scene.json"),
-                    LineUpWriter.write(
-                            LineUp.of(simulation, new PuppetDesk(simulation, Optional.empty()), snapshot), 7));
+                    SceneDescriptionWriter.write(
+                            SceneDescription.of(simulation, new PuppetService(simulation, Optional.empty()), snapshot),
+                            7));
             ByteBuffer frame = StateFrame.write(snapshot, 7);
             byte[] bytes = new byte[frame.remaining()];
             frame.get(bytes);

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.studio.search.SearchBoard;
+import org.robonewbie.studio.search.SearchFeed;
 import org.robonewbie.studio.search.SearchTask;
 
 /**
@@ -131,7 +131,7 @@ class KeyboardPageTest {
 
     @Test
     void searchIsReachable() throws IOException {
-        SearchBoard board = new SearchBoard(new SearchTask("kick", "kick-distance", "m", true, 3, "3 rounds"));
+        SearchFeed board = new SearchFeed(new SearchTask("kick", "kick-distance", "m", true, 3, "3 rounds"));
         StudioFolders folders = new StudioFolders(folder, Optional.empty());
         try (StudioServer other =
                 StudioServer.start(studio.simulation(), 0, AccessToken.random(), folders, Optional.of(board))) {

@@ -97,11 +97,11 @@ class MotionAccessTest {
                 "..%252fsecret"
             })
     void namesThatLeadElsewhereAreRefused(String name) throws IOException {
-        for (String shelf : List.of("motions", "drafts", "library")) {
-            assertThat(asPage("GET /api/" + shelf + "/" + name, ""))
+        for (String repository : List.of("motions", "drafts", "library")) {
+            assertThat(asPage("GET /api/" + repository + "/" + name, ""))
                     .containsPattern("^HTTP/1.1 40[0-9]")
                     .doesNotContain("\r\n\r\nsecret");
-            assertThat(asPage("PUT /api/" + shelf + "/" + name, "evil")).containsPattern("^HTTP/1.1 40[0-9]");
+            assertThat(asPage("PUT /api/" + repository + "/" + name, "evil")).containsPattern("^HTTP/1.1 40[0-9]");
         }
         assertThat(place.resolve("secret.txt")).hasContent("secret");
         try (Stream<Path> files = Files.walk(place)) {

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.simulator.file.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingRepository;
 
 /** How motions come into the editor and out of it: files of Webots, a recorded run, and a browser that was killed. */
 @Tag("slow")
@@ -42,9 +42,9 @@ class MotionFilesPageTest {
     void open() throws IOException {
         RecordedRun.write(folder.resolve("game.rec"));
         Files.writeString(folder.resolve("mine.txt"), TWO_KEYFRAMES);
-        RecordingShelf shelf = new RecordingShelf(folder, 1_000_000);
+        RecordingRepository repository = new RecordingRepository(folder, 1_000_000);
         studio = StudioServer.start(
-                simulation.start(), 0, AccessToken.random(), new StudioFolders(folder, Optional.of(shelf)));
+                simulation.start(), 0, AccessToken.random(), new StudioFolders(folder, Optional.of(repository)));
     }
 
     @AfterEach
@@ -107,7 +107,7 @@ class MotionFilesPageTest {
     void postureOfARecordedMomentBecomesAKeyframe() {
         browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light#replay/game");
         browser.await("studio.replay?.file?.isWhole && studio.cursor.recorded && !studio.replay.stale");
-        browser.evaluate("studio.replay.deeds.find(deed => deed.shown === 'End').act()");
+        browser.evaluate("studio.replay.actions.find(action => action.shown === 'End').act()");
         browser.await("studio.replay.state.index === studio.replay.state.count - 1 && !studio.replay.stale");
         String knee = "studio.state.scene.models.TYPE_0.hinges.findIndex(hinge => hinge.joint === 'LEFT_KNEE_PITCH')";
         browser.await("studio.cursor.recorded.frame.robots.length === 1");

@@ -123,7 +123,7 @@ class PageFeedTest {
     void pageLearnsWhoPlaysBeforeTheFirstFrame() {
         show();
 
-        assertThat(told).extracting(news -> news.get("kind").getAsString()).containsExactly("scene", "deeds");
+        assertThat(told).extracting(news -> news.get("kind").getAsString()).containsExactly("scene", "undo");
         assertThat(told.get(0).getAsJsonArray("robots")).hasSize(1);
         assertThat(frames).hasSize(1);
     }
@@ -173,7 +173,7 @@ class PageFeedTest {
         feed.ask("{\"do\":\"placeBall\",\"gesture\":7,\"x\":1,\"y\":2,\"z\":0.1}");
         feed.ask("{\"do\":\"placeBall\",\"gesture\":7,\"x\":2,\"y\":2,\"z\":0.1}");
         show();
-        assertThat(last("deeds").get("undo").getAsString()).isEqualTo("ball moved");
+        assertThat(last("undo").get("undo").getAsString()).isEqualTo("ball moved");
 
         feed.ask("{\"do\":\"undo\"}");
         assertThat(ball().x()).isZero();
@@ -193,7 +193,7 @@ class PageFeedTest {
         feed.ask("{\"do\":\"placeBall\",\"x\":1,\"y\":2,\"z\":0.1}");
         show();
 
-        assertThat(last("deeds").get("undo").getAsString()).isEmpty();
+        assertThat(last("undo").get("undo").getAsString()).isEmpty();
         assertThat(last("scene").get("puppets").getAsBoolean()).isFalse();
     }
 
@@ -238,8 +238,6 @@ class PageFeedTest {
         }
         show();
 
-        assertThat(told)
-                .extracting(news -> news.get("kind").getAsString())
-                .containsExactly("scene", "mistake", "deeds");
+        assertThat(told).extracting(news -> news.get("kind").getAsString()).containsExactly("scene", "mistake", "undo");
     }
 }

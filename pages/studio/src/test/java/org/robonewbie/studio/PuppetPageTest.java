@@ -202,7 +202,7 @@ class PuppetPageTest {
     void recordedRunGoesOnFromTheShownMoment() {
         browser.evaluate("location.hash = '#replay/game'");
         browser.await("studio.replay?.file?.isWhole");
-        browser.evaluate("studio.replay.deeds.find(deed => deed.shown === 'End').act()");
+        browser.evaluate("studio.replay.actions.find(action => action.shown === 'End').act()");
         browser.click("#start-here");
 
         browser.await("location.hash === '#field' && !studio.cursor.recorded && studio.state.frame?.paused"

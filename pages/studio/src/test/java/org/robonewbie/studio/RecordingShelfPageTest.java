@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.simulator.file.RecordingAbout;
-import org.robonewbie.simulator.file.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingRepository;
 
 /** What people do with their recordings, in a real browser. */
 @Tag("slow")
@@ -55,7 +55,7 @@ class RecordingShelfPageTest {
         StudioFolders folders = new StudioFolders(
                 place.resolve("motions"),
                 place.resolve("scenes"),
-                Optional.of(new RecordingShelf(runs, 1_000_000)),
+                Optional.of(new RecordingRepository(runs, 1_000_000)),
                 List.of(project),
                 Optional.empty());
         studio = StudioServer.start(simulation.start(), 0, AccessToken.random(), folders);
@@ -134,14 +134,14 @@ class RecordingShelfPageTest {
     void bookmarkIsKeptAndItsAddressShowsTheMoment() {
         browser.click(GAME + " .open");
         browser.await("studio.replay.file?.isWhole && studio.cursor.recorded");
-        browser.evaluate("studio.replay.deeds.find(deed => deed.shown === 'Page down').act()");
+        browser.evaluate("studio.replay.actions.find(action => action.shown === 'Page down').act()");
         browser.press("m");
         browser.fill("#bookmark-note", "here it stumbles");
         browser.click("#bookmark-add");
         browser.await("document.querySelector('.bookmark-go')?.textContent === '1.00 s here it stumbles'");
         assertThat(about("game.rec").bookmarks()).containsExactly(new RecordingAbout.Bookmark(1, "here it stumbles"));
 
-        browser.evaluate("studio.replay.deeds.find(deed => deed.shown === 'End').act()");
+        browser.evaluate("studio.replay.actions.find(action => action.shown === 'End').act()");
         browser.click(".bookmark-go");
         browser.await("studio.replay.state.index === 50");
         browser.clickElement(

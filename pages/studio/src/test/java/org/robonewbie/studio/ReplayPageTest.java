@@ -18,7 +18,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.simulator.file.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingRepository;
 
 /** The replay as people have it: in a real browser, with a recording of the real simulator. */
 @InBrowser
@@ -45,9 +45,9 @@ class ReplayPageTest {
         for (String file : List.of("game.rec", "game.notes")) {
             Files.copy(recorded.resolve(file), place.resolve(file));
         }
-        RecordingShelf shelf = new RecordingShelf(place, 1_000_000);
+        RecordingRepository repository = new RecordingRepository(place, 1_000_000);
         studio = StudioServer.start(
-                simulation.start(), 0, AccessToken.random(), new StudioFolders(place, Optional.of(shelf)));
+                simulation.start(), 0, AccessToken.random(), new StudioFolders(place, Optional.of(repository)));
     }
 
     @BeforeAll
@@ -94,7 +94,7 @@ class ReplayPageTest {
         assertThat(browser.evaluate("document.querySelector('.event.warning title').textContent")
                         .getAsString())
                 .endsWith("Warning: Blue Newbies 1 says the joint is too fast");
-        browser.evaluate("studio.replay.deeds.find(deed => deed.shown === 'Home').act()");
+        browser.evaluate("studio.replay.actions.find(action => action.shown === 'Home').act()");
         int warning = browser.evaluate("studio.replay.file.notes.find(note => note.kind === 'warning').index")
                 .getAsInt();
         for (int presses = 0; presses < 12 && number(STATE + ".index") < warning; presses++) {
@@ -125,14 +125,14 @@ class ReplayPageTest {
         double right = number(box + ".right - 14");
 
         browser.mouse("mousePressed", number(box + ".x + 60"), y);
-        browser.await(STATE + ".index < 12 && studio.view.crowd.poses.length === 1");
+        browser.await(STATE + ".index < 12 && studio.view.robots.poses.length === 1");
         browser.await("document.querySelector('.score').textContent.replace(/\\s/g, '') === '0:0'");
-        double before = number("studio.view.crowd.poses[0][2]");
+        double before = number("studio.view.robots.poses[0][2]");
         browser.mouse("mouseMoved", right, y);
         browser.mouse("mouseReleased", right, y);
 
         browser.await(STATE + ".index > " + STATE + ".count - 5");
-        browser.await("studio.view.crowd.poses[0][2] < " + (before - 0.1));
+        browser.await("studio.view.robots.poses[0][2] < " + (before - 0.1));
         browser.await("document.querySelector('.score').textContent.includes('1')");
     }
 
@@ -205,7 +205,7 @@ class ReplayPageTest {
         browser.fill("#compare-with", "other");
 
         browser.await("document.querySelector('#compare-reading').textContent.includes('0.00 m')");
-        browser.await("studio.view.crowd.poses.length === 2");
+        browser.await("studio.view.robots.poses.length === 2");
         browser.await("document.querySelector('.compare-curve polyline').getAttribute('points')?.length > 20");
         assertThat(browser.complaints()).isEmpty();
     }
@@ -257,10 +257,10 @@ class ReplayPageTest {
     @Test
     void whatARobotDrewIsOnTheGroundUntilASecondLater() {
         visit();
-        browser.evaluate("studio.replay.deeds.find(deed => deed.shown === 'Home').act()");
+        browser.evaluate("studio.replay.actions.find(action => action.shown === 'Home').act()");
         browser.await(STATE + ".index === 0 && !studio.view.drawings.group.visible");
 
-        browser.evaluate("studio.replay.deeds.find(deed => deed.shown === 'Page down').act()");
+        browser.evaluate("studio.replay.actions.find(action => action.shown === 'Page down').act()");
 
         browser.await("studio.view.drawings.texts.children[0]?.name === 'ball <here>'");
         browser.await("studio.view.drawings.shapes.geometry.getAttribute('position').count === 48 * 6");
@@ -268,7 +268,7 @@ class ReplayPageTest {
         browser.await("!studio.view.drawings.group.visible");
         browser.press("d");
         browser.await("studio.view.drawings.group.visible");
-        browser.evaluate("studio.replay.deeds.find(deed => deed.shown === 'Page down').act()");
+        browser.evaluate("studio.replay.actions.find(action => action.shown === 'Page down').act()");
         browser.await("!studio.view.drawings.group.visible");
     }
 
@@ -353,7 +353,7 @@ class ReplayPageTest {
         browser.drawSharply();
         browser.visit(studio.oneTimeAddress() + "&quality=high&theme=light#replay/game");
         browser.await("studio.replay?.file?.isWhole");
-        browser.evaluate("studio.replay.deeds.find(deed => deed.shown === 'End').act()");
+        browser.evaluate("studio.replay.actions.find(action => action.shown === 'End').act()");
         browser.await("studio.desk.isStill && " + STATE + ".index === " + STATE + ".count - 1"
                 + " && document.querySelector('#toast').hidden");
         Path pictures = Path.of(System.getProperty("studio.pictures", "target/pictures"));

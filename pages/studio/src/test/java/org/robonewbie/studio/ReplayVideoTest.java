@@ -13,7 +13,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.simulator.file.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingRepository;
 
 /** Videos of recordings, made and played by a real browser. */
 @Tag("slow")
@@ -39,7 +39,7 @@ class ReplayVideoTest {
     @BeforeEach
     void open() throws IOException {
         RecordedRun.write(place.resolve("game.rec"));
-        StudioFolders folders = new StudioFolders(place, Optional.of(new RecordingShelf(place, 1_000_000)));
+        StudioFolders folders = new StudioFolders(place, Optional.of(new RecordingRepository(place, 1_000_000)));
         studio = StudioServer.start(simulation.start(), 0, AccessToken.random(), folders);
         browser.drawSharply();
         browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light#replay/game");

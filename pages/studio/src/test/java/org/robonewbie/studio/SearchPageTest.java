@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.studio.search.SearchBoard;
+import org.robonewbie.studio.search.SearchFeed;
 import org.robonewbie.studio.search.SearchNumber;
 import org.robonewbie.studio.search.SearchRound;
 import org.robonewbie.studio.search.SearchTask;
@@ -30,7 +30,7 @@ class SearchPageTest {
 
     private final Chromium browser;
     private final SmallSimulation simulation = new SmallSimulation();
-    private final SearchBoard board = new SearchBoard(new SearchTask(
+    private final SearchFeed board = new SearchFeed(new SearchTask(
             "kick-right", "kick-distance", "m", true, ROUNDS, "30 rounds of 12 candidates with 4 trials each"));
     private StudioServer studio;
 

@@ -25,8 +25,8 @@ import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.landscape.Landscape;
+import org.robonewbie.simulator.physics.sparse.SparsePhysicsWorld;
 import org.robonewbie.simulator.world.BallProperties;
-import org.robonewbie.simulator.world.PhysicsEngine;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
@@ -68,8 +68,7 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
     }
 
     SmallSimulation(Landscape landscape) {
-        world = new SoccerWorld(
-                SoccerField.BEGINNER, BallProperties.STANDARD, PhysicsEngine.STANDARD.newWorld(), landscape);
+        world = new SoccerWorld(SoccerField.BEGINNER, BallProperties.STANDARD, new SparsePhysicsWorld(), landscape);
         latest = snapshot();
         clock.setDaemon(true);
     }

@@ -4,12 +4,12 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.robonewbie.studio.completion.Proposal;
+import org.robonewbie.studio.program.CompilerService;
 import org.robonewbie.studio.program.Remark;
 import org.robonewbie.studio.program.RunningProgram;
-import org.robonewbie.studio.program.Workshop;
 
 /** A room for programs without a compiler: it knows one mistake, and no program runs. */
-record SmallWorkshop(Path folder) implements Workshop {
+record SmallWorkshop(Path folder) implements CompilerService {
 
     static final String MISTAKE = "degres";
 

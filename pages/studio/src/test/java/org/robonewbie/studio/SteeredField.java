@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.robonewbie.simulator.Console;
-import org.robonewbie.simulator.file.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
@@ -26,8 +26,8 @@ final class SteeredField implements AutoCloseable {
                         .seed(3)
                         .build(),
                 Console.silent());
-        StudioFolders folders =
-                new StudioFolders(folder.resolve("motions"), Optional.of(new RecordingShelf(folder, 1_000_000_000)));
+        StudioFolders folders = new StudioFolders(
+                folder.resolve("motions"), Optional.of(new RecordingRepository(folder, 1_000_000_000)));
         this.studio = StudioServer.start(simulator.control(), 0, AccessToken.random(), folders);
         visit();
     }

@@ -65,7 +65,7 @@ class StudioPageTest {
     @Test
     void robotAppearsAndNothingIsComplained() {
         openStudioWithRobot();
-        browser.await("studio.view.crowd.meshes.some(mesh => mesh.visible)");
+        browser.await("studio.view.robots.meshes.some(mesh => mesh.visible)");
 
         browser.await("document.querySelector('#banner').hidden");
         browser.await("document.querySelector('.team.left').textContent === 'Blue Newbies'");
@@ -191,7 +191,7 @@ class StudioPageTest {
         browser.press("3");
         browser.await("studio.desk.mode === 'top' && studio.desk.isStill");
 
-        drag(onScreen("new studio.view.camera.position.constructor(...studio.view.crowd.poses[0])"), 60, 0);
+        drag(onScreen("new studio.view.camera.position.constructor(...studio.view.robots.poses[0])"), 60, 0);
 
         await(() -> simulation.latest().robots().get(0).body().position().x() > 0.3);
         assertThat(simulation.latest().robots().get(0).body().position().z()).isBetween(0.3, 0.45);
@@ -304,7 +304,7 @@ class StudioPageTest {
                     Posture.STANDING);
         }
         openStudio();
-        browser.await("studio.state.scene.robots.length === 22 && studio.view.crowd.poses[21]?.[2] > 0");
+        browser.await("studio.state.scene.robots.length === 22 && studio.view.robots.poses[21]?.[2] > 0");
         int calls = browser.evaluate("studio.view.drawCalls").getAsInt();
         browser.click("#shadows");
         browser.await("studio.view.renderer.shadowMap.enabled && studio.view.drawCalls > " + calls);

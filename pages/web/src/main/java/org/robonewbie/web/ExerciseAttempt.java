@@ -15,7 +15,7 @@ import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.studio.PageFeed;
-import org.robonewbie.web.bytecode.Program;
+import org.robonewbie.pagejvm.Program;
 
 /** Trials of one exercise, one seed after the other, under the eyes of the student. */
 final class ExerciseAttempt {
@@ -27,7 +27,7 @@ final class ExerciseAttempt {
     private final List<byte[]> classes;
     private final long id;
     private final int trials;
-    private final LiveWorld world;
+    private final PacedWorld world;
     private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     private final PrintStream output = new PrintStream(bytes, true, StandardCharsets.UTF_8);
     private final List<SeededScore> judged = new ArrayList<>();
@@ -47,7 +47,7 @@ final class ExerciseAttempt {
         this.classes = List.copyOf(classes);
         this.id = id;
         this.trials = trials;
-        world = new LiveWorld(page, feed -> new FreePitch(SEED_OF_EMPTY_PITCH, feed, RecordingTarget.NONE));
+        world = new PacedWorld(page, feed -> new FreePitch(SEED_OF_EMPTY_PITCH, feed, RecordingTarget.NONE));
         trial = next();
     }
 
@@ -79,7 +79,7 @@ final class ExerciseAttempt {
                 exercise,
                 seed,
                 () -> new StudentPerformer(new Program(classes), output, world.feed()),
-                PageStage.record());
+                PageContext.record());
         if (begun.hasBegun()) {
             world.show(begun);
         }
@@ -87,7 +87,7 @@ final class ExerciseAttempt {
     }
 
     /** {@return what the page shows} */
-    LiveWorld world() {
+    PacedWorld world() {
         return world;
     }
 

@@ -16,11 +16,11 @@ import org.robonewbie.trial.Audience;
 import org.robonewbie.trial.ChallengeTrial;
 import org.robonewbie.trial.Performer;
 import org.robonewbie.trial.RobotStart;
-import org.robonewbie.web.bytecode.EndlessLoop;
-import org.robonewbie.web.bytecode.ProgramEnd;
+import org.robonewbie.pagejvm.EndlessLoop;
+import org.robonewbie.pagejvm.ProgramEnd;
 
 /** One trial of an exercise, which is judged as {@code robonewbie grade} does. Nobody can move robots or ball: it counts. */
-final class ExerciseTrial implements WatchedWorld {
+final class ExerciseTrial implements SteppedWorld {
 
     private final Task task;
     private Optional<ChallengeTrial> played = Optional.empty();
@@ -42,9 +42,9 @@ final class ExerciseTrial implements WatchedWorld {
                 task, exercise.seconds(), seed, RobotStart.TEAM, student, Audience.NOBODY, recording)));
     }
 
-    private void attempt(Runnable deed) {
+    private void attempt(Runnable command) {
         try {
-            deed.run();
+            command.run();
         } catch (EndlessLoop loop) {
             stuck = true;
             mistake = Optional.of(Performance.ofEndlessStep("", Optional.of(loop.place())));

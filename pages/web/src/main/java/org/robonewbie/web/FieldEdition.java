@@ -57,7 +57,7 @@ public final class FieldEdition {
      */
     @JSExport
     public static String motionTrial(String text, String start) {
-        return PageStage.motionTrial(text, start);
+        return PageContext.motionTrial(text, start);
     }
 
     /** {@return the bodies of all robot types, as a JSON object} */
@@ -69,7 +69,7 @@ public final class FieldEdition {
     /** Forgets the scenes that the page has handed over, before it does so once more. */
     @JSExport
     public static void forgetScenes() {
-        PageStage.scenes().clear();
+        PageContext.scenes().clear();
     }
 
     /**
@@ -80,7 +80,7 @@ public final class FieldEdition {
      */
     @JSExport
     public static void takeScene(String name, Int8Array bytes) {
-        PageStage.scenes().take(name, bytes.copyToJavaArray());
+        PageContext.scenes().take(name, bytes.copyToJavaArray());
     }
 
     /**
@@ -93,7 +93,7 @@ public final class FieldEdition {
      */
     @JSExport
     public static String scenes(String method, String name, String old) {
-        return PageStage.scenes(method, name, old);
+        return PageContext.scenes(method, name, old);
     }
 
     /**
@@ -105,7 +105,7 @@ public final class FieldEdition {
      */
     @JSExport
     public static String startFrom(Int8Array recording, int moment) {
-        return PageStage.startFrom(recording.copyToJavaArray(), moment);
+        return PageContext.startFrom(recording.copyToJavaArray(), moment);
     }
 
     /**
@@ -115,7 +115,7 @@ public final class FieldEdition {
      */
     @JSExport
     public static void ask(String command) {
-        PageStage.ask(command);
+        PageContext.ask(command);
     }
 
     /**
@@ -126,7 +126,7 @@ public final class FieldEdition {
      */
     @JSExport
     public static void begin(String agents, int seed) {
-        PageStage.begin(agents, seed);
+        PageContext.begin(agents, seed);
     }
 
     /**
@@ -136,7 +136,7 @@ public final class FieldEdition {
      */
     @JSExport
     public static void join(String agent) {
-        PageStage.join(agent);
+        PageContext.join(agent);
     }
 
     /**
@@ -146,6 +146,6 @@ public final class FieldEdition {
      */
     @JSExport
     public static void turn(double seconds) {
-        PageStage.turn(seconds);
+        PageContext.turn(seconds);
     }
 }

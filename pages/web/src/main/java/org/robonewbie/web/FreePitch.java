@@ -22,10 +22,10 @@ import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.studio.PageFeed;
-import org.robonewbie.web.bytecode.Program;
+import org.robonewbie.pagejvm.Program;
 
 /** The beginners' world, in which everybody may do everything, with shipped agents and one program of a student. */
-final class FreePitch implements OpenWorld {
+final class FreePitch implements EditableWorld {
 
     private static final String GUESTS = "Guests";
     private static final int TEAMS = 2;

@@ -11,7 +11,7 @@ import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.cycle.SteppedSimulator;
 import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.recording.RunReport;
-import org.robonewbie.web.bytecode.Program;
+import org.robonewbie.pagejvm.Program;
 
 /**
  * A run that nobody watches, as fast as possible: what {@code robonewbie run --headless --fast} does, with the same results for the

@@ -36,13 +36,13 @@ import org.robonewbie.team.tactics.Plan;
 import org.robonewbie.team.tactics.Roles;
 import org.robonewbie.team.tactics.SetPlay;
 import org.robonewbie.team.tactics.Strategy;
-import org.robonewbie.team.tactics.TeamRole;
+import org.robonewbie.team.talk.TeamRole;
 import org.robonewbie.team.talk.Talk;
 import org.robonewbie.team.talk.TeamMessage;
 import org.robonewbie.team.world.BallFilter;
 import org.robonewbie.team.world.Mate;
 import org.robonewbie.team.world.Situation;
-import org.robonewbie.team.world.Spot;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.world.WorldModel;
 
 /** Classes that programs of students may use and nothing else in the page does: what is named here gets into the compiled program. */
@@ -95,7 +95,7 @@ final class LibraryRoots {
             BallFilter.class,
             Mate.class,
             Situation.class,
-            Spot.class,
+            Translation2d.class,
             WorldModel.class);
 
     private LibraryRoots() {}

@@ -7,7 +7,7 @@ import org.robonewbie.agent.walk.Gait;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.team.tactics.Assignment;
-import org.robonewbie.web.bytecode.SpecialCalls;
+import org.robonewbie.pagejvm.SpecialCalls;
 
 /** Calls with arrays of numbers, which the compiled program cannot make by the names of methods. */
 final class NumberArrays {

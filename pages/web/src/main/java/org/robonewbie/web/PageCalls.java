@@ -3,7 +3,7 @@ package org.robonewbie.web;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.web.bytecode.SpecialCalls;
+import org.robonewbie.pagejvm.SpecialCalls;
 
 /** What some of Java's own classes are to a program in the page. */
 final class PageCalls {

@@ -2,9 +2,9 @@ package org.robonewbie.web;
 
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
-import org.robonewbie.web.bytecode.ArrayCopy;
-import org.robonewbie.web.bytecode.ProgramEnd;
-import org.robonewbie.web.bytecode.SpecialCalls;
+import org.robonewbie.pagejvm.ArrayCopy;
+import org.robonewbie.pagejvm.ProgramEnd;
+import org.robonewbie.pagejvm.SpecialCalls;
 
 /** What {@code System} is to a program in the page. */
 final class PageSystem {

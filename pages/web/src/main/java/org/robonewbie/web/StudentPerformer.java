@@ -11,8 +11,8 @@ import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.trial.Performer;
 import org.robonewbie.trial.SensorReadings;
-import org.robonewbie.web.bytecode.Machine;
-import org.robonewbie.web.bytecode.Program;
+import org.robonewbie.pagejvm.Machine;
+import org.robonewbie.pagejvm.Program;
 
 /** A robot of a trial that a student's agent moves, with static fields of its own. */
 final class StudentPerformer implements Performer {

@@ -17,10 +17,10 @@ import org.robonewbie.agent.NaoDriver;
 import org.robonewbie.agent.Options;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
-import org.robonewbie.web.bytecode.Machine;
-import org.robonewbie.web.bytecode.Program;
-import org.robonewbie.web.bytecode.SpecialCalls;
-import org.robonewbie.web.bytecode.Waiting;
+import org.robonewbie.pagejvm.Machine;
+import org.robonewbie.pagejvm.Program;
+import org.robonewbie.pagejvm.SpecialCalls;
+import org.robonewbie.pagejvm.Waiting;
 
 /**
  * A student's program in a world that somebody else turns. What would wait for a simulator, {@code run} of an agent and {@code sense}

@@ -4,8 +4,8 @@ import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.function.BooleanSupplier;
-import org.robonewbie.web.bytecode.EndlessLoop;
-import org.robonewbie.web.bytecode.ProgramEnd;
+import org.robonewbie.pagejvm.EndlessLoop;
+import org.robonewbie.pagejvm.ProgramEnd;
 
 /** How far a student's program is: what a page shows beside the editor. */
 final class StudentRun {

@@ -14,7 +14,7 @@ import org.robonewbie.exercises.Language;
 import org.robonewbie.simulator.monitor.RecordedLog;
 import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.studio.PageMotions;
-import org.robonewbie.web.bytecode.Program;
+import org.robonewbie.pagejvm.Program;
 import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
 
@@ -77,7 +77,7 @@ public final class WebEdition {
      */
     @JSExport
     public static String motionTrial(String text, String start) {
-        return PageStage.motionTrial(text, start);
+        return PageContext.motionTrial(text, start);
     }
 
     /** {@return the bodies of all robot types, as a JSON object} */
@@ -106,7 +106,7 @@ public final class WebEdition {
     /** Forgets the scenes that the page has handed over, before it does so once more. */
     @JSExport
     public static void forgetScenes() {
-        PageStage.scenes().clear();
+        PageContext.scenes().clear();
     }
 
     /**
@@ -117,7 +117,7 @@ public final class WebEdition {
      */
     @JSExport
     public static void takeScene(String name, Int8Array bytes) {
-        PageStage.scenes().take(name, bytes.copyToJavaArray());
+        PageContext.scenes().take(name, bytes.copyToJavaArray());
     }
 
     /**
@@ -130,7 +130,7 @@ public final class WebEdition {
      */
     @JSExport
     public static String scenes(String method, String name, String old) {
-        return PageStage.scenes(method, name, old);
+        return PageContext.scenes(method, name, old);
     }
 
     /**
@@ -142,7 +142,7 @@ public final class WebEdition {
      */
     @JSExport
     public static String startFrom(Int8Array recording, int moment) {
-        return PageStage.startFrom(recording.copyToJavaArray(), moment);
+        return PageContext.startFrom(recording.copyToJavaArray(), moment);
     }
 
     /**
@@ -152,7 +152,7 @@ public final class WebEdition {
      */
     @JSExport
     public static void ask(String command) {
-        PageStage.ask(command);
+        PageContext.ask(command);
     }
 
     /**
@@ -164,7 +164,7 @@ public final class WebEdition {
     @JSExport
     public static void begin(String agents, int seed) {
         leave();
-        PageStage.begin(agents, seed);
+        PageContext.begin(agents, seed);
     }
 
     /**
@@ -174,7 +174,7 @@ public final class WebEdition {
      */
     @JSExport
     public static void join(String agent) {
-        PageStage.join(agent);
+        PageContext.join(agent);
     }
 
     /**
@@ -187,7 +187,7 @@ public final class WebEdition {
         if (attempt != null) {
             attempt.turn(seconds);
         } else {
-            PageStage.turn(seconds);
+            PageContext.turn(seconds);
         }
     }
 
@@ -229,14 +229,14 @@ public final class WebEdition {
     public static String beginProgram(int seed, String others) {
         return change((program, begun) -> {
             leave();
-            PageStage.begin(others, seed, pitch -> pitch.with(program, begun));
+            PageContext.begin(others, seed, pitch -> pitch.with(program, begun));
         });
     }
 
     /** {@return whether a program of a student runs on the pitch, so that another one can take its place} */
     @JSExport
     public static boolean isProgramRunning() {
-        return run != null && run.isRunning() && PageStage.pitch().isPresent();
+        return run != null && run.isRunning() && PageContext.pitch().isPresent();
     }
 
     /**
@@ -247,15 +247,15 @@ public final class WebEdition {
     @JSExport
     public static String swapProgram() {
         StudentRun old = Objects.requireNonNull(run, "no program runs");
-        return change((program, begun) -> PageStage.pitch().orElseThrow().swap(old, program, begun));
+        return change((program, begun) -> PageContext.pitch().orElseThrow().swap(old, program, begun));
     }
 
     /** Loads the program whose classes were taken, and does what lets it play. */
-    private static String change(BiConsumer<Program, StudentRun> deed) {
+    private static String change(BiConsumer<Program, StudentRun> command) {
         StudentRun begun = new StudentRun();
         try {
             Program program = loaded(takenClasses());
-            deed.accept(program, begun);
+            command.accept(program, begun);
             run = begun;
             return "";
         } catch (IllegalArgumentException refused) {
@@ -283,8 +283,8 @@ public final class WebEdition {
             StudentPerformer.agentOf(loaded(taken));
             leave();
             attempts++;
-            attempt = new ExerciseAttempt(find(exercise), taken, attempts, trials, PageStage.PAGE);
-            PageStage.show(attempt.world());
+            attempt = new ExerciseAttempt(find(exercise), taken, attempts, trials, PageContext.PAGE);
+            PageContext.show(attempt.world());
             return "";
         } catch (IllegalArgumentException refused) {
             return String.valueOf(refused.getMessage());

@@ -25,7 +25,7 @@ import org.robonewbie.exercises.Language;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.progress.Badge;
 import org.robonewbie.web.Solutions;
-import org.robonewbie.web.bytecode.JavaSource;
+import org.robonewbie.pagejvm.JavaSource;
 
 /** Exercises in the static page: its own javac, its own judge, and the verdicts of the command line. */
 @InBrowser

@@ -119,7 +119,7 @@ class FieldInThePageTest {
         browser.evaluate("fetch('api/recordings').then((answer) => answer.json()).then(({ recordings }) => {"
                 + " location.hash = '#replay/' + encodeURIComponent(recordings[0].name); })");
         browser.await("studio.replay?.state?.count > 100");
-        browser.evaluate("studio.replay.deeds.find((deed) => deed.shown === 'Home').act()");
+        browser.evaluate("studio.replay.actions.find((action) => action.shown === 'Home').act()");
         browser.await("studio.replay.state.index === 0");
         browser.click("#start-here");
 

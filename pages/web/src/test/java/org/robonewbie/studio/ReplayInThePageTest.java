@@ -68,7 +68,7 @@ class ReplayInThePageTest {
         long before = browser.evaluate(COUNT).getAsLong();
         browser.await(COUNT + " > " + (before + 100));
 
-        browser.evaluate("studio.replay.deeds.find((deed) => deed.shown === 'Home').act()");
+        browser.evaluate("studio.replay.actions.find((action) => action.shown === 'Home').act()");
         browser.await("studio.replay.state.index === 0 && studio.cursor.recorded");
 
         assertThat(browser.evaluate("studio.cursor.recorded.frame.robots.length")
@@ -81,8 +81,8 @@ class ReplayInThePageTest {
     void recordingStaysWithItsBookmarkWhenThePageIsOpenedAgain() {
         String name = name(0);
         show(name);
-        browser.evaluate("studio.replay.deeds.find((deed) => deed.shown === 'Home').act()");
-        browser.evaluate("studio.replay.deeds.find((deed) => deed.shown === 'M').act()");
+        browser.evaluate("studio.replay.actions.find((action) => action.shown === 'Home').act()");
+        browser.evaluate("studio.replay.actions.find((action) => action.shown === 'M').act()");
         browser.fill("#bookmark-note", "where it begins");
         browser.click("#bookmark-add");
         browser.await("document.querySelector('.bookmark-list').textContent.includes('0.00 s where it begins')");

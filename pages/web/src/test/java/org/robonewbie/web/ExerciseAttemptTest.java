@@ -12,7 +12,7 @@ import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Language;
 import org.robonewbie.studio.PageFeed;
-import org.robonewbie.web.bytecode.JavaSource;
+import org.robonewbie.pagejvm.JavaSource;
 
 class ExerciseAttemptTest {
 

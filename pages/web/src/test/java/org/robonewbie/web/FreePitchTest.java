@@ -11,8 +11,8 @@ import org.robonewbie.examples.Agent_SimpleSoccer;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.simulator.WorldSnapshot;
-import org.robonewbie.web.bytecode.JavaSource;
-import org.robonewbie.web.bytecode.Program;
+import org.robonewbie.pagejvm.JavaSource;
+import org.robonewbie.pagejvm.Program;
 
 class FreePitchTest {
 
@@ -140,7 +140,7 @@ class FreePitchTest {
 
     private static FreePitch pitch(PageRecording recording) {
         List<FreePitch> made = new ArrayList<>();
-        new LiveWorld(new SilentPage(), feed -> {
+        new PacedWorld(new SilentPage(), feed -> {
             made.add(new FreePitch(1, feed, recording));
             return made.get(0);
         });

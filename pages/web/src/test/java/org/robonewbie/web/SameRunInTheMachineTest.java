@@ -15,9 +15,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.robonewbie.simulator.recording.RunReport;
-import org.robonewbie.web.bytecode.JavaSource;
-import org.robonewbie.web.bytecode.MemoryLoader;
-import org.robonewbie.web.bytecode.Program;
+import org.robonewbie.pagejvm.JavaSource;
+import org.robonewbie.pagejvm.MemoryLoader;
+import org.robonewbie.pagejvm.Program;
 
 /** Programs do the same in the machine of the page as in Java: each recording is the same to the last bit. */
 class SameRunInTheMachineTest {

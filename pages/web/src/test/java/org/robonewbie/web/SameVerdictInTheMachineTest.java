@@ -10,7 +10,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Score;
-import org.robonewbie.web.bytecode.JavaSource;
+import org.robonewbie.pagejvm.JavaSource;
 
 /** Programs earn in the machine of the page what they earn in Java. */
 class SameVerdictInTheMachineTest {

@@ -6,8 +6,8 @@ import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
-import org.robonewbie.web.bytecode.JavaSource;
-import org.robonewbie.web.bytecode.Program;
+import org.robonewbie.pagejvm.JavaSource;
+import org.robonewbie.pagejvm.Program;
 
 /** What the page says about programs that do nothing or take long, where no other thread can look at them. */
 class SlowProgramTest {

@@ -12,7 +12,7 @@ import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Grade;
 import org.robonewbie.exercises.Grader;
 import org.robonewbie.exercises.Score;
-import org.robonewbie.web.bytecode.MemoryLoader;
+import org.robonewbie.pagejvm.MemoryLoader;
 
 /** The reference solutions of the exercises as programs that somebody types. */
 public final class Solutions {

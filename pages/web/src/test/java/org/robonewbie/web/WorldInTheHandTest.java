@@ -16,8 +16,8 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.studio.PageFeed;
-import org.robonewbie.web.bytecode.JavaSource;
-import org.robonewbie.web.bytecode.Program;
+import org.robonewbie.pagejvm.JavaSource;
+import org.robonewbie.pagejvm.Program;
 
 /** What people do to the world of the page: it is taken back, and robots are steered by hand. */
 class WorldInTheHandTest {
@@ -26,7 +26,7 @@ class WorldInTheHandTest {
 
     private final List<JsonObject> told = new ArrayList<>();
     private final List<FreePitch> pitches = new ArrayList<>();
-    private final LiveWorld world = new LiveWorld(
+    private final PacedWorld world = new PacedWorld(
             new PageFeed.Page() {
 
                 @Override

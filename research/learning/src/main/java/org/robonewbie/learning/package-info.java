@@ -1,6 +1,6 @@
 /**
- * How the shipped motions were made and are measured: a robot in a world of its own plays motions exactly as an agent
- * would play them. Read {@link org.robonewbie.learning.search.CovarianceMatrixAdaptation} for the search behind it.
+ * Improvement of what robots do: environments and policies, search, data sets and experiments. Read {@link
+ * org.robonewbie.learning.optimise.Optimisation} first.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

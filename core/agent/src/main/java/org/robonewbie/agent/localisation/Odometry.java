@@ -6,6 +6,7 @@ import org.robonewbie.agent.perception.FieldItem;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyPoses;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.kinematics.ForwardKinematics;
@@ -31,10 +32,10 @@ public final class Odometry {
     private static final Joint[] JOINTS = Joint.values();
 
     private final ForwardKinematics kinematics = ForwardKinematics.of(RobotType.TYPE_0);
-    private final GroundPose[] history = new GroundPose[MEMORY_CYCLES];
-    private GroundPose pose = GroundPose.ORIGIN;
+    private final Pose2d[] history = new Pose2d[MEMORY_CYCLES];
+    private Pose2d pose = Pose2d.ORIGIN;
     private Leg support = Leg.LEFT;
-    private GroundPose torsoOnSupport = GroundPose.ORIGIN;
+    private Pose2d torsoOnSupport = Pose2d.ORIGIN;
     private Vector3 step = Vector3.ZERO;
     private double height;
     private boolean begun;
@@ -52,7 +53,7 @@ public final class Odometry {
      */
     public void update(Robot nao) {
         BodyPoses body = kinematics.poses(posture(nao));
-        GroundPose now = torsoOn(body, support);
+        Pose2d now = torsoOn(body, support);
         standing = begun && !nao.isFallen();
         step = standing ? torsoOnSupport.fromFrame(new Vector3(now.x(), now.y(), 0)) : Vector3.ZERO;
         begun = true;
@@ -82,7 +83,7 @@ public final class Odometry {
     }
 
     /** {@return how far the robot has moved: its pose in the frame of the place where this odometry began} */
-    public GroundPose pose() {
+    public Pose2d pose() {
         return pose;
     }
 
@@ -93,7 +94,7 @@ public final class Odometry {
      * @return metres from the head: x forward, y left, z up
      */
     public Vector3 positionNow(FieldItem item) {
-        GroundPose then = item.isKnown() ? history[index(item.lastSeenSeconds())] : pose;
+        Pose2d then = item.isKnown() ? history[index(item.lastSeenSeconds())] : pose;
         return pose.fromFrame(then.toFrame(item.position()));
     }
 
@@ -106,9 +107,9 @@ public final class Odometry {
     }
 
     /** Where the torso is, seen from a foot that stands flat on the ground. */
-    private static GroundPose torsoOn(BodyPoses body, Leg leg) {
+    private static Pose2d torsoOn(BodyPoses body, Leg leg) {
         Pose torso = body.foot(leg).inverse();
         Vector3 forward = torso.rotation().apply(new Vector3(1, 0, 0));
-        return new GroundPose(torso.position().x(), torso.position().y(), BodyState.headingDegrees(forward));
+        return new Pose2d(torso.position().x(), torso.position().y(), BodyState.headingDegrees(forward));
     }
 }

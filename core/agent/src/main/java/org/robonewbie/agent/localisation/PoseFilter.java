@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.robonewbie.agent.perception.Direction;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.math.PortableMath;
@@ -51,11 +52,11 @@ final class PoseFilter {
 
     /** Creates the belief to stand upright in the centre spot. */
     PoseFilter() {
-        begin(GroundPose.ORIGIN, 0, 0);
+        begin(Pose2d.ORIGIN, 0, 0);
     }
 
     /** Begins again, upright and at rest. */
-    void begin(GroundPose pose, double deviationMetres, double deviationDegrees) {
+    void begin(Pose2d pose, double deviationMetres, double deviationDegrees) {
         place = new Vector3(pose.x(), pose.y(), USUAL_HEIGHT);
         velocity = Vector3.ZERO;
         attitude = Rotation.about(new Vector3(0, 0, 1), pose.headingDegrees());
@@ -128,7 +129,7 @@ final class PoseFilter {
      * @param height metres above the sole
      */
     void stand(double forward, double left, double height) {
-        Vector3 expected = new GroundPose(0, 0, pose().headingDegrees()).toFrame(new Vector3(forward, left, 0));
+        Vector3 expected = new Pose2d(0, 0, pose().headingDegrees()).toFrame(new Vector3(forward, left, 0));
         learn(VELOCITY, expected.x() - velocity.x(), FOOT_DEVIATION);
         learn(VELOCITY + 1, expected.y() - velocity.y(), FOOT_DEVIATION);
         learn(PLACE + 2, height - place.z(), HEIGHT_DEVIATION);
@@ -182,8 +183,8 @@ final class PoseFilter {
     }
 
     /** Where the torso is above the ground, and which way it faces. */
-    GroundPose pose() {
-        return new GroundPose(place.x(), place.y(), attitude.yawDegrees());
+    Pose2d pose() {
+        return new Pose2d(place.x(), place.y(), attitude.yawDegrees());
     }
 
     /** Where the torso is, and how it is turned. */

@@ -15,6 +15,7 @@ import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.kinematics.ForwardKinematics;
 import org.robonewbie.nao.kinematics.Pose;
@@ -122,13 +123,13 @@ public final class SelfLocalisation {
      *
      * @param newPose in the coordinates of the robot's team
      */
-    public void setPose(GroundPose newPose) {
+    public void setPose(Pose2d newPose) {
         filter.begin(newPose, SET_METRES, SET_DEGREES);
         known = true;
     }
 
     /** {@return the robot's pose in the coordinates of its team; the centre spot until it has seen two landmarks at once} */
-    public GroundPose pose() {
+    public Pose2d pose() {
         return filter.pose();
     }
 
@@ -243,7 +244,7 @@ public final class SelfLocalisation {
      * The pose from which all landmarks are seen best, in the sense of least squares; near ones count more, since errors grow
      * with the distance. In the plane this has a closed form (Procrustes' problem without scaling).
      */
-    private static GroundPose fit(List<Sighting> sightings) {
+    private static Pose2d fit(List<Sighting> sightings) {
         Vector3 seenMiddle = Vector3.ZERO;
         Vector3 mapMiddle = Vector3.ZERO;
         double sum = 0;
@@ -263,9 +264,9 @@ public final class SelfLocalisation {
             along += weight(sighting) * (seen.x() * map.x() + seen.y() * map.y());
             across += weight(sighting) * (seen.x() * map.y() - seen.y() * map.x());
         }
-        GroundPose turned = new GroundPose(0, 0, PortableMath.toDegrees(PortableMath.atan2(across, along)));
+        Pose2d turned = new Pose2d(0, 0, PortableMath.toDegrees(PortableMath.atan2(across, along)));
         Vector3 offset = mapMiddle.minus(turned.toFrame(seenMiddle));
-        return new GroundPose(offset.x(), offset.y(), turned.headingDegrees());
+        return new Pose2d(offset.x(), offset.y(), turned.headingDegrees());
     }
 
     private static double weight(Sighting sighting) {

@@ -70,7 +70,7 @@ public final class MotionGuide {
      * @return the motion
      * @throws IllegalArgumentException if a keyframe is not complete
      */
-    static Motion motion(String name, double... numbers) {
+    public static Motion motion(String name, double... numbers) {
         if (numbers.length % NUMBERS_PER_KEYFRAME != 0) {
             throw new IllegalArgumentException("A motion of " + numbers.length
                     + " numbers has no whole keyframes; each has " + NUMBERS_PER_KEYFRAME + " numbers.");

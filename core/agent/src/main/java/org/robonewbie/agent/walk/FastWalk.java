@@ -3,8 +3,8 @@ package org.robonewbie.agent.walk;
 import java.util.Arrays;
 
 /**
- * The numbers of {@link WalkStyle#FAST}: those of {@link WalkParameter} and eight more, the largest speeds among them. {@code
- * FastWalkDesign} of the module learning has found them and says how.
+ * The numbers of {@link WalkStyle#FAST}: those of {@link WalkParameter} and eight more, the largest speeds among them.
+ * CMA-ES has found them on 23 November 2026, in 280 generations with seed 2 and 81 with seed 3.
  */
 public final class FastWalk {
 

@@ -17,7 +17,7 @@ import org.robonewbie.agent.walk.BalanceGains.Gain;
 import org.robonewbie.nao.model.RobotType;
 
 /**
- * All numbers of a walk. Most were found by a search in the simulator; {@code EngineDesign} of the module learning is its tool.
+ * All numbers of a walk. Most were found by a search in the simulator; {@code robonewbie optimise walk-engine} goes on with it.
  *
  * @param gait how the robot steps
  * @param gains how it keeps its balance

@@ -10,6 +10,7 @@ import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.Rotation;
 
@@ -25,7 +26,7 @@ class PoseFilterTest {
 
     @BeforeEach
     void begin() {
-        filter.begin(new GroundPose(1, 1, 10), 0.5, 5);
+        filter.begin(new Pose2d(1, 1, 10), 0.5, 5);
     }
 
     @Test
@@ -42,7 +43,7 @@ class PoseFilterTest {
     @Test
     void findsItselfWhileItLiesOnItsBack() {
         Pose truth = new Pose(new Vector3(-0.5, 0.2, 0.1), Rotation.ofYawPitchRoll(0, -85, 0));
-        filter.begin(new GroundPose(-0.6, 0.1, 0), 0.3, 3);
+        filter.begin(new Pose2d(-0.6, 0.1, 0), 0.3, 3);
         for (int i = 0; i < 50; i++) {
             filter.move(
                     new Vector3(0, -85, 0),
@@ -58,7 +59,7 @@ class PoseFilterTest {
 
     @Test
     void turnsByTheGyroscopeAndSpeedsUpByTheAccelerometer() {
-        filter.begin(new GroundPose(1, 1, 90), 0, 0);
+        filter.begin(new Pose2d(1, 1, 90), 0, 0);
 
         filter.move(new Vector3(0, 0, 1000), new Vector3(5, 0, 9.81));
         filter.move(Vector3.ZERO, GRAVITY);
@@ -70,7 +71,7 @@ class PoseFilterTest {
 
     @Test
     void rollsOverInSpaceNotOnPaper() {
-        filter.begin(new GroundPose(0, 0, 0), 0, 0);
+        filter.begin(new Pose2d(0, 0, 0), 0, 0);
 
         filter.move(new Vector3(0, 90 / Cycle.SECONDS, 0), GRAVITY);
         filter.move(new Vector3(0, 0, 180 / Cycle.SECONDS), GRAVITY);
@@ -82,7 +83,7 @@ class PoseFilterTest {
 
     @Test
     void doesNotBelieveALandmarkThatCannotBeThere() {
-        filter.begin(new GroundPose(1, 1, 10), 0.01, 0.5);
+        filter.begin(new Pose2d(1, 1, 10), 0.01, 0.5);
         Vector3 post = SoccerField.BEGINNER.position(Landmark.GOAL_POST_1_RIGHT);
 
         boolean believed = filter.see(post, new Direction(1, -120, 0), CAMERA);

@@ -20,6 +20,7 @@ import org.robonewbie.protocol.perceptor.PerceptorMessageWriter;
 import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.physics.sparse.SparsePhysicsWorld;
 import org.robonewbie.simulator.recording.Participant;
 import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.simulator.recording.RunRecorder;
@@ -84,7 +85,7 @@ public final class SimulationCycle implements Restorable {
         SoccerParameters parameters = settings.parameters();
         BallProperties ball = new BallProperties(
                 parameters.get(SoccerParameter.BALL_RADIUS), parameters.get(SoccerParameter.BALL_MASS));
-        return new SoccerWorld(parameters.field(), ball, settings.physics().newWorld(), settings.landscape());
+        return new SoccerWorld(parameters.field(), ball, new SparsePhysicsWorld(), settings.landscape());
     }
 
     /** {@return what watches the run} */

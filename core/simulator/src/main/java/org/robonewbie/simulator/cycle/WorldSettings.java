@@ -5,7 +5,6 @@ import java.util.List;
 import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.sensing.CameraSettings;
 import org.robonewbie.simulator.soccer.SoccerParameters;
-import org.robonewbie.simulator.world.PhysicsEngine;
 
 /**
  * All that has an influence on what happens in a world: equal settings and equal agents give equal runs.
@@ -17,17 +16,11 @@ import org.robonewbie.simulator.world.PhysicsEngine;
  * @param parameters pitch, rules and noise of beams
  * @param synchronous whether the world waits for the agents; else it runs on the clock
  * @param camera how robots see: noise, and what no camera could know
- * @param physics what computes the motion of all bodies
  * @param landscape what stands on the pitch
  * @param seed start of all random numbers
  */
 public record WorldSettings(
-        SoccerParameters parameters,
-        boolean synchronous,
-        CameraSettings camera,
-        PhysicsEngine physics,
-        Landscape landscape,
-        long seed) {
+        SoccerParameters parameters, boolean synchronous, CameraSettings camera, Landscape landscape, long seed) {
 
     /**
      * Begins with pitch, rules and noise of the league.
@@ -48,8 +41,7 @@ public record WorldSettings(
     }
 
     private static WorldSettings of(SoccerParameters parameters) {
-        return new WorldSettings(
-                parameters, true, CameraSettings.STANDARD, PhysicsEngine.STANDARD, Landscape.SOCCER, 0);
+        return new WorldSettings(parameters, true, CameraSettings.STANDARD, Landscape.SOCCER, 0);
     }
 
     /**
@@ -59,7 +51,7 @@ public record WorldSettings(
      * @return the same settings otherwise
      */
     public WorldSettings withParameters(SoccerParameters value) {
-        return new WorldSettings(value, synchronous, camera, physics, landscape, seed);
+        return new WorldSettings(value, synchronous, camera, landscape, seed);
     }
 
     /**
@@ -69,7 +61,7 @@ public record WorldSettings(
      * @return the same settings otherwise
      */
     public WorldSettings withSynchronous(boolean value) {
-        return new WorldSettings(parameters, value, camera, physics, landscape, seed);
+        return new WorldSettings(parameters, value, camera, landscape, seed);
     }
 
     /**
@@ -79,7 +71,7 @@ public record WorldSettings(
      * @return the same settings otherwise
      */
     public WorldSettings withCamera(CameraSettings value) {
-        return new WorldSettings(parameters, synchronous, value, physics, landscape, seed);
+        return new WorldSettings(parameters, synchronous, value, landscape, seed);
     }
 
     /**
@@ -93,23 +85,13 @@ public record WorldSettings(
     }
 
     /**
-     * Changes the physics engine.
-     *
-     * @param value the new one
-     * @return the same settings otherwise
-     */
-    public WorldSettings withPhysics(PhysicsEngine value) {
-        return new WorldSettings(parameters, synchronous, camera, value, landscape, seed);
-    }
-
-    /**
      * Changes what stands on the pitch.
      *
      * @param value the new landscape
      * @return the same settings otherwise
      */
     public WorldSettings withLandscape(Landscape value) {
-        return new WorldSettings(parameters, synchronous, camera, physics, value, seed);
+        return new WorldSettings(parameters, synchronous, camera, value, seed);
     }
 
     /**
@@ -119,7 +101,7 @@ public record WorldSettings(
      * @return the same settings otherwise
      */
     public WorldSettings withSeed(long value) {
-        return new WorldSettings(parameters, synchronous, camera, physics, landscape, value);
+        return new WorldSettings(parameters, synchronous, camera, landscape, value);
     }
 
     /** {@return the settings as lines of the form {@code name=value}, as recordings begin with them} */
@@ -129,7 +111,7 @@ public record WorldSettings(
         lines.add("synchronous=" + synchronous);
         lines.add("noise=" + camera.noise());
         lines.add("truth=" + camera.ownPosition() + "," + camera.ownOrientation() + "," + camera.ballPosition());
-        lines.add("physics=" + physics);
+        lines.add("physics=fast"); // recordings of former versions may say "exact" here
         if (!landscape.isBare()) {
             lines.add("scene=" + landscape.name());
         }

@@ -10,7 +10,7 @@ import org.robonewbie.protocol.embedded.SimulatorProvider;
 import org.robonewbie.protocol.embedded.SimulatorRequest;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
-import org.robonewbie.simulator.file.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
@@ -70,7 +70,7 @@ public final class BeginnersSimulatorProvider implements SimulatorProvider {
     private static Optional<Path> shelved(SimulatorRequest request) {
         return request.headless()
                 ? Optional.empty()
-                : RecordingShelf.ofUser().flatMap(shelf -> shelf.next(request.agent()));
+                : RecordingRepository.ofUser().flatMap(shelf -> shelf.next(request.agent()));
     }
 
     private static Optional<Viewer.View> openView(Simulator simulator) throws IOException {

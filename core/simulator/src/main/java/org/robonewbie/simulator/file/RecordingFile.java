@@ -23,12 +23,12 @@ public final class RecordingFile implements RecordingTarget {
     private static final int FLUSHES_PER_TIDYING = 30;
 
     private final Path file;
-    private final Optional<RecordingShelf> shelf;
+    private final Optional<RecordingRepository> shelf;
     private final Consumer<String> console;
     private @Nullable OutputStream out;
     private long flushes;
 
-    private RecordingFile(Path file, OutputStream out, Optional<RecordingShelf> shelf, Consumer<String> console) {
+    private RecordingFile(Path file, OutputStream out, Optional<RecordingRepository> shelf, Consumer<String> console) {
         this.file = file;
         this.out = out;
         this.shelf = shelf;
@@ -44,7 +44,7 @@ public final class RecordingFile implements RecordingTarget {
      * @throws IOException if it cannot be written; the message says what to do
      */
     public static RecordingFile open(Path file, Consumer<String> console) throws IOException {
-        return open(file, RecordingShelf.of(file), console);
+        return open(file, RecordingRepository.of(file), console);
     }
 
     /**
@@ -59,7 +59,8 @@ public final class RecordingFile implements RecordingTarget {
         return file.isPresent() ? open(file.get(), console) : RecordingTarget.NONE;
     }
 
-    static RecordingFile open(Path file, Optional<RecordingShelf> shelf, Consumer<String> console) throws IOException {
+    static RecordingFile open(Path file, Optional<RecordingRepository> shelf, Consumer<String> console)
+            throws IOException {
         OutputStream raw = AtomicFile.begin(file);
         return new RecordingFile(file, new GZIPOutputStream(raw, BUFFER_BYTES, true), shelf, console);
     }

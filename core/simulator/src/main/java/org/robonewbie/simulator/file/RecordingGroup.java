@@ -39,7 +39,7 @@ public record RecordingGroup(Path recording) {
     public String name() {
         String file = String.valueOf(recording.getFileName());
         String finished = withoutEnd(file, AtomicFile.UNFINISHED);
-        return withoutEnd(finished, RecordingShelf.ENDING);
+        return withoutEnd(finished, RecordingRepository.ENDING);
     }
 
     private static String withoutEnd(String text, String end) {
@@ -105,7 +105,7 @@ public record RecordingGroup(Path recording) {
 
     private static boolean hasRecording(Path file) {
         String name = String.valueOf(file.getFileName());
-        Path recording = file.resolveSibling(name.substring(0, name.lastIndexOf('.')) + RecordingShelf.ENDING);
+        Path recording = file.resolveSibling(name.substring(0, name.lastIndexOf('.')) + RecordingRepository.ENDING);
         return Files.exists(recording) || Files.exists(AtomicFile.part(recording));
     }
 }

@@ -2,7 +2,6 @@ package org.robonewbie.simulator.physics;
 
 import java.util.List;
 import org.robonewbie.nao.state.Restorable;
-import org.robonewbie.simulator.Crew;
 
 /**
  * Rigid bodies under gravity with motorised hinges and contacts, advanced in fixed steps.

@@ -44,7 +44,7 @@ final class Simulation implements SimulationControl, Runnable {
     private final AgentAcceptor acceptor;
     private final Pacemaker pacemaker;
     private final StalledAgentWatch silenceWatch;
-    private final MonitorDesk monitors;
+    private final MonitorService monitors;
     private final double lastCycle;
     private final Queue<Runnable> commands = new ConcurrentLinkedQueue<>();
     private final List<SimulationObserver> observers = new CopyOnWriteArrayList<>();
@@ -78,7 +78,7 @@ final class Simulation implements SimulationControl, Runnable {
         this.acceptor = new AgentAcceptor(port, cycle, settings);
         this.pacemaker = new Pacemaker(settings.speed(), RealTime.CLOCK);
         this.silenceWatch = new StalledAgentWatch(this.console, settings.silentAgentSeconds());
-        this.monitors = new MonitorDesk(cycle, this::command, this::end, this.console);
+        this.monitors = new MonitorService(cycle, this::command, this::end, this.console);
     }
 
     AgentAcceptor acceptor() {
@@ -104,7 +104,7 @@ final class Simulation implements SimulationControl, Runnable {
         }
     }
 
-    MonitorDesk monitors() {
+    MonitorService monitors() {
         return monitors;
     }
 

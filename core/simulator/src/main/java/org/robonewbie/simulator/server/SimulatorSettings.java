@@ -10,7 +10,6 @@ import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.monitor.MonitorSettings;
 import org.robonewbie.simulator.soccer.SoccerParameters;
-import org.robonewbie.simulator.world.PhysicsEngine;
 
 /**
  * The configuration of a simulator.
@@ -204,17 +203,6 @@ public record SimulatorSettings(
          */
         public Builder truth(boolean value) {
             return groundTruth(value, value, value);
-        }
-
-        /**
-         * Sets what computes the motion of all bodies.
-         *
-         * @param value the engine
-         * @return this builder
-         */
-        public Builder physics(PhysicsEngine value) {
-            world = world.withPhysics(value);
-            return this;
         }
 
         /**

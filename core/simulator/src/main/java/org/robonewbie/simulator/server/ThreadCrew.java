@@ -7,7 +7,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.IntConsumer;
 import org.jspecify.annotations.Nullable;
-import org.robonewbie.simulator.Crew;
+import org.robonewbie.simulator.physics.Crew;
 
 /**
  * Several threads that share work: the one that asks, and helpers that sleep in between. Each takes the next piece as soon as it is

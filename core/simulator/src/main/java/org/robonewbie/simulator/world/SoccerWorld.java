@@ -10,9 +10,10 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
-import org.robonewbie.simulator.Crew;
 import org.robonewbie.simulator.landscape.Landscape;
+import org.robonewbie.simulator.physics.Crew;
 import org.robonewbie.simulator.physics.PhysicsWorld;
+import org.robonewbie.simulator.physics.sparse.SparsePhysicsWorld;
 import org.robonewbie.simulator.state.WorldState;
 
 /**
@@ -55,7 +56,7 @@ public final class SoccerWorld implements Restorable {
      * @param ballProperties radius and mass of the ball
      */
     public SoccerWorld(SoccerField field, BallProperties ballProperties) {
-        this(field, ballProperties, PhysicsEngine.STANDARD.newWorld());
+        this(field, ballProperties, new SparsePhysicsWorld());
     }
 
     /**

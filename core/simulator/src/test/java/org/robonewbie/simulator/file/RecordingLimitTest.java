@@ -24,7 +24,7 @@ class RecordingLimitTest {
 
     /** Writes bytes that cannot be packed. */
     private void record(String name, int bytesPerFlush, long mostBytes) throws IOException {
-        RecordingShelf shelf = new RecordingShelf(folder, mostBytes);
+        RecordingRepository shelf = new RecordingRepository(folder, mostBytes);
         byte[] noise = new byte[bytesPerFlush];
         Random random = new Random(1);
         RecordingFile file = RecordingFile.open(folder.resolve(name), Optional.of(shelf), said::add);

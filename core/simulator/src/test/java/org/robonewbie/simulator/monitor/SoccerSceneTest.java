@@ -25,9 +25,9 @@ import org.robonewbie.protocol.monitor.TransformNode;
 import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.physics.BodyPose;
+import org.robonewbie.simulator.physics.sparse.SparsePhysicsWorld;
 import org.robonewbie.simulator.world.BallProperties;
 import org.robonewbie.simulator.world.LinkMotion;
-import org.robonewbie.simulator.world.PhysicsEngine;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
@@ -153,8 +153,8 @@ class SoccerSceneTest {
 
     @Test
     void thingsStandBehindTheBallAndBeforeTheRobots() {
-        SoccerWorld hill = new SoccerWorld(
-                SoccerField.LEAGUE, BallProperties.STANDARD, PhysicsEngine.STANDARD.newWorld(), Landscape.SLOPE);
+        SoccerWorld hill =
+                new SoccerWorld(SoccerField.LEAGUE, BallProperties.STANDARD, new SparsePhysicsWorld(), Landscape.SLOPE);
 
         scene.update(MonitorSnapshot.of(MonitoredGame.UNKNOWN, List.of(), hill, List.of(state(1, 5))));
 
@@ -166,8 +166,8 @@ class SoccerSceneTest {
 
     @Test
     void pushedThingNeedsNoFullMessage() {
-        SoccerWorld pushing = new SoccerWorld(
-                SoccerField.LEAGUE, BallProperties.STANDARD, PhysicsEngine.STANDARD.newWorld(), Landscape.BOX);
+        SoccerWorld pushing =
+                new SoccerWorld(SoccerField.LEAGUE, BallProperties.STANDARD, new SparsePhysicsWorld(), Landscape.BOX);
         boolean first = scene.update(MonitorSnapshot.of(MonitoredGame.UNKNOWN, List.of(), pushing, List.of()));
         BodyPose place = BodyPose.of(new Pose(new Vector3(2, 1, 0.2), Rotation.NONE));
         pushing.things().place(0, LinkMotion.between(place, place, 0));

@@ -28,7 +28,7 @@ class PlacedThingsTest {
     }
 
     private static SoccerWorld world() {
-        return world(PhysicsEngine.STANDARD, BOTH);
+        return world(PhysicsEngine.FAST, BOTH);
     }
 
     private static void step(SoccerWorld world, int steps) {
@@ -100,7 +100,7 @@ class PlacedThingsTest {
     @Test
     void stateOfAnotherLandscapeIsRefused() {
         WorldState state = world().save();
-        SoccerWorld bare = world(PhysicsEngine.STANDARD, Landscape.SOCCER);
+        SoccerWorld bare = world(PhysicsEngine.FAST, Landscape.SOCCER);
 
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> bare.restore(state))

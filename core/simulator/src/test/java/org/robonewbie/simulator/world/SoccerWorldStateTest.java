@@ -1,7 +1,6 @@
 package org.robonewbie.simulator.world;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import java.util.ArrayList;
@@ -156,17 +155,5 @@ class SoccerWorldStateTest {
                 .withMessage(
                         "The saved state belongs to a world with BallProperties[radius=0.042, massKg=0.026], but this"
                                 + " one has BallProperties[radius=0.1, massKg=0.2]. Start a world with the same settings.");
-    }
-
-    @Test
-    void theExactEngineSaysThatItCannot() {
-        SoccerWorld world =
-                new SoccerWorld(SoccerField.LEAGUE, BallProperties.STANDARD, PhysicsEngine.EXACT.newWorld());
-
-        assertThatExceptionOfType(UnsupportedOperationException.class)
-                .isThrownBy(world::save)
-                .withMessage(
-                        "The exact physics engine cannot be saved or restored to the bit: ODE does not reveal how soon a"
-                                + " resting body falls asleep. Choose the fast engine.");
     }
 }

@@ -37,8 +37,8 @@ class HelpTest {
         Files.writeString(folder.resolve("Kick.java"), "package org.robonewbie.somewhere;\n\npublic class Kick {}\n");
     }
 
-    private SolutionShelf shelf() {
-        return new SolutionShelf(Optional.of(folder));
+    private SolutionRepository shelf() {
+        return new SolutionRepository(Optional.of(folder));
     }
 
     @ParameterizedTest
@@ -82,7 +82,7 @@ class HelpTest {
         assertThat(shelf().ask(KICK, new ExerciseProgress(2, 2, false, 0, 0, false, ""))
                         .text())
                 .endsWith("one more.");
-        assertThat(shelf().ask(KICK, TRIED)).isEqualTo(new SolutionShelf.Answer(true, "public class Kick {}\n"));
+        assertThat(shelf().ask(KICK, TRIED)).isEqualTo(new SolutionRepository.Answer(true, "public class Kick {}\n"));
         assertThat(shelf().ask(KICK, new ExerciseProgress(1, 10, true, 0, 0, false, ""))
                         .open())
                 .isTrue();
@@ -129,7 +129,7 @@ class HelpTest {
 
     @Test
     void withoutSolutionsTheTeacherIsAsked() {
-        SolutionShelf none = new SolutionShelf(Optional.empty());
+        SolutionRepository none = new SolutionRepository(Optional.empty());
 
         assertThat(none.offers(KICK)).isFalse();
         assertThat(none.ask(KICK, TRIED).text()).contains("Ask your teacher");

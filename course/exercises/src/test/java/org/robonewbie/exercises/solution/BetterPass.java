@@ -4,15 +4,15 @@ import java.util.Comparator;
 import java.util.Optional;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.perception.CameraTransformation;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.skill.Footwork;
 import org.robonewbie.team.skill.Gaze;
 import org.robonewbie.team.skill.Kick;
 import org.robonewbie.team.skill.Limbs;
-import org.robonewbie.team.tactics.TeamRole;
 import org.robonewbie.team.talk.Talk;
 import org.robonewbie.team.talk.TeamMessage;
+import org.robonewbie.team.talk.TeamRole;
 import org.robonewbie.team.world.Mate;
-import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
 
 /** Passes to the mate to whom the way is freest, and keeps the direction of a kick. */
@@ -38,7 +38,7 @@ public final class BetterPass extends Agent {
     @Override
     protected void think() {
         world.update(nao, fieldView);
-        Talk.listen(nao, world);
+        world.listen(nao);
         gaze.look(world);
         if (nao.isFallen()) {
             motions.startGetUp();
@@ -86,11 +86,11 @@ public final class BetterPass extends Agent {
                             false,
                             TeamRole.FORWARD,
                             world.ball(),
-                            Spot.ORIGIN,
+                            Translation2d.ORIGIN,
                             0,
                             9,
                             0,
-                            Spot.ORIGIN)
+                            Translation2d.ORIGIN)
                     .encode());
         }
     }

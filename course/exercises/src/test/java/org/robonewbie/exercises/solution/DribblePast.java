@@ -3,11 +3,11 @@ package org.robonewbie.exercises.solution;
 import java.util.Optional;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.perception.CameraTransformation;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.skill.Dribble;
 import org.robonewbie.team.skill.Footwork;
 import org.robonewbie.team.skill.Gaze;
 import org.robonewbie.team.skill.Limbs;
-import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
 
 /** Brings the ball to a point on the left of the opponent, and on from there. */
@@ -20,7 +20,7 @@ public final class DribblePast extends Agent {
     private final WorldModel world = new WorldModel();
     private final Dribble dribble = new Dribble(walk, new Footwork(walk));
     private final Gaze gaze = new Gaze(new Limbs(nao, walk, motions, lookAround));
-    private Optional<Spot> opponent = Optional.empty();
+    private Optional<Translation2d> opponent = Optional.empty();
 
     /** Creates the solution. */
     public DribblePast() {
@@ -39,7 +39,7 @@ public final class DribblePast extends Agent {
         }
     }
 
-    private Spot target() {
+    private Translation2d target() {
         world.opponents().stream().findFirst().ifPresent(seen -> opponent = Optional.of(seen));
         return opponent.filter(seen -> world.ball().x() < seen.x() + BEYOND_METRES)
                 .map(this::besideIt)
@@ -47,9 +47,9 @@ public final class DribblePast extends Agent {
     }
 
     /** First to the side, then straight ahead. */
-    private Spot besideIt(Spot seen) {
+    private Translation2d besideIt(Translation2d seen) {
         double y = seen.y() + ASIDE_METRES;
         boolean straight = world.ball().y() > y - CLOSE_METRES || world.ball().x() > seen.x() - ASIDE_METRES;
-        return new Spot(seen.x() + (straight ? 2 * BEYOND_METRES : -ASIDE_METRES), y);
+        return new Translation2d(seen.x() + (straight ? 2 * BEYOND_METRES : -ASIDE_METRES), y);
     }
 }

@@ -6,14 +6,14 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.perception.CameraTransformation;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.skill.Footwork;
 import org.robonewbie.team.skill.Gaze;
 import org.robonewbie.team.skill.Limbs;
 import org.robonewbie.team.tactics.Assignment;
-import org.robonewbie.team.tactics.TeamRole;
 import org.robonewbie.team.talk.Talk;
 import org.robonewbie.team.talk.TeamMessage;
-import org.robonewbie.team.world.Spot;
+import org.robonewbie.team.talk.TeamRole;
 import org.robonewbie.team.world.WorldModel;
 
 /** Three places around the ball, shared so that all ways together are shortest. */
@@ -32,21 +32,21 @@ public final class MyFormation extends Agent {
     @Override
     protected void think() {
         world.update(nao, fieldView);
-        Talk.listen(nao, world);
+        world.listen(nao);
         gaze.look(world);
         if (nao.isFallen()) {
             motions.startGetUp();
         } else if (motions.isFinished() && world.ballAgeSeconds() < 3) {
-            Spot place = place();
+            Translation2d place = place();
             feet.go(world, place, world.ball().minus(place).degrees());
         }
         speak();
     }
 
-    private Spot place() {
-        List<Spot> places = places();
-        List<Spot> players = new ArrayList<>();
-        SortedMap<Integer, Spot> byNumber = new TreeMap<>();
+    private Translation2d place() {
+        List<Translation2d> places = places();
+        List<Translation2d> players = new ArrayList<>();
+        SortedMap<Integer, Translation2d> byNumber = new TreeMap<>();
         world.mates().forEach(mate -> byNumber.put(mate.number(), mate.place()));
         byNumber.put(world.number(), world.place());
         players.addAll(byNumber.values());
@@ -60,17 +60,17 @@ public final class MyFormation extends Agent {
         return places.get(Assignment.cheapest(cost)[own]);
     }
 
-    private List<Spot> places() {
-        Spot ball = world.ball();
-        Spot atBall = ball.plus(new Spot(-0.55, 0));
-        Spot before = ball.towards(world.ourGoal(), 2);
+    private List<Translation2d> places() {
+        Translation2d ball = world.ball();
+        Translation2d atBall = ball.plus(new Translation2d(-0.55, 0));
+        Translation2d before = ball.towards(world.ourGoal(), 2);
         return List.of(atBall, before, freePlace(ball));
     }
 
     /** A place ahead of the ball, so far to the middle of the pitch that the opponent is not in the way. */
-    private static Spot freePlace(Spot ball) {
+    private static Translation2d freePlace(Translation2d ball) {
         double side = ball.y() > 0 ? -1 : 1;
-        return ball.plus(Spot.polar(side * 60, 2.6));
+        return ball.plus(Translation2d.polar(side * 60, 2.6));
     }
 
     private void speak() {
@@ -85,7 +85,7 @@ public final class MyFormation extends Agent {
                             world.ownBallAgeSeconds(),
                             9,
                             0,
-                            Spot.ORIGIN)
+                            Translation2d.ORIGIN)
                     .encode());
         }
     }

@@ -1,11 +1,11 @@
 package org.robonewbie.exercises.solution;
 
 import org.robonewbie.agent.Agent;
-import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.agent.localisation.SelfLocalisation;
 import org.robonewbie.agent.perception.CameraTransformation;
 import org.robonewbie.agent.perception.FieldItem;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 
 /** A list of places to walk to, one after the other, by the robot's own idea of where it is. */
 public final class ObstacleCourse extends Agent {
@@ -37,7 +37,7 @@ public final class ObstacleCourse extends Agent {
             walkTo(place);
         } else {
             FieldItem ball = fieldView.ball();
-            GroundPose here = self.pose();
+            Pose2d here = self.pose();
             walkTo(ball.isKnown() ? ball.position() : here.fromFrame(Vector3.ZERO));
         }
     }

@@ -1,9 +1,9 @@
 package org.robonewbie.exercises.solution;
 
 import org.robonewbie.agent.Agent;
-import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.agent.localisation.SelfLocalisation;
 import org.robonewbie.agent.perception.CameraTransformation;
+import org.robonewbie.nao.geometry.Pose2d;
 
 /** Walk to the box, wait there for each other, and push at the same speed. */
 public final class PushTogether extends Agent {
@@ -30,7 +30,7 @@ public final class PushTogether extends Agent {
             walk.stop();
             return;
         }
-        GroundPose here = self.pose();
+        Pose2d here = self.pose();
         side = side == 0 ? Math.signum(here.y()) : side;
         isThere |= here.x() > BEFORE_THE_BOX;
         if (isThere) {

@@ -3,7 +3,6 @@ package org.robonewbie.exercises.solution;
 import java.util.HashMap;
 import java.util.Map;
 import org.robonewbie.agent.Agent;
-import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.agent.localisation.SelfLocalisation;
 import org.robonewbie.agent.perception.CameraTransformation;
 import org.robonewbie.agent.perception.FieldItem;
@@ -11,6 +10,7 @@ import org.robonewbie.agent.perception.PlayerItem;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 
 /** Knows where it is, walks behind the ball, and through it towards the goal. */
 public final class ScoreAGoal extends Agent {
@@ -32,7 +32,7 @@ public final class ScoreAGoal extends Agent {
     protected void think() {
         fieldView.setTransformation(CameraTransformation.KINEMATICS);
         if (!placed) {
-            self.setPose(new GroundPose(-0.5, 0.4, -40));
+            self.setPose(new Pose2d(-0.5, 0.4, -40));
             placed = true;
         }
         self.update(nao, fieldView);

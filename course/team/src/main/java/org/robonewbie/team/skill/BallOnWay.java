@@ -1,7 +1,7 @@
 package org.robonewbie.team.skill;
 
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
 
 /**
@@ -10,7 +10,7 @@ import org.robonewbie.team.world.WorldModel;
  * @param ball the ball, seen from the robot
  * @param turn degrees by which the robot has to turn to the left to look along the way
  */
-record BallOnWay(Spot ball, double turn) {
+record BallOnWay(Translation2d ball, double turn) {
 
     private static final double BEHIND_METRES = 0.25;
     private static final double AROUND_METRES = 0.35;
@@ -18,7 +18,7 @@ record BallOnWay(Spot ball, double turn) {
     private static final double MOST_TURN = 25;
 
     /** The ball where the robot expects it when its next steps take effect, and the way from where it is now to a target on the map. */
-    static BallOnWay of(WorldModel world, Spot expected, Spot now, Spot target) {
+    static BallOnWay of(WorldModel world, Translation2d expected, Translation2d now, Translation2d target) {
         double way = target.minus(now).degrees();
         return new BallOnWay(
                 expected, PortableMath.IEEEremainder(way - world.pose().headingDegrees(), 360));
@@ -42,18 +42,18 @@ record BallOnWay(Spot ball, double turn) {
 
     /** Walks to the place behind the ball; around it if it is behind the robot. */
     void getBehind(Footwork feet, WorldModel world) {
-        Spot behind = ball.minus(direction().times(BEHIND_METRES));
+        Translation2d behind = ball.minus(direction().times(BEHIND_METRES));
         double side = aside() >= 0 ? 1 : -1;
-        Spot place = ahead() < LEAST_AHEAD ? behind.plus(left().times(side * AROUND_METRES)) : behind;
+        Translation2d place = ahead() < LEAST_AHEAD ? behind.plus(left().times(side * AROUND_METRES)) : behind;
         feet.step(world, place, turn);
     }
 
-    private Spot direction() {
-        return Spot.polar(turn, 1);
+    private Translation2d direction() {
+        return Translation2d.polar(turn, 1);
     }
 
-    private Spot left() {
-        return Spot.polar(turn + 90, 1);
+    private Translation2d left() {
+        return Translation2d.polar(turn + 90, 1);
     }
 
     /** What is left of a deviation after a part that does not matter: each correction makes the robot slower. */

@@ -2,7 +2,7 @@ package org.robonewbie.team.skill;
 
 import org.robonewbie.agent.walk.Walk;
 import org.robonewbie.agent.walk.WalkStyle;
-import org.robonewbie.team.world.Spot;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.world.WorldModel;
 
 /**
@@ -65,8 +65,8 @@ public final class CloseDribble {
      * @param world where the ball is
      * @param target where the ball has to go, in the coordinates of the team
      */
-    public void bring(WorldModel world, Spot target) {
-        Spot now = world.ballAtFeetIn(0).onMap(world.pose());
+    public void bring(WorldModel world, Translation2d target) {
+        Translation2d now = world.ballAtFeetIn(0).onMap(world.pose());
         BallOnWay way = BallOnWay.of(world, world.ballAtFeetIn(numbers.aheadSeconds()), now, target);
         if (way.isInCone(CONE_METRES, CONE_SLOPE)) {
             push(world, way);
@@ -85,7 +85,7 @@ public final class CloseDribble {
 
     /** How fast the ball rolls along the way, metres per second; 0 if it comes back. */
     private static double rolling(WorldModel world, BallOnWay way) {
-        Spot rolled = world.ballAtFeetIn(LOOK_SECONDS).minus(world.ballAtFeetIn(0));
-        return Math.max(0, rolled.dot(Spot.polar(way.turn(), 1))) / LOOK_SECONDS;
+        Translation2d rolled = world.ballAtFeetIn(LOOK_SECONDS).minus(world.ballAtFeetIn(0));
+        return Math.max(0, rolled.dot(Translation2d.polar(way.turn(), 1))) / LOOK_SECONDS;
     }
 }

@@ -1,7 +1,7 @@
 package org.robonewbie.team.skill;
 
 import org.robonewbie.agent.walk.Walk;
-import org.robonewbie.team.world.Spot;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.world.WorldModel;
 
 /**
@@ -48,8 +48,8 @@ public final class Dribble {
      * @param world where the ball is
      * @param target where the ball has to go, in the coordinates of the team
      */
-    public void bring(WorldModel world, Spot target) {
-        Spot ball = world.ballIn(AHEAD_SECONDS).seenFrom(world.pose());
+    public void bring(WorldModel world, Translation2d target) {
+        Translation2d ball = world.ballIn(AHEAD_SECONDS).seenFrom(world.pose());
         BallOnWay way = BallOnWay.of(world, ball, world.ball(), target);
         if (isContested(world) && isAhead(ball) && Math.abs(way.turn()) < CHARGE_DEGREES) {
             charge(world, way);
@@ -60,7 +60,7 @@ public final class Dribble {
         }
     }
 
-    private static boolean isAhead(Spot ball) {
+    private static boolean isAhead(Translation2d ball) {
         return ball.length() < CHARGE_METRES && Math.abs(ball.degrees()) < CHARGE_DEGREES;
     }
 

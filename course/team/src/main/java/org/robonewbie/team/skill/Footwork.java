@@ -6,10 +6,10 @@ import java.util.stream.Stream;
 import org.robonewbie.agent.walk.Walk;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.team.skill.PathPlanner.Obstacle;
 import org.robonewbie.team.world.Mate;
-import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
 
 /**
@@ -63,9 +63,9 @@ public final class Footwork {
      * @param headingDegrees which way to face there, in the coordinates of the team
      * @return the way, for a drawing
      */
-    public List<Spot> go(WorldModel world, Spot place, double headingDegrees) {
-        List<Spot> way = PathPlanner.way(world.place(), place, others(world));
-        Spot next = way.get(0).seenFrom(world.pose());
+    public List<Translation2d> go(WorldModel world, Translation2d place, double headingDegrees) {
+        List<Translation2d> way = PathPlanner.way(world.place(), place, others(world));
+        Translation2d next = way.get(0).seenFrom(world.pose());
         double turn = PortableMath.IEEEremainder(headingDegrees - world.pose().headingDegrees(), 360);
         double tolerance = standing ? LEFT_METRES : ARRIVED_METRES;
         double turnTolerance = standing ? 2 * ARRIVED_DEGREES : ARRIVED_DEGREES;
@@ -89,8 +89,8 @@ public final class Footwork {
      * @param place where to, in the coordinates of the team
      * @param headingDegrees which way to face there, in the coordinates of the team
      */
-    public void shadow(WorldModel world, Spot place, double headingDegrees) {
-        Spot next = place.seenFrom(world.pose());
+    public void shadow(WorldModel world, Translation2d place, double headingDegrees) {
+        Translation2d next = place.seenFrom(world.pose());
         double turn = PortableMath.IEEEremainder(headingDegrees - world.pose().headingDegrees(), 360);
         standing = next.length() < EXACT_METRES && Math.abs(turn) < EXACT_DEGREES;
         if (standing) {
@@ -107,16 +107,16 @@ public final class Footwork {
      * @param place where to, seen from the robot
      * @param turnDegrees how far to turn meanwhile, if the place is near
      */
-    public void step(WorldModel world, Spot place, double turnDegrees) {
+    public void step(WorldModel world, Translation2d place, double turnDegrees) {
         if (place.length() > FAR_METRES) {
-            List<Spot> way = PathPlanner.way(world.place(), place.onMap(world.pose()), others(world));
+            List<Translation2d> way = PathPlanner.way(world.place(), place.onMap(world.pose()), others(world));
             step(way.get(0).seenFrom(world.pose()), turnDegrees, false, speed(world));
         } else {
             step(place, turnDegrees, true, speed(world));
         }
     }
 
-    private void step(Spot place, double turnDegrees, boolean last, double pace) {
+    private void step(Translation2d place, double turnDegrees, boolean last, double pace) {
         double bearing = place.degrees();
         if (!last || place.length() > FAR_METRES) {
             boolean ahead = Math.abs(bearing) < AHEAD_DEGREES;
@@ -150,7 +150,7 @@ public final class Footwork {
      * @return seconds, without the way to the ball
      */
     public static double aroundSeconds(WorldModel world, double directionDegrees) {
-        Spot way = world.ball().minus(world.place());
+        Translation2d way = world.ball().minus(world.place());
         double around = Math.abs(PortableMath.IEEEremainder(directionDegrees - way.degrees(), 360));
         return around / AROUND_DEGREES_PER_SECOND * Math.min(1, NEAR_METRES / Math.max(0.1, way.length()));
     }

@@ -1,8 +1,8 @@
 package org.robonewbie.team.skill;
 
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
 
 /**
@@ -51,7 +51,7 @@ public final class Gaze {
         return Math.abs(theirs) <= Math.abs(ours) ? theirs : ours;
     }
 
-    private static double beside(Spot goal, WorldModel world, double ball) {
+    private static double beside(Translation2d goal, WorldModel world, double ball) {
         return PortableMath.IEEEremainder(goal.seenFrom(world.pose()).degrees() - ball, 360);
     }
 }

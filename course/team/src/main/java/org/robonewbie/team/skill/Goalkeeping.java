@@ -1,7 +1,7 @@
 package org.robonewbie.team.skill;
 
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.world.BallFilter;
-import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
 
 /**
@@ -39,16 +39,16 @@ public final class Goalkeeping {
      * @param world where the ball is
      * @return its place, in the coordinates of the team
      */
-    public static Spot place(WorldModel world) {
-        Spot goal = world.ourGoal();
+    public static Translation2d place(WorldModel world) {
+        Translation2d goal = world.ourGoal();
         if (comesOut(world)) {
             double away =
                     Math.min(BEFORE_BALL_METRES, MOST_OF_WAY * world.ball().distanceTo(goal));
             return world.ball().towards(goal, away);
         }
-        Spot place =
+        Translation2d place =
                 goal.towards(world.ball(), Math.min(OUT_METRES, world.ball().distanceTo(goal) / 2));
-        return new Spot(Math.max(place.x(), goal.x() + 0.25), place.y());
+        return new Translation2d(Math.max(place.x(), goal.x() + 0.25), place.y());
     }
 
     /**
@@ -89,9 +89,9 @@ public final class Goalkeeping {
 
     /** How far to the left of the robot a dangerous ball will pass, metres; not a number if there is no danger. */
     private static double crossing(WorldModel world) {
-        Spot ball = world.ball();
-        Spot velocity = world.ballVelocity();
-        Spot end = ball.plus(velocity.times(BallFilter.ROLLING_SECONDS));
+        Translation2d ball = world.ball();
+        Translation2d velocity = world.ballVelocity();
+        Translation2d end = ball.plus(velocity.times(BallFilter.ROLLING_SECONDS));
         double line = world.ourGoal().x();
         boolean fast = velocity.x() < -LEAST_SPEED && world.ownBallAgeSeconds() < 0.2;
         double way = ball.x() - world.place().x();

@@ -1,7 +1,7 @@
 package org.robonewbie.team.skill;
 
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
 
 /**
@@ -67,9 +67,9 @@ public final class Kick {
     }
 
     /** Where the ball has to lie for the kick with the foot that suits the side on which it is. */
-    private Spot before(Spot ball) {
-        Spot left = kind.ballOnLeft(body.nao().getType());
-        return new Spot(left.x(), (ball.y() > 0 ? 1 : -1) * left.y());
+    private Translation2d before(Translation2d ball) {
+        Translation2d left = kind.ballOnLeft(body.nao().getType());
+        return new Translation2d(left.x(), (ball.y() > 0 ? 1 : -1) * left.y());
     }
 
     /**
@@ -79,7 +79,7 @@ public final class Kick {
      * @param directionDegrees where the ball has to go, in the coordinates of the team
      */
     public void kick(WorldModel world, double directionDegrees) {
-        Spot ball = world.ballFromHere();
+        Translation2d ball = world.ballFromHere();
         double turn = PortableMath.IEEEremainder(directionDegrees - world.pose().headingDegrees(), 360);
         double patience = world.opponentDistance(world.ball()) < HURRY_METRES ? HURRY : 1;
         if (waiting) {
@@ -93,7 +93,7 @@ public final class Kick {
     }
 
     /** Kicks as soon as the robot stands, if the ball is within reach then. */
-    private void waitForTheStance(Spot ball, double turn, double patience) {
+    private void waitForTheStance(Translation2d ball, double turn, double patience) {
         if (body.walk().isWalking()) {
             body.walk().stop();
             walkedSeconds = body.nao().getTime();
@@ -108,7 +108,7 @@ public final class Kick {
         }
     }
 
-    private boolean isThere(Spot ball, double turn, double factor) {
+    private boolean isThere(Translation2d ball, double turn, double factor) {
         return beyond(ball) > -kind.nearer()
                 && beyond(ball) < kind.farther()
                 && Math.abs(ball.y() - before(ball).y()) < factor * kind.aside()
@@ -116,16 +116,16 @@ public final class Kick {
     }
 
     /** How much too far away the ball lies, metres. */
-    private double beyond(Spot ball) {
+    private double beyond(Translation2d ball) {
         return ball.x() - before(ball).x();
     }
 
     /** Walks to the place from which the ball lies before the foot; from the wrong side of the ball around it. */
-    private void approach(WorldModel world, Spot ball, double turn) {
-        Spot direction = Spot.polar(turn, 1);
-        Spot aside = Spot.polar(turn + 90, 1);
-        Spot foot = before(new Spot(ball.dot(direction), ball.dot(aside)));
-        Spot place = ball.minus(direction.times(foot.x())).minus(aside.times(foot.y()));
+    private void approach(WorldModel world, Translation2d ball, double turn) {
+        Translation2d direction = Translation2d.polar(turn, 1);
+        Translation2d aside = Translation2d.polar(turn + 90, 1);
+        Translation2d foot = before(new Translation2d(ball.dot(direction), ball.dot(aside)));
+        Translation2d place = ball.minus(direction.times(foot.x())).minus(aside.times(foot.y()));
         double ahead = ball.dot(direction);
         double miss = place.dot(aside);
         if (place.length() > FAR_METRES) {

@@ -1,7 +1,7 @@
 package org.robonewbie.team.skill;
 
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.model.RobotType;
-import org.robonewbie.team.world.Spot;
 
 /** How a player kicks, and where the ball has to lie for that. */
 public enum KickKind {
@@ -67,14 +67,14 @@ public enum KickKind {
      * Returns where a ball on the left has to lie, seen from the robot. The same angles bring a longer leg to another place; with these
      * numbers the ball lies in the middle of what the kick reaches.
      */
-    Spot ballOnLeft(RobotType type) {
+    Translation2d ballOnLeft(RobotType type) {
         if (this == FAR) {
-            return new Spot(0.21, 0.02);
+            return new Translation2d(0.21, 0.02);
         }
         return switch (type) {
-            case TYPE_1 -> new Spot(0.19, 0.05);
-            case TYPE_3 -> new Spot(0.22, 0.055);
-            default -> new Spot(0.205, 0.05);
+            case TYPE_1 -> new Translation2d(0.19, 0.05);
+            case TYPE_3 -> new Translation2d(0.22, 0.055);
+            default -> new Translation2d(0.205, 0.05);
         };
     }
 

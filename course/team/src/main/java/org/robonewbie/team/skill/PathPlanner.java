@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import org.robonewbie.team.world.Spot;
+import org.robonewbie.nao.geometry.Translation2d;
 
 /**
  * Plans a way around obstacles. Each obstacle is a circle that the robot must not enter. Where the straight way crosses one, the
@@ -12,7 +12,7 @@ import org.robonewbie.team.world.Spot;
  * shorter one.
  *
  * <pre>{@code
- * List<Spot> way = PathPlanner.way(here, there, List.of(new PathPlanner.Obstacle(opponent, 0.5)));
+ * List<Translation2d> way = PathPlanner.way(here, there, List.of(new PathPlanner.Obstacle(opponent, 0.5)));
  * walkTowards(way.get(0));
  * }</pre>
  */
@@ -27,7 +27,7 @@ public final class PathPlanner {
      * @param centre where it is
      * @param radius how far the middle of the robot has to keep away, metres
      */
-    public record Obstacle(Spot centre, double radius) {}
+    public record Obstacle(Translation2d centre, double radius) {}
 
     private PathPlanner() {}
 
@@ -39,20 +39,20 @@ public final class PathPlanner {
      * @param obstacles what to walk around; those around the end do not count
      * @return the points where the way bends, and its end
      */
-    public static List<Spot> way(Spot from, Spot to, List<Obstacle> obstacles) {
+    public static List<Translation2d> way(Translation2d from, Translation2d to, List<Obstacle> obstacles) {
         List<Obstacle> possible = obstacles.stream()
                 .filter(obstacle -> obstacle.centre.distanceTo(to) > obstacle.radius)
                 .toList();
         return way(from, to, possible, MOST_TURNS);
     }
 
-    private static List<Spot> way(Spot from, Spot to, List<Obstacle> obstacles, int turns) {
+    private static List<Translation2d> way(Translation2d from, Translation2d to, List<Obstacle> obstacles, int turns) {
         Optional<Obstacle> first = turns == 0 ? Optional.empty() : firstInTheWay(from, to, obstacles);
         return first.map(obstacle -> around(from, to, obstacle, obstacles, turns))
                 .orElse(List.of(to));
     }
 
-    private static Optional<Obstacle> firstInTheWay(Spot from, Spot to, List<Obstacle> obstacles) {
+    private static Optional<Obstacle> firstInTheWay(Translation2d from, Translation2d to, List<Obstacle> obstacles) {
         return obstacles.stream()
                 .filter(obstacle -> obstacle.centre.distanceToWay(from, to)
                         < Math.min(obstacle.radius, leastDistance(from, obstacle)))
@@ -60,23 +60,24 @@ public final class PathPlanner {
     }
 
     /** A robot that is too near already may go away, but not nearer. */
-    private static double leastDistance(Spot from, Obstacle obstacle) {
+    private static double leastDistance(Translation2d from, Obstacle obstacle) {
         return 0.95 * from.distanceTo(obstacle.centre);
     }
 
-    private static List<Spot> around(Spot from, Spot to, Obstacle obstacle, List<Obstacle> obstacles, int turns) {
-        List<Spot> left = side(from, to, obstacle, 1, obstacles, turns);
-        List<Spot> right = side(from, to, obstacle, -1, obstacles, turns);
+    private static List<Translation2d> around(
+            Translation2d from, Translation2d to, Obstacle obstacle, List<Obstacle> obstacles, int turns) {
+        List<Translation2d> left = side(from, to, obstacle, 1, obstacles, turns);
+        List<Translation2d> right = side(from, to, obstacle, -1, obstacles, turns);
         return length(from, left) <= length(from, right) ? left : right;
     }
 
-    private static List<Spot> side(
-            Spot from, Spot to, Obstacle obstacle, int side, List<Obstacle> obstacles, int turns) {
-        Spot way = to.minus(from);
+    private static List<Translation2d> side(
+            Translation2d from, Translation2d to, Obstacle obstacle, int side, List<Obstacle> obstacles, int turns) {
+        Translation2d way = to.minus(from);
         double length = Math.max(1e-6, way.length());
-        Spot aside = new Spot(-way.y(), way.x()).times(side * MARGIN * obstacle.radius / length);
-        Spot corner = obstacle.centre.plus(aside);
-        List<Spot> result = new ArrayList<>(way(from, corner, without(obstacles, obstacle), turns - 1));
+        Translation2d aside = new Translation2d(-way.y(), way.x()).times(side * MARGIN * obstacle.radius / length);
+        Translation2d corner = obstacle.centre.plus(aside);
+        List<Translation2d> result = new ArrayList<>(way(from, corner, without(obstacles, obstacle), turns - 1));
         result.addAll(way(corner, to, obstacles, turns - 1));
         return result;
     }
@@ -85,10 +86,10 @@ public final class PathPlanner {
         return obstacles.stream().filter(obstacle -> !obstacle.equals(done)).toList();
     }
 
-    private static double length(Spot from, List<Spot> way) {
+    private static double length(Translation2d from, List<Translation2d> way) {
         double sum = 0;
-        Spot before = from;
-        for (Spot spot : way) {
+        Translation2d before = from;
+        for (Translation2d spot : way) {
             sum += before.distanceTo(spot);
             before = spot;
         }

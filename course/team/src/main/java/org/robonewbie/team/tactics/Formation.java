@@ -4,7 +4,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.robonewbie.nao.SoccerField;
-import org.robonewbie.team.world.Spot;
+import org.robonewbie.nao.geometry.Translation2d;
+import org.robonewbie.team.talk.TeamRole;
 
 /**
  * Where the players stand who neither play the ball nor keep the goal. All places depend on the ball, so the whole team moves with
@@ -43,8 +44,8 @@ public final class Formation {
      * @param players how many players need a place
      * @return as many places, or nine if there are more players
      */
-    public Map<TeamRole, Spot> places(Spot ball, int players) {
-        Map<TeamRole, Spot> places = new LinkedHashMap<>();
+    public Map<TeamRole, Translation2d> places(Translation2d ball, int players) {
+        Map<TeamRole, Translation2d> places = new LinkedHashMap<>();
         BY_IMPORTANCE.stream().limit(players).forEach(role -> places.put(role, place(role, ball)));
         return places;
     }
@@ -56,30 +57,31 @@ public final class Formation {
      * @param ball where the ball is
      * @return its place, on the pitch and outside the penalty areas
      */
-    public Spot place(TeamRole role, Spot ball) {
-        Spot ourGoal = new Spot(-field.length() / 2, 0);
+    public Translation2d place(TeamRole role, Translation2d ball) {
+        Translation2d ourGoal = new Translation2d(-field.length() / 2, 0);
         double scale = field.length() / 30;
         double middle = ball.y() / 3;
         return inside(
                 switch (role) {
-                    case FORWARD -> new Spot(ball.x() + 5 * scale, middle);
-                    case SUPPORTER -> ball.towards(ourGoal, 1.6).plus(new Spot(0, ball.y() > 0 ? -0.8 : 0.8));
+                    case FORWARD -> new Translation2d(ball.x() + 5 * scale, middle);
+                    case SUPPORTER -> ball.towards(ourGoal, 1.6).plus(new Translation2d(0, ball.y() > 0 ? -0.8 : 0.8));
                     case SWEEPER -> ball.towards(ourGoal, ball.distanceTo(ourGoal) / 2);
-                    case LEFT_WING -> new Spot(ball.x() + 2 * scale, middle + 5 * scale);
-                    case RIGHT_WING -> new Spot(ball.x() + 2 * scale, middle - 5 * scale);
-                    case LEFT_BACK -> new Spot(ball.x() - 6 * scale, middle + 3 * scale);
-                    case RIGHT_BACK -> new Spot(ball.x() - 6 * scale, middle - 3 * scale);
-                    case LEFT_MIDFIELD -> new Spot(ball.x() - 3 * scale, middle + 4 * scale);
-                    case RIGHT_MIDFIELD -> new Spot(ball.x() - 3 * scale, middle - 4 * scale);
-                    case KEEPER -> ourGoal.plus(new Spot(0.5, 0));
+                    case LEFT_WING -> new Translation2d(ball.x() + 2 * scale, middle + 5 * scale);
+                    case RIGHT_WING -> new Translation2d(ball.x() + 2 * scale, middle - 5 * scale);
+                    case LEFT_BACK -> new Translation2d(ball.x() - 6 * scale, middle + 3 * scale);
+                    case RIGHT_BACK -> new Translation2d(ball.x() - 6 * scale, middle - 3 * scale);
+                    case LEFT_MIDFIELD -> new Translation2d(ball.x() - 3 * scale, middle + 4 * scale);
+                    case RIGHT_MIDFIELD -> new Translation2d(ball.x() - 3 * scale, middle - 4 * scale);
+                    case KEEPER -> ourGoal.plus(new Translation2d(0.5, 0));
                     case STRIKER -> ball;
                 },
                 role);
     }
 
-    private Spot inside(Spot spot, TeamRole role) {
+    private Translation2d inside(Translation2d spot, TeamRole role) {
         double mostX = field.length() / 2 - (role == TeamRole.KEEPER ? 0 : GOAL_LINE_METRES);
         double mostY = field.width() / 2 - EDGE_METRES;
-        return new Spot(Math.max(-mostX, Math.min(mostX, spot.x())), Math.max(-mostY, Math.min(mostY, spot.y())));
+        return new Translation2d(
+                Math.max(-mostX, Math.min(mostX, spot.x())), Math.max(-mostY, Math.min(mostY, spot.y())));
     }
 }

@@ -4,13 +4,14 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.team.skill.Footwork;
 import org.robonewbie.team.skill.Kick;
 import org.robonewbie.team.skill.KickKind;
+import org.robonewbie.team.talk.TeamRole;
 import org.robonewbie.team.world.Mate;
 import org.robonewbie.team.world.Situation;
-import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
 
 /**
@@ -114,10 +115,10 @@ public final class KickChoice {
     }
 
     private Option dribble(double degrees) {
-        Spot end = world.ball().plus(Spot.polar(degrees, DRIBBLE_METRES));
+        Translation2d end = world.ball().plus(Translation2d.polar(degrees, DRIBBLE_METRES));
         double seconds = DRIBBLE_METRES / DRIBBLE_SPEED + Footwork.aroundSeconds(world, degrees);
         double keeps = 1;
-        for (Spot opponent : world.opponents()) {
+        for (Translation2d opponent : world.opponents()) {
             double near = opponent.distanceToWay(world.ball(), end);
             keeps *= 1 - 0.5 * PortableMath.exp(-near * near);
         }
@@ -129,8 +130,8 @@ public final class KickChoice {
     }
 
     private Option kick(KickKind kind, double degrees) {
-        Spot ball = world.ball();
-        Spot end = ball.plus(Spot.polar(degrees, kind.metres()));
+        Translation2d ball = world.ball();
+        Translation2d end = ball.plus(Translation2d.polar(degrees, kind.metres()));
         double seconds = Kick.seconds(world, degrees, kind);
         double free = freeLane(kind, ball, end);
         double goal = goalProbability(kind, ball, degrees);
@@ -159,7 +160,7 @@ public final class KickChoice {
     }
 
     /** The gain in each second if the ball gets to a place and the team keeps it with a probability: if not, half of the way was in vain. */
-    private double gain(Spot end, double keeps, double seconds) {
+    private double gain(Translation2d end, double keeps, double seconds) {
         double better = isOnPitch(end) ? value(end) - value(world.ball()) : -LOSS;
         return ((0.5 + 0.5 * keeps) * better - (1 - keeps) * LOSS) / seconds;
     }
@@ -173,7 +174,7 @@ public final class KickChoice {
         return alone || kind == KickKind.FAR ? 1 : SHARE_OF_RUN;
     }
 
-    private boolean isOnPitch(Spot spot) {
+    private boolean isOnPitch(Translation2d spot) {
         return Math.abs(spot.x()) < world.field().length() / 2 - 0.3
                 && Math.abs(spot.y()) < world.field().width() / 2 - 0.3;
     }
@@ -184,17 +185,17 @@ public final class KickChoice {
      * @param spot the place
      * @return from −1 in its goal to 1 in the opponents' goal
      */
-    public double value(Spot spot) {
+    public double value(Translation2d spot) {
         return PortableMath.exp(-spot.distanceTo(world.theirGoal()) / VALUE_METRES)
                 - PortableMath.exp(-spot.distanceTo(world.ourGoal()) / VALUE_METRES);
     }
 
     /** How probable it is that a kick in a direction ends in the goal, if nobody stops it. It must neither be too far away nor fly over the bar. */
-    private double goalProbability(KickKind kind, Spot ball, double degrees) {
+    private double goalProbability(KickKind kind, Translation2d ball, double degrees) {
         double metres = ball.distanceTo(world.theirGoal());
         double post = world.field().goalWidth() / 2 - 0.1;
-        Spot left = new Spot(world.theirGoal().x(), post).minus(ball);
-        Spot right = new Spot(world.theirGoal().x(), -post).minus(ball);
+        Translation2d left = new Translation2d(world.theirGoal().x(), post).minus(ball);
+        Translation2d right = new Translation2d(world.theirGoal().x(), -post).minus(ball);
         if (!mayScore || metres > kind.metres() || kind.isHigh(metres) || left.x() <= 0) {
             return 0;
         }
@@ -207,9 +208,9 @@ public final class KickChoice {
      * How probable it is that nobody stops the ball. No kick is quite straight, so the way that has to be free grows wider with its length.
      * Most balls get over the heads of those whom they meet while they are high.
      */
-    private double freeLane(KickKind kind, Spot from, Spot to) {
+    private double freeLane(KickKind kind, Translation2d from, Translation2d to) {
         double free = 1;
-        for (Spot opponent : world.opponents()) {
+        for (Translation2d opponent : world.opponents()) {
             double lane = LANE_METRES + LANE_SLOPE * opponent.distanceTo(from);
             double near = opponent.distanceToWay(from, to) / lane;
             double stops = kind.isHigh(opponent.distanceTo(from)) ? STOPS_HIGH : STOPS;
@@ -218,7 +219,7 @@ public final class KickChoice {
         return free;
     }
 
-    private Optional<Mate> nearest(Spot end) {
+    private Optional<Mate> nearest(Translation2d end) {
         return world.mates().stream()
                 .filter(mate -> !mate.message().fallen() && !Roles.isKeeper(world, mate.number()))
                 .min(Comparator.comparingDouble(mate -> mate.place().distanceTo(end)))
@@ -226,7 +227,7 @@ public final class KickChoice {
                         || mate.place().distanceTo(end) < world.place().distanceTo(end));
     }
 
-    private static double secondsTo(Spot from, Spot to, double patience) {
+    private static double secondsTo(Translation2d from, Translation2d to, double patience) {
         return Math.max(1.5, from.distanceTo(to) / RUN_SPEED - patience);
     }
 

@@ -1,7 +1,7 @@
 package org.robonewbie.team.tactics;
 
-import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.geometry.Pose2d;
 
 /**
  * Where the players stand before a kick-off, by their numbers. Numbers from 2 on come near the ball first, so that small teams attack
@@ -39,19 +39,19 @@ public final class KickOffPlaces {
      * @param field the pitch
      * @return the place, in the coordinates of the team
      */
-    public static GroundPose place(int number, boolean kicksOff, boolean small, SoccerField field) {
+    public static Pose2d place(int number, boolean kicksOff, boolean small, SoccerField field) {
         double behindCircle = -field.centreCircleRadius() - BEHIND_CIRCLE_METRES;
         if (number == KICKER) {
-            return new GroundPose(kicksOff ? KICK_METRES : behindCircle, 0.06, 0);
+            return new Pose2d(kicksOff ? KICK_METRES : behindCircle, 0.06, 0);
         }
         if (number == KICKER + 1) {
-            return kicksOff ? new GroundPose(KICK_METRES, NEXT_METRES, 0) : new GroundPose(2 * behindCircle, 0, 0);
+            return kicksOff ? new Pose2d(KICK_METRES, NEXT_METRES, 0) : new Pose2d(2 * behindCircle, 0, 0);
         }
         if (number == 1 && small) {
-            return new GroundPose(1.5 * behindCircle, -NEXT_METRES, 0);
+            return new Pose2d(1.5 * behindCircle, -NEXT_METRES, 0);
         }
         double scale = field.length() / SoccerField.LEAGUE.length();
         double[] place = LEAGUE[Math.max(1, Math.min(LEAGUE.length, number)) - 1];
-        return new GroundPose(place[0] * scale, place[1] * scale, 0);
+        return new Pose2d(place[0] * scale, place[1] * scale, 0);
     }
 }

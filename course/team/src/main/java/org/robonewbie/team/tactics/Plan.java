@@ -1,6 +1,7 @@
 package org.robonewbie.team.tactics;
 
-import org.robonewbie.team.world.Spot;
+import org.robonewbie.nao.geometry.Translation2d;
+import org.robonewbie.team.talk.TeamRole;
 
 /**
  * What a player means to do.
@@ -11,7 +12,7 @@ import org.robonewbie.team.world.Spot;
  * @param headingDegrees which way it faces there, or the direction of the kick
  * @param receiver whom it passes to; 0 is nobody
  */
-public record Plan(TeamRole role, Action action, Spot target, double headingDegrees, int receiver) {
+public record Plan(TeamRole role, Action action, Translation2d target, double headingDegrees, int receiver) {
 
     /** What a player does. */
     public enum Action {
@@ -54,5 +55,5 @@ public record Plan(TeamRole role, Action action, Spot target, double headingDegr
     }
 
     /** A player that knows nothing yet. */
-    public static final Plan NONE = new Plan(TeamRole.SUPPORTER, Action.STAND, Spot.ORIGIN, 0, 0);
+    public static final Plan NONE = new Plan(TeamRole.SUPPORTER, Action.STAND, Translation2d.ORIGIN, 0, 0);
 }

@@ -3,10 +3,11 @@ package org.robonewbie.team.tactics;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.skill.Goalkeeping;
 import org.robonewbie.team.talk.TeamMessage;
+import org.robonewbie.team.talk.TeamRole;
 import org.robonewbie.team.world.Mate;
-import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
 
 /**
@@ -29,7 +30,7 @@ public final class Roles {
     private final double secondsToBall;
 
     /** A player in the calculation. */
-    private record Candidate(int number, Spot place, TeamRole role) {}
+    private record Candidate(int number, Translation2d place, TeamRole role) {}
 
     /**
      * Looks at the present moment.
@@ -91,21 +92,21 @@ public final class Roles {
 
     private TeamRole placeInFormation() {
         List<Candidate> players = players();
-        Map<TeamRole, Spot> places = new Formation(world.field()).places(world.ball(), players.size());
+        Map<TeamRole, Translation2d> places = new Formation(world.field()).places(world.ball(), players.size());
         List<TeamRole> roles = List.copyOf(places.keySet());
         double[][] cost = new double[players.size()][roles.size()];
         int own = 0;
         for (int i = 0; i < players.size(); i++) {
             own = players.get(i).number == world.number() ? i : own;
             for (int j = 0; j < roles.size(); j++) {
-                Spot place = places.getOrDefault(roles.get(j), Spot.ORIGIN);
+                Translation2d place = places.getOrDefault(roles.get(j), Translation2d.ORIGIN);
                 cost[i][j] = cost(players.get(i), roles.get(j), place);
             }
         }
         return roles.get(Assignment.cheapest(cost)[own]);
     }
 
-    private static double cost(Candidate player, TeamRole role, Spot place) {
+    private static double cost(Candidate player, TeamRole role, Translation2d place) {
         double metres = player.place.distanceTo(place) - (player.role == role ? ROLE_LEAD_METRES : 0);
         return Math.max(0, metres) * Math.max(0, metres);
     }

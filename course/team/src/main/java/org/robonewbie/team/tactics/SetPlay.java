@@ -1,9 +1,10 @@
 package org.robonewbie.team.tactics;
 
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.skill.KickKind;
+import org.robonewbie.team.talk.TeamRole;
 import org.robonewbie.team.world.Mate;
 import org.robonewbie.team.world.Situation;
-import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
 
 /**
@@ -32,7 +33,7 @@ public final class SetPlay {
     private Situation before = Situation.LINE_UP;
     private double forbiddenUntil;
     private double noGoalUntil;
-    private Spot end = Spot.ORIGIN;
+    private Translation2d end = Translation2d.ORIGIN;
     private boolean forbidden;
 
     /** Creates a set play before the first kick-off. */
@@ -157,7 +158,7 @@ public final class SetPlay {
      * @param world the game
      * @return the place
      */
-    public static Spot wall(WorldModel world) {
+    public static Translation2d wall(WorldModel world) {
         return world.ball().towards(world.ourGoal(), distance(world));
     }
 
@@ -168,12 +169,12 @@ public final class SetPlay {
      * @param place where a player would like to be
      * @return where it may be
      */
-    public static Spot legal(WorldModel world, Spot place) {
+    public static Translation2d legal(WorldModel world, Translation2d place) {
         Situation situation = world.situation();
         boolean near = situation.isTheirs() && place.distanceTo(world.ball()) < distance(world);
-        Spot away = near ? world.ball().towards(place, distance(world)) : place;
+        Translation2d away = near ? world.ball().towards(place, distance(world)) : place;
         boolean kickOff = situation == Situation.OUR_KICK_OFF || situation == Situation.THEIR_KICK_OFF;
-        return kickOff && away.x() > -KEEP_AWAY_METRES ? new Spot(-KEEP_AWAY_METRES, away.y()) : away;
+        return kickOff && away.x() > -KEEP_AWAY_METRES ? new Translation2d(-KEEP_AWAY_METRES, away.y()) : away;
     }
 
     private static double distance(WorldModel world) {

@@ -2,11 +2,12 @@ package org.robonewbie.team.tactics;
 
 import java.util.List;
 import java.util.Optional;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.team.skill.Goalkeeping;
 import org.robonewbie.team.tactics.Plan.Action;
+import org.robonewbie.team.talk.TeamRole;
 import org.robonewbie.team.world.Situation;
-import org.robonewbie.team.world.Spot;
 import org.robonewbie.team.world.WorldModel;
 
 /**
@@ -90,7 +91,7 @@ public final class Strategy {
     }
 
     private Plan keeper() {
-        Spot place = Goalkeeping.place(world);
+        Translation2d place = Goalkeeping.place(world);
         double toBall = world.ball().minus(world.place()).degrees();
         double heading = Roles.keepsAlone(world) ? toBall : facing(place);
         return new Plan(TeamRole.KEEPER, Action.KEEP, place, heading, 0);
@@ -98,7 +99,7 @@ public final class Strategy {
 
     private Plan striker() {
         if (world.situation().isTheirs()) {
-            Spot place = SetPlay.wall(world);
+            Translation2d place = SetPlay.wall(world);
             return new Plan(TeamRole.STRIKER, Action.GO, place, facing(place), 0);
         }
         boolean kickOnly = setPlay.mayTouchOnce(world) || world.situation() == Situation.OUR_PASS;
@@ -109,13 +110,13 @@ public final class Strategy {
     }
 
     private Plan waiting(TeamRole role) {
-        Spot place = passTarget().orElseGet(() -> new Formation(world.field()).place(role, world.ball()));
-        Spot legal = SetPlay.legal(world, place);
+        Translation2d place = passTarget().orElseGet(() -> new Formation(world.field()).place(role, world.ball()));
+        Translation2d legal = SetPlay.legal(world, place);
         return new Plan(role, Action.GO, legal, facing(legal), 0);
     }
 
     /** Where a team mate is about to pass the ball, or has just passed it, if this player is to receive it. */
-    private Optional<Spot> passTarget() {
+    private Optional<Translation2d> passTarget() {
         return world.mates().stream()
                 .filter(mate -> mate.message().receiver() == world.number())
                 .filter(mate -> world.seconds() - mate.heardSeconds() < PASS_SECONDS)
@@ -125,17 +126,18 @@ public final class Strategy {
     }
 
     /** Where to wait for a ball that is to come to rest at a place: behind it, seen from the goal, and beside its way. */
-    private Spot behind(Spot end) {
-        Spot back = world.ourGoal().minus(end);
-        Spot behind = end.towards(world.ourGoal(), BESIDE_METRES);
-        Spot aside = new Spot(-back.y(), back.x()).times(BESIDE_METRES / Math.max(BESIDE_METRES, back.length()));
-        Spot left = behind.plus(aside);
-        Spot right = behind.minus(aside);
+    private Translation2d behind(Translation2d end) {
+        Translation2d back = world.ourGoal().minus(end);
+        Translation2d behind = end.towards(world.ourGoal(), BESIDE_METRES);
+        Translation2d aside =
+                new Translation2d(-back.y(), back.x()).times(BESIDE_METRES / Math.max(BESIDE_METRES, back.length()));
+        Translation2d left = behind.plus(aside);
+        Translation2d right = behind.minus(aside);
         return left.distanceTo(world.place()) < right.distanceTo(world.place()) ? left : right;
     }
 
     /** Who waits looks at the ball, but never turns its back to the opponents' goal: that is where it has to play next. */
-    private double facing(Spot place) {
+    private double facing(Translation2d place) {
         double goal = world.theirGoal().minus(place).degrees();
         double turned = PortableMath.IEEEremainder(world.ball().minus(place).degrees() - goal, 360);
         return goal + Math.max(-MOST_TURNED_DEGREES, Math.min(MOST_TURNED_DEGREES, turned));
@@ -153,7 +155,7 @@ public final class Strategy {
             return NEVER_SECONDS;
         }
         double seconds = reachSeconds();
-        Spot ball = world.ballIn(seconds);
+        Translation2d ball = world.ballIn(seconds);
         double behind = Math.abs(PortableMath.IEEEremainder(
                 world.theirGoal().minus(ball).degrees()
                         - ball.minus(world.place()).degrees(),

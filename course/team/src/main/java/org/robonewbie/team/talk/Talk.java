@@ -1,9 +1,6 @@
 package org.robonewbie.team.talk;
 
-import org.robonewbie.agent.Robot;
-import org.robonewbie.agent.perception.HeardMessage;
 import org.robonewbie.nao.Cycle;
-import org.robonewbie.team.world.WorldModel;
 
 /**
  * When a robot speaks. A robot hears one message of its team in 40 ms; of two that speak at the same time one is lost. So each number
@@ -26,19 +23,5 @@ public final class Talk {
     public static boolean isMyTurn(double seconds, int number) {
         long cycle = (long) Math.floor(seconds / Cycle.SECONDS + 0.5);
         return cycle % (CYCLES_PER_MESSAGE * PLAYERS) == (long) CYCLES_PER_MESSAGE * (number - 1);
-    }
-
-    /**
-     * Listens to the team mates.
-     *
-     * @param nao the robot
-     * @param world learns what they say
-     */
-    public static void listen(Robot nao, WorldModel world) {
-        for (HeardMessage heard : nao.getHeard()) {
-            if (heard.team().map(nao.getTeam()::equals).orElse(true)) {
-                TeamMessage.decode(heard.text()).ifPresent(world::hear);
-            }
-        }
     }
 }

@@ -1,9 +1,8 @@
 package org.robonewbie.team.talk;
 
 import java.util.Optional;
-import org.robonewbie.agent.localisation.GroundPose;
-import org.robonewbie.team.tactics.TeamRole;
-import org.robonewbie.team.world.Spot;
+import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.geometry.Translation2d;
 
 /**
  * What a robot tells its team: where it is, what it does, where it sees the ball, and when it could be there. In 18 of the 20
@@ -38,15 +37,15 @@ import org.robonewbie.team.world.Spot;
  */
 public record TeamMessage(
         int number,
-        GroundPose pose,
+        Pose2d pose,
         boolean fallen,
         TeamRole role,
-        Spot ball,
-        Spot ballVelocity,
+        Translation2d ball,
+        Translation2d ballVelocity,
         double ballAgeSeconds,
         double secondsToBall,
         int receiver,
-        Spot passTarget) {
+        Translation2d passTarget) {
 
     /** The longest time for which a message can say when the ball was seen. */
     public static final double LONGEST_AGE_SECONDS = 6.2;
@@ -58,7 +57,7 @@ public record TeamMessage(
     public String encode() {
         Characters text = new Characters();
         text.write(number, 4);
-        write(text, Spot.of(pose), 10, MOST_METRES);
+        write(text, Translation2d.of(pose), 10, MOST_METRES);
         text.write(pose.headingDegrees(), 7, -180, 180);
         text.write(fallen ? 1 : 0, 1);
         text.write(role.ordinal(), 4);
@@ -71,7 +70,7 @@ public record TeamMessage(
         return text.finish();
     }
 
-    private static void write(Characters text, Spot spot, int bits, double most) {
+    private static void write(Characters text, Translation2d spot, int bits, double most) {
         text.write(spot.x(), bits, -most, most);
         text.write(spot.y(), bits, -most, most);
     }
@@ -88,22 +87,22 @@ public record TeamMessage(
 
     private static TeamMessage read(Characters text) {
         int number = text.read(4);
-        Spot place = readSpot(text, 10, MOST_METRES);
+        Translation2d place = readSpot(text, 10, MOST_METRES);
         double heading = text.read(7, -180, 180);
         boolean fallen = text.read(1) == 1;
         TeamRole role = TeamRole.values()[text.read(4) % TeamRole.values().length];
-        Spot ball = readSpot(text, 10, MOST_METRES);
-        Spot velocity = readSpot(text, 7, MOST_SPEED);
+        Translation2d ball = readSpot(text, 10, MOST_METRES);
+        Translation2d velocity = readSpot(text, 7, MOST_SPEED);
         double age = text.read(5, 0, LONGEST_AGE_SECONDS);
         double seconds = text.read(8, 0, 25.5);
         int receiver = text.read(4);
-        Spot target = readSpot(text, 8, MOST_METRES);
-        GroundPose pose = new GroundPose(place.x(), place.y(), heading);
+        Translation2d target = readSpot(text, 8, MOST_METRES);
+        Pose2d pose = new Pose2d(place.x(), place.y(), heading);
         return new TeamMessage(number, pose, fallen, role, ball, velocity, age, seconds, receiver, target);
     }
 
-    private static Spot readSpot(Characters text, int bits, double most) {
+    private static Translation2d readSpot(Characters text, int bits, double most) {
         double x = text.read(bits, -most, most);
-        return new Spot(x, text.read(bits, -most, most));
+        return new Translation2d(x, text.read(bits, -most, most));
     }
 }

@@ -1,5 +1,6 @@
 package org.robonewbie.team.world;
 
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
@@ -30,8 +31,8 @@ public final class BallFilter {
     private static final double FIRST_VARIANCE = 0.05;
     private static final double REST_METRES_PER_SECOND = 0.02;
 
-    private Spot position = Spot.ORIGIN;
-    private Spot velocity = Spot.ORIGIN;
+    private Translation2d position = Translation2d.ORIGIN;
+    private Translation2d velocity = Translation2d.ORIGIN;
     private double positionVariance = Double.POSITIVE_INFINITY;
     private double covariance;
     private double speedVariance;
@@ -42,7 +43,7 @@ public final class BallFilter {
     /** Forgets everything. */
     public void reset() {
         positionVariance = Double.POSITIVE_INFINITY;
-        velocity = Spot.ORIGIN;
+        velocity = Translation2d.ORIGIN;
     }
 
     /** {@return whether the ball was ever seen} */
@@ -71,13 +72,13 @@ public final class BallFilter {
      * @param seen where the camera sees it
      * @param deviation the usual error of such a picture in metres, above 0
      */
-    public void see(Spot seen, double deviation) {
+    public void see(Translation2d seen, double deviation) {
         double noise = deviation * deviation;
         if (!isKnown()) {
             begin(seen, noise);
             return;
         }
-        Spot miss = seen.minus(position);
+        Translation2d miss = seen.minus(position);
         if (miss.dot(miss) > SURPRISE * (positionVariance + noise)) {
             speedVariance = KICKED_VARIANCE;
             positionVariance += FIRST_VARIANCE;
@@ -91,22 +92,22 @@ public final class BallFilter {
         positionVariance *= noise / sum;
     }
 
-    private void begin(Spot seen, double noise) {
+    private void begin(Translation2d seen, double noise) {
         position = seen;
-        velocity = Spot.ORIGIN;
+        velocity = Translation2d.ORIGIN;
         positionVariance = noise;
         covariance = 0;
         speedVariance = KICKED_VARIANCE;
     }
 
     /** {@return where the ball is now} */
-    public Spot position() {
+    public Translation2d position() {
         return position;
     }
 
     /** {@return how it rolls, metres per second} */
-    public Spot velocity() {
-        return velocity.length() < REST_METRES_PER_SECOND ? Spot.ORIGIN : velocity;
+    public Translation2d velocity() {
+        return velocity.length() < REST_METRES_PER_SECOND ? Translation2d.ORIGIN : velocity;
     }
 
     /** {@return how far from the truth the position usually is, metres; infinite if the ball was never seen} */
@@ -122,7 +123,7 @@ public final class BallFilter {
      * @param seconds how much later
      * @return its place then
      */
-    public static Spot foresee(Spot position, Spot velocity, double seconds) {
+    public static Translation2d foresee(Translation2d position, Translation2d velocity, double seconds) {
         return position.plus(
                 velocity.times(ROLLING_SECONDS * (1 - PortableMath.exp(-Math.max(0, seconds) / ROLLING_SECONDS))));
     }

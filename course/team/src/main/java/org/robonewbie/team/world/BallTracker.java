@@ -1,10 +1,11 @@
 package org.robonewbie.team.world;
 
-import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.agent.localisation.SelfLocalisation;
 import org.robonewbie.agent.perception.FieldItem;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.geometry.Translation2d;
 
 /**
  * Follows the ball with a {@link BallFilter}. The filter lives in a frame in which the ball keeps its place while the robot walks. There are
@@ -21,7 +22,7 @@ final class BallTracker {
 
     private final boolean exact;
     private final BallFilter filter = new BallFilter();
-    private GroundPose here = GroundPose.ORIGIN;
+    private Pose2d here = Pose2d.ORIGIN;
     private double seenSeconds = Double.NEGATIVE_INFINITY;
 
     /** Knows no ball yet. */
@@ -41,7 +42,7 @@ final class BallTracker {
         here = exact ? self.pose() : self.odometry().pose();
         if (ball.isKnown() && ball.ageSeconds() == 0) {
             Vector3 seen = exact ? self.levelled(ball.position().plus(CAMERA)) : ball.position();
-            filter.see(Spot.of(seen).onMap(here), NEAR_DEVIATION + DEVIATION_PER_METRE * ball.distance());
+            filter.see(Translation2d.of(seen).onMap(here), NEAR_DEVIATION + DEVIATION_PER_METRE * ball.distance());
             seenSeconds = seconds;
         }
     }
@@ -58,12 +59,12 @@ final class BallTracker {
     }
 
     /** Where the ball is, seen from the robot. */
-    Spot position() {
+    Translation2d position() {
         return filter.position().seenFrom(here);
     }
 
     /** How the ball rolls, in the directions of the robot, metres per second. */
-    Spot velocity() {
-        return filter.velocity().seenFrom(new GroundPose(0, 0, here.headingDegrees()));
+    Translation2d velocity() {
+        return filter.velocity().seenFrom(new Pose2d(0, 0, here.headingDegrees()));
     }
 }

@@ -1,6 +1,7 @@
 package org.robonewbie.team.world;
 
-import org.robonewbie.agent.localisation.GroundPose;
+import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.talk.TeamMessage;
 
 /**
@@ -17,12 +18,12 @@ public record Mate(TeamMessage message, double heardSeconds) {
     }
 
     /** {@return where it stands, in the coordinates of the team} */
-    public GroundPose pose() {
+    public Pose2d pose() {
         return message.pose();
     }
 
     /** {@return its place, in the coordinates of the team} */
-    public Spot place() {
-        return Spot.of(message.pose());
+    public Translation2d place() {
+        return Translation2d.of(message.pose());
     }
 }

@@ -1,6 +1,7 @@
 package org.robonewbie.team.world;
 
-import org.robonewbie.agent.localisation.GroundPose;
+import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.geometry.Translation2d;
 
 /**
  * Notices that the teams have changed sides at half time. No message says so: but a robot that was beamed into its own half and sees
@@ -12,17 +13,17 @@ final class SideWatch {
     private static final double CERTAIN_SECONDS = 0.4;
 
     private boolean changed;
-    private GroundPose beamedTo = GroundPose.ORIGIN;
+    private Pose2d beamedTo = Pose2d.ORIGIN;
     private double beamedSeconds = Double.NEGATIVE_INFINITY;
 
     /** Remembers where the robot wants to be, in the coordinates of the team. */
-    void beamed(GroundPose place, double seconds) {
+    void beamed(Pose2d place, double seconds) {
         beamedTo = place;
         beamedSeconds = seconds;
     }
 
     /** Compares where the robot wanted to be with where it sees itself. */
-    void look(GroundPose seen, double seconds) {
+    void look(Pose2d seen, double seconds) {
         boolean waited = seconds - beamedSeconds > CERTAIN_SECONDS;
         if (waited && seconds - beamedSeconds < 2 && isAt(seen, turned(beamedTo))) {
             changed = !changed;
@@ -30,9 +31,9 @@ final class SideWatch {
         }
     }
 
-    private static boolean isAt(GroundPose pose, GroundPose place) {
-        return Spot.of(pose).distanceTo(Spot.of(place)) < NEAR_METRES
-                && Spot.of(pose).length() > NEAR_METRES;
+    private static boolean isAt(Pose2d pose, Pose2d place) {
+        return Translation2d.of(pose).distanceTo(Translation2d.of(place)) < NEAR_METRES
+                && Translation2d.of(pose).length() > NEAR_METRES;
     }
 
     /** {@return whether the team plays on the other side than at the beginning} */
@@ -41,11 +42,11 @@ final class SideWatch {
     }
 
     /** Converts between the coordinates of the first and the present side. */
-    GroundPose convert(GroundPose pose) {
+    Pose2d convert(Pose2d pose) {
         return changed ? turned(pose) : pose;
     }
 
-    private static GroundPose turned(GroundPose pose) {
-        return new GroundPose(-pose.x(), -pose.y(), pose.headingDegrees() + (pose.headingDegrees() > 0 ? -180 : 180));
+    private static Pose2d turned(Pose2d pose) {
+        return new Pose2d(-pose.x(), -pose.y(), pose.headingDegrees() + (pose.headingDegrees() > 0 ? -180 : 180));
     }
 }

@@ -7,15 +7,17 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.robonewbie.agent.Robot;
-import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.agent.localisation.SelfLocalisation;
 import org.robonewbie.agent.perception.FieldItem;
+import org.robonewbie.agent.perception.HeardMessage;
 import org.robonewbie.agent.perception.LocalFieldView;
 import org.robonewbie.agent.perception.PlayerItem;
 import org.robonewbie.nao.BodyPart;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.team.talk.TeamMessage;
 
@@ -45,12 +47,12 @@ public final class WorldModel {
     private final BallTracker exactTracker = new BallTracker(true);
     private final SideWatch sides = new SideWatch();
     private final SortedMap<Integer, Mate> mates = new TreeMap<>();
-    private GroundPose pose = GroundPose.ORIGIN;
-    private Spot ball = Spot.ORIGIN;
-    private Spot ballVelocity = Spot.ORIGIN;
+    private Pose2d pose = Pose2d.ORIGIN;
+    private Translation2d ball = Translation2d.ORIGIN;
+    private Translation2d ballVelocity = Translation2d.ORIGIN;
     private double ballSeenSeconds = Double.NEGATIVE_INFINITY;
-    private List<Spot> opponents = List.of();
-    private List<Spot> uprightOpponents = List.of();
+    private List<Translation2d> opponents = List.of();
+    private List<Translation2d> uprightOpponents = List.of();
     private Situation situation = Situation.LINE_UP;
     private double situationSeconds;
     private double lineUpSeconds = Double.NEGATIVE_INFINITY;
@@ -122,7 +124,7 @@ public final class WorldModel {
     /** Believes its own eyes if they have seen the ball lately, else the team mate who has seen it last. */
     private void believeBall() {
         ball = tracker.position().onMap(pose);
-        ballVelocity = tracker.velocity().onMap(new GroundPose(0, 0, pose.headingDegrees()));
+        ballVelocity = tracker.velocity().onMap(new Pose2d(0, 0, pose.headingDegrees()));
         ballSeenSeconds = tracker.seenSeconds();
         if (seconds - ballSeenSeconds > OWN_EYES_SECONDS) {
             Optional<Mate> witness = mates.values().stream()
@@ -138,16 +140,17 @@ public final class WorldModel {
     }
 
     private void believe(Mate witness) {
-        Spot then = witness.message().ballVelocity();
+        Translation2d then = witness.message().ballVelocity();
         double later = seconds - witness.heardSeconds();
         ball = BallFilter.foresee(witness.message().ball(), then, later);
         ballVelocity = then.times(Math.max(0, 1 - later / BallFilter.ROLLING_SECONDS));
         ballSeenSeconds = sawBallSeconds(witness);
     }
 
-    private List<Spot> opponents(Stream<PlayerItem> players) {
+    private List<Translation2d> opponents(Stream<PlayerItem> players) {
         return players.filter(player -> player.ageSeconds() < OPPONENT_SECONDS)
-                .map(player -> Spot.of(self.odometry().positionNow(player)).onMap(pose))
+                .map(player ->
+                        Translation2d.of(self.odometry().positionNow(player)).onMap(pose))
                 .toList();
     }
 
@@ -159,11 +162,19 @@ public final class WorldModel {
     }
 
     /**
-     * Takes in what a team mate says.
+     * Takes in what the team mates say; call it after {@link #update} in each cycle.
      *
-     * @param message what was heard
+     * @param nao the robot
      */
-    public void hear(TeamMessage message) {
+    public void listen(Robot nao) {
+        for (HeardMessage heard : nao.getHeard()) {
+            if (heard.team().map(nao.getTeam()::equals).orElse(true)) {
+                TeamMessage.decode(heard.text()).ifPresent(this::hear);
+            }
+        }
+    }
+
+    private void hear(TeamMessage message) {
         if (message.number() != number) {
             mates.put(message.number(), new Mate(message, seconds));
         }
@@ -174,7 +185,7 @@ public final class WorldModel {
      *
      * @param place where to, in the coordinates of the team
      */
-    public void beamed(GroundPose place) {
+    public void beamed(Pose2d place) {
         self.setPose(sides.convert(place));
         sides.beamed(place, seconds);
         tracker.reset();
@@ -224,17 +235,17 @@ public final class WorldModel {
     }
 
     /** {@return the middle of the opponents' goal line} */
-    public Spot theirGoal() {
-        return new Spot(field().length() / 2, 0);
+    public Translation2d theirGoal() {
+        return new Translation2d(field().length() / 2, 0);
     }
 
     /** {@return the middle of the team's own goal line} */
-    public Spot ourGoal() {
-        return new Spot(-field().length() / 2, 0);
+    public Translation2d ourGoal() {
+        return new Translation2d(-field().length() / 2, 0);
     }
 
     /** {@return where the robot is} */
-    public GroundPose pose() {
+    public Pose2d pose() {
         return pose;
     }
 
@@ -249,17 +260,17 @@ public final class WorldModel {
     }
 
     /** {@return the robot's place} */
-    public Spot place() {
-        return Spot.of(pose);
+    public Translation2d place() {
+        return Translation2d.of(pose);
     }
 
     /** {@return where the ball is} */
-    public Spot ball() {
+    public Translation2d ball() {
         return ball;
     }
 
     /** {@return how the ball rolls, metres per second} */
-    public Spot ballVelocity() {
+    public Translation2d ballVelocity() {
         return ballVelocity;
     }
 
@@ -274,7 +285,7 @@ public final class WorldModel {
     }
 
     /** {@return where the ball is, seen from the robot} */
-    public Spot ballFromHere() {
+    public Translation2d ballFromHere() {
         return ball.seenFrom(pose);
     }
 
@@ -284,7 +295,7 @@ public final class WorldModel {
      * @param later how many seconds from now
      * @return where it will be
      */
-    public Spot ballIn(double later) {
+    public Translation2d ballIn(double later) {
         return BallFilter.foresee(ball, ballVelocity, later);
     }
 
@@ -294,7 +305,7 @@ public final class WorldModel {
      * @param later how many seconds from now
      * @return where it will be, seen from the robot
      */
-    public Spot ballAtFeetIn(double later) {
+    public Translation2d ballAtFeetIn(double later) {
         return BallFilter.foresee(exactTracker.position(), exactTracker.velocity(), later);
     }
 
@@ -309,7 +320,7 @@ public final class WorldModel {
     }
 
     /** {@return where the opponents are that were seen lately} */
-    public List<Spot> opponents() {
+    public List<Translation2d> opponents() {
         return opponents;
     }
 
@@ -319,7 +330,7 @@ public final class WorldModel {
      * @param spot a point
      * @return metres from it to the nearest of them; infinite if none is in sight
      */
-    public double opponentDistance(Spot spot) {
+    public double opponentDistance(Translation2d spot) {
         return uprightOpponents.stream().mapToDouble(spot::distanceTo).min().orElse(Double.POSITIVE_INFINITY);
     }
 }

@@ -7,9 +7,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.nao.SoccerField;
-import org.robonewbie.team.world.Spot;
+import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.geometry.Translation2d;
 
 class FormationTest {
 
@@ -18,14 +18,14 @@ class FormationTest {
     @Test
     void hasAPlaceForEachPlayer() {
         for (int players = 0; players <= 9; players++) {
-            assertThat(formation.places(Spot.ORIGIN, players)).hasSize(players);
+            assertThat(formation.places(Translation2d.ORIGIN, players)).hasSize(players);
         }
     }
 
     @Test
     void smallTeamsFillTheMostImportantPlaces() {
-        assertThat(formation.places(Spot.ORIGIN, 2).keySet())
-                .isEqualTo(formation.places(Spot.ORIGIN, 9).keySet().stream()
+        assertThat(formation.places(Translation2d.ORIGIN, 2).keySet())
+                .isEqualTo(formation.places(Translation2d.ORIGIN, 9).keySet().stream()
                         .limit(2)
                         .collect(java.util.stream.Collectors.toSet()));
     }
@@ -34,7 +34,7 @@ class FormationTest {
     @ValueSource(doubles = {-15, -7, 0, 7, 15})
     void staysOnThePitchWhereverTheBallIs(double x) {
         for (double y = -10; y <= 10; y += 5) {
-            assertThat(formation.places(new Spot(x, y), 9).values()).allSatisfy(place -> {
+            assertThat(formation.places(new Translation2d(x, y), 9).values()).allSatisfy(place -> {
                 assertThat(Math.abs(place.x())).isLessThan(15);
                 assertThat(Math.abs(place.y())).isLessThan(10);
             });
@@ -43,7 +43,8 @@ class FormationTest {
 
     @Test
     void keepsPlayersApart() {
-        List<Spot> places = List.copyOf(formation.places(Spot.ORIGIN, 9).values());
+        List<Translation2d> places =
+                List.copyOf(formation.places(Translation2d.ORIGIN, 9).values());
 
         for (int i = 0; i < places.size(); i++) {
             for (int j = 0; j < i; j++) {
@@ -57,11 +58,11 @@ class FormationTest {
     void linesUpInTheOwnHalfOnBothPitches(boolean kicksOff, boolean small) {
         for (SoccerField field : List.of(SoccerField.LEAGUE, SoccerField.BEGINNER)) {
             for (int number = 1; number <= 11; number++) {
-                GroundPose place = KickOffPlaces.place(number, kicksOff, small, field);
+                Pose2d place = KickOffPlaces.place(number, kicksOff, small, field);
                 assertThat(place.x()).isBetween(-field.length() / 2, -0.3);
                 assertThat(Math.abs(place.y())).isLessThan(field.width() / 2);
                 boolean atBall = kicksOff && (number == 2 || number == 3);
-                assertThat(atBall || Spot.of(place).length() > field.centreCircleRadius())
+                assertThat(atBall || Translation2d.of(place).length() > field.centreCircleRadius())
                         .isTrue();
             }
         }

@@ -6,14 +6,15 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.agent.Agent;
-import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.team.Agent_Team;
 import org.robonewbie.team.talk.Talk;
 import org.robonewbie.team.talk.TeamMessage;
-import org.robonewbie.team.world.Spot;
+import org.robonewbie.team.talk.TeamRole;
 import org.robonewbie.trial.Performer;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
@@ -23,16 +24,17 @@ import org.robonewbie.trial.Trial;
 /** Where a player waits for a pass. */
 class ReceiverTest {
 
-    private static final Spot BALL = new Spot(-3, 0);
-    private static final Spot END = new Spot(1, 2);
+    private static final Translation2d BALL = new Translation2d(-3, 0);
+    private static final Translation2d END = new Translation2d(1, 2);
 
     /** Stands at the ball and says that it is about to pass to number 2. */
     private static final class Passing extends Agent {
         @Override
         protected void think() {
             if (Talk.isMyTurn(nao.getTime(), 1)) {
-                GroundPose here = new GroundPose(BALL.x() - 0.4, BALL.y(), 0);
-                nao.say(new TeamMessage(1, here, false, TeamRole.STRIKER, BALL, Spot.ORIGIN, 0, 0.5, 2, END).encode());
+                Pose2d here = new Pose2d(BALL.x() - 0.4, BALL.y(), 0);
+                nao.say(new TeamMessage(1, here, false, TeamRole.STRIKER, BALL, Translation2d.ORIGIN, 0, 0.5, 2, END)
+                        .encode());
             }
         }
     }

@@ -7,16 +7,17 @@ import java.util.Optional;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.agent.Agent;
-import org.robonewbie.agent.localisation.GroundPose;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.team.Agent_Team;
 import org.robonewbie.team.talk.Talk;
 import org.robonewbie.team.talk.TeamMessage;
-import org.robonewbie.team.world.Spot;
+import org.robonewbie.team.talk.TeamRole;
 import org.robonewbie.trial.Performer;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
@@ -35,9 +36,18 @@ class SetPlayTest {
         @Override
         protected void think() {
             if (Talk.isMyTurn(nao.getTime(), 3)) {
-                GroundPose here = new GroundPose(MATE.x(), MATE.y(), 0);
+                Pose2d here = new Pose2d(MATE.x(), MATE.y(), 0);
                 nao.say(new TeamMessage(
-                                3, here, false, TeamRole.SUPPORTER, Spot.ORIGIN, Spot.ORIGIN, 6, 24, 0, Spot.of(here))
+                                3,
+                                here,
+                                false,
+                                TeamRole.SUPPORTER,
+                                Translation2d.ORIGIN,
+                                Translation2d.ORIGIN,
+                                6,
+                                24,
+                                0,
+                                Translation2d.of(here))
                         .encode());
             }
         }

@@ -7,9 +7,8 @@ import java.util.HashSet;
 import java.util.Random;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
-import org.robonewbie.agent.localisation.GroundPose;
-import org.robonewbie.team.tactics.TeamRole;
-import org.robonewbie.team.world.Spot;
+import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.geometry.Translation2d;
 
 class TeamMessageTest {
 
@@ -26,7 +25,8 @@ class TeamMessageTest {
             assertThat(heard.role()).isEqualTo(said.role());
             assertThat(heard.receiver()).isEqualTo(said.receiver());
             assertThat(heard.fallen()).isEqualTo(said.fallen());
-            assertThat(Spot.of(heard.pose()).distanceTo(Spot.of(said.pose()))).isLessThan(0.04);
+            assertThat(Translation2d.of(heard.pose()).distanceTo(Translation2d.of(said.pose())))
+                    .isLessThan(0.04);
             assertThat(heard.pose().headingDegrees()).isCloseTo(said.pose().headingDegrees(), within(1.5));
             assertThat(heard.ball().distanceTo(said.ball())).isLessThan(0.04);
             assertThat(heard.ballVelocity().distanceTo(said.ballVelocity())).isLessThan(0.1);
@@ -45,14 +45,14 @@ class TeamMessageTest {
 
     @Test
     void saysTheLimitForWhatIsBeyondIt() {
-        Spot far = new Spot(1000, -1000);
-        GroundPose pose = new GroundPose(1000, -1000, 0);
+        Translation2d far = new Translation2d(1000, -1000);
+        Pose2d pose = new Pose2d(1000, -1000, 0);
         String text = new TeamMessage(1, pose, false, TeamRole.KEEPER, far, far, Double.POSITIVE_INFINITY, 99, 0, far)
                 .encode();
 
         TeamMessage heard = TeamMessage.decode(text).orElseThrow();
 
-        assertThat(heard.ball().distanceTo(new Spot(20.5, -20.5))).isLessThan(0.01);
+        assertThat(heard.ball().distanceTo(new Translation2d(20.5, -20.5))).isLessThan(0.01);
         assertThat(heard.ballAgeSeconds()).isCloseTo(TeamMessage.LONGEST_AGE_SECONDS, within(0.01));
     }
 
@@ -84,15 +84,15 @@ class TeamMessageTest {
     private TeamMessage message() {
         return new TeamMessage(
                 1 + random.nextInt(11),
-                new GroundPose(upTo(20), upTo(20), upTo(180)),
+                new Pose2d(upTo(20), upTo(20), upTo(180)),
                 random.nextBoolean(),
                 TeamRole.values()[random.nextInt(TeamRole.values().length)],
-                new Spot(upTo(20), upTo(20)),
-                new Spot(upTo(6), upTo(6)),
+                new Translation2d(upTo(20), upTo(20)),
+                new Translation2d(upTo(6), upTo(6)),
                 6 * random.nextDouble(),
                 25 * random.nextDouble(),
                 random.nextInt(12),
-                new Spot(upTo(20), upTo(20)));
+                new Translation2d(upTo(20), upTo(20)));
     }
 
     private double upTo(double most) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.robonewbie.nao.geometry.Translation2d;
 
 class BallFilterTest {
 
@@ -21,15 +22,15 @@ class BallFilterTest {
 
     @Test
     void believesTheFirstPicture() {
-        filter.see(new Spot(2, 1), 0.03);
+        filter.see(new Translation2d(2, 1), 0.03);
 
-        assertThat(filter.position()).isEqualTo(new Spot(2, 1));
-        assertThat(filter.velocity()).isEqualTo(Spot.ORIGIN);
+        assertThat(filter.position()).isEqualTo(new Translation2d(2, 1));
+        assertThat(filter.velocity()).isEqualTo(Translation2d.ORIGIN);
     }
 
     @Test
     void findsOutHowFastTheBallRolls() {
-        watch(new Spot(0, 0), new Spot(2, -1), 10);
+        watch(new Translation2d(0, 0), new Translation2d(2, -1), 10);
 
         double slower = Math.exp(-9 * PICTURE_SECONDS / BallFilter.ROLLING_SECONDS);
         assertThat(filter.velocity().x()).isCloseTo(2 * slower, within(0.2));
@@ -38,34 +39,34 @@ class BallFilterTest {
 
     @Test
     void foreseesWhereTheBallComesToRest() {
-        watch(new Spot(1, 2), new Spot(2, 0), 12);
+        watch(new Translation2d(1, 2), new Translation2d(2, 0), 12);
 
-        Spot rest = BallFilter.foresee(filter.position(), filter.velocity(), 10);
-        assertThat(rest.distanceTo(new Spot(1 + 2 * BallFilter.ROLLING_SECONDS, 2)))
+        Translation2d rest = BallFilter.foresee(filter.position(), filter.velocity(), 10);
+        assertThat(rest.distanceTo(new Translation2d(1 + 2 * BallFilter.ROLLING_SECONDS, 2)))
                 .isLessThan(0.15);
     }
 
     @Test
     void seesALyingBallMoreExactlyThanAnyPictureShowsIt() {
-        watch(new Spot(3, 3), Spot.ORIGIN, 60);
+        watch(new Translation2d(3, 3), Translation2d.ORIGIN, 60);
 
-        assertThat(filter.position().distanceTo(new Spot(3, 3))).isLessThan(0.02);
+        assertThat(filter.position().distanceTo(new Translation2d(3, 3))).isLessThan(0.02);
         assertThat(filter.velocity().length()).isLessThan(0.1);
         assertThat(filter.deviation()).isLessThan(0.03);
     }
 
     @Test
     void noticesAKickAtOnce() {
-        watch(Spot.ORIGIN, Spot.ORIGIN, 30);
+        watch(Translation2d.ORIGIN, Translation2d.ORIGIN, 30);
 
-        watch(new Spot(0.2, 0), new Spot(4, 0), 4);
+        watch(new Translation2d(0.2, 0), new Translation2d(4, 0), 4);
 
         assertThat(filter.velocity().x()).isGreaterThan(2.5);
     }
 
     @Test
     void becomesUncertainWhileItSeesNothing() {
-        watch(Spot.ORIGIN, Spot.ORIGIN, 30);
+        watch(Translation2d.ORIGIN, Translation2d.ORIGIN, 30);
         double before = filter.deviation();
 
         filter.roll(2);
@@ -75,7 +76,7 @@ class BallFilterTest {
 
     @Test
     void forgets() {
-        watch(Spot.ORIGIN, new Spot(1, 0), 5);
+        watch(Translation2d.ORIGIN, new Translation2d(1, 0), 5);
 
         filter.reset();
 
@@ -83,13 +84,13 @@ class BallFilterTest {
     }
 
     /** Shows a ball that rolls as balls roll on the pitch, with the noise of the camera. */
-    private void watch(Spot from, Spot velocity, int pictures) {
+    private void watch(Translation2d from, Translation2d velocity, int pictures) {
         for (int i = 0; i < pictures; i++) {
-            Spot truth = BallFilter.foresee(from, velocity, i * PICTURE_SECONDS);
+            Translation2d truth = BallFilter.foresee(from, velocity, i * PICTURE_SECONDS);
             if (filter.isKnown()) {
                 filter.roll(PICTURE_SECONDS);
             }
-            filter.see(truth.plus(new Spot(0.02 * noise.nextGaussian(), 0.02 * noise.nextGaussian())), 0.02);
+            filter.see(truth.plus(new Translation2d(0.02 * noise.nextGaussian(), 0.02 * noise.nextGaussian())), 0.02);
         }
     }
 }

@@ -5,12 +5,12 @@ import org.eclipse.jetty.websocket.api.Session;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A page that watches a {@link NewsBoard}. If it is slower than the program it misses something, and then receives everything
+ * A page that watches a {@link EventBus}. If it is slower than the program it misses something, and then receives everything
  * again.
  */
 public final class BoardReader extends Session.Listener.AbstractAutoDemanding {
 
-    private final NewsBoard board;
+    private final EventBus board;
     private boolean busy;
     private boolean missed;
 
@@ -19,7 +19,7 @@ public final class BoardReader extends Session.Listener.AbstractAutoDemanding {
      *
      * @param board what it will look at
      */
-    public BoardReader(NewsBoard board) {
+    public BoardReader(EventBus board) {
         this.board = board;
     }
 

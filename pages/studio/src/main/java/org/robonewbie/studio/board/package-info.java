@@ -1,5 +1,5 @@
 /**
- * What a page of its own reports while a program runs. {@link org.robonewbie.studio.board.NewsBoard} first.
+ * What a page of its own reports while a program runs. {@link org.robonewbie.studio.board.EventBus} first.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

@@ -44,26 +44,26 @@ public final class ProgramApi extends Handler.Abstract {
 
     private final ProgramFolder folder;
     private final ProgramFolder drafts;
-    private final Optional<Workshop> workshop;
-    private final Optional<ProgramDesk> desk;
+    private final Optional<CompilerService> compiler;
+    private final Optional<ProgramService> service;
 
     /**
      * Opens the room.
      *
-     * @param workshop compiles and starts them; empty for a studio without programs
-     * @param ground where they run
+     * @param compiler compiles and starts them; empty for a studio without programs
+     * @param arena where they run
      */
-    public ProgramApi(Optional<Workshop> workshop, Ground ground) {
-        Path folder = workshop.map(Workshop::folder).orElse(Path.of(""));
+    public ProgramApi(Optional<CompilerService> compiler, Arena arena) {
+        Path folder = compiler.map(CompilerService::folder).orElse(Path.of(""));
         this.folder = new ProgramFolder(folder);
         this.drafts = new ProgramFolder(folder.resolve(".studio").resolve("programs"));
-        this.workshop = workshop;
-        this.desk = workshop.map(given -> new ProgramDesk(given, ground));
+        this.compiler = compiler;
+        this.service = compiler.map(given -> new ProgramService(given, arena));
     }
 
     /** Ends the program that runs. */
     public void close() {
-        desk.ifPresent(ProgramDesk::close);
+        service.ifPresent(ProgramService::close);
     }
 
     @Override
@@ -100,7 +100,7 @@ public final class ProgramApi extends Handler.Abstract {
             return Answer.json(GSON.toJson(list()));
         }
         Matcher matcher = PLACE.matcher(place);
-        if (workshop.isEmpty() || !matcher.matches()) {
+        if (compiler.isEmpty() || !matcher.matches()) {
             throw unknown(request, place);
         }
         String name = matcher.group(2) == null ? "" : PathPart.decode(matcher.group(2));
@@ -108,7 +108,7 @@ public final class ProgramApi extends Handler.Abstract {
         return switch (matcher.group(1)) {
             case "own", "draft" -> fileAnswer(request, order, name);
             case "run" -> runAnswer(request, order, name);
-            default -> workshopAnswer(workshop.get(), request, order, name);
+            default -> workshopAnswer(compiler.get(), request, order, name);
         };
     }
 
@@ -136,7 +136,7 @@ public final class ProgramApi extends Handler.Abstract {
     }
 
     private Answer runAnswer(Request request, String order, String path) throws IOException {
-        ProgramDesk runs = desk.orElseThrow();
+        ProgramService runs = service.orElseThrow();
         return switch (order) {
             case "GET run" -> Answer.json(GSON.toJson(runs.state()));
             case "DELETE run" -> Answer.json(GSON.toJson(runs.stop()));
@@ -149,7 +149,7 @@ public final class ProgramApi extends Handler.Abstract {
         };
     }
 
-    private Answer workshopAnswer(Workshop open, Request request, String order, String name) throws IOException {
+    private Answer workshopAnswer(CompilerService open, Request request, String order, String name) throws IOException {
         return switch (order) {
             case "GET example" -> Answer.text(found(open.example(name), name));
             case "GET new" -> {
@@ -204,11 +204,13 @@ public final class ProgramApi extends Handler.Abstract {
     private JsonObject list() throws IOException {
         JsonObject json = new JsonObject();
         json.addProperty("folder", folder.folder().toString());
-        boolean isOpen = workshop.isPresent();
+        boolean isOpen = compiler.isPresent();
         json.addProperty("open", isOpen);
         json.add("own", GSON.toJsonTree(isOpen ? folder.list() : List.of()));
         json.add("drafts", GSON.toJsonTree(isOpen ? drafts.listAll() : List.of()));
-        json.add("examples", GSON.toJsonTree(workshop.map(Workshop::examples).orElse(List.of())));
+        json.add(
+                "examples",
+                GSON.toJsonTree(compiler.map(CompilerService::examples).orElse(List.of())));
         return json;
     }
 }

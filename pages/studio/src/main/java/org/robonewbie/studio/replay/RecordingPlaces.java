@@ -13,18 +13,18 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.simulator.file.RecordingGroup;
-import org.robonewbie.simulator.file.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.studio.file.PlainFile;
 
 /**
  * All places in which the studio finds recordings: the user's shelf, the project, and a file that was opened by its name. Only what
  * is found here can be reached from a page, so that no path leads out of these folders.
  *
- * @param shelf where runs are recorded by themselves; empty if nothing is recorded
+ * @param repository where runs are recorded by themselves; empty if nothing is recorded
  * @param projects folders of the project
  * @param opened a recording that lies elsewhere
  */
-record RecordingPlaces(Optional<RecordingShelf> shelf, List<Path> projects, Optional<Path> opened) {
+record RecordingPlaces(Optional<RecordingRepository> repository, List<Path> projects, Optional<Path> opened) {
 
     private static final long STILL_RUNNING_MILLIS = 4000;
 
@@ -45,8 +45,8 @@ record RecordingPlaces(Optional<RecordingShelf> shelf, List<Path> projects, Opti
     private List<Path> files() throws IOException {
         List<Path> files =
                 new ArrayList<>(opened.stream().map(Path::toAbsolutePath).toList());
-        if (shelf.isPresent()) {
-            for (Path file : shelf.get().list()) {
+        if (repository.isPresent()) {
+            for (Path file : repository.get().list()) {
                 addIfItLiesThere(file.toAbsolutePath(), files);
             }
         }
@@ -66,7 +66,8 @@ record RecordingPlaces(Optional<RecordingShelf> shelf, List<Path> projects, Opti
 
     private static List<Path> recordingsIn(Path folder) throws IOException {
         try (Stream<Path> files = Files.list(folder)) {
-            return files.filter(file -> file.toString().endsWith(RecordingShelf.ENDING) && Files.isRegularFile(file))
+            return files.filter(
+                            file -> file.toString().endsWith(RecordingRepository.ENDING) && Files.isRegularFile(file))
                     .sorted()
                     .toList();
         } catch (NoSuchFileException | NotDirectoryException none) {

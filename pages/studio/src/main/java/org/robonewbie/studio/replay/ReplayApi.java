@@ -20,7 +20,7 @@ import org.eclipse.jetty.util.Callback;
 import org.eclipse.jetty.util.Fields;
 import org.robonewbie.nao.file.TemporaryFiles;
 import org.robonewbie.simulator.file.RecordingAbout;
-import org.robonewbie.simulator.file.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.simulator.monitor.RecordedLog;
 import org.robonewbie.simulator.recording.DamagedRecordingException;
 import org.robonewbie.studio.file.Answer;
@@ -57,21 +57,22 @@ public final class ReplayApi extends Handler.Abstract {
     private static final String GONE = "There is no such recording any more. Choose another one.";
 
     private final RecordingPlaces places;
-    private final RecordingDesk desk;
+    private final RecordingService service;
     private final RecordingIndexes indexes = new RecordingIndexes();
     private final String models;
 
     /**
      * Opens the room.
      *
-     * @param shelf where runs are recorded by themselves; empty if nothing is recorded
+     * @param repository where runs are recorded by themselves; empty if nothing is recorded
      * @param projects folders of the project in which there may be recordings
      * @param opened a recording that lies elsewhere
      * @param models the bodies of all robot types as JSON, by type
      */
-    public ReplayApi(Optional<RecordingShelf> shelf, List<Path> projects, Optional<Path> opened, JsonObject models) {
-        this.places = new RecordingPlaces(shelf, List.copyOf(projects), opened);
-        this.desk = new RecordingDesk(places);
+    public ReplayApi(
+            Optional<RecordingRepository> repository, List<Path> projects, Optional<Path> opened, JsonObject models) {
+        this.places = new RecordingPlaces(repository, List.copyOf(projects), opened);
+        this.service = new RecordingService(places);
         this.models = models.toString();
     }
 
@@ -129,11 +130,11 @@ public final class ReplayApi extends Handler.Abstract {
     private Answer change(String method, String kind, String name, Fields parameters) throws IOException {
         boolean isPut = method.equals("PUT");
         switch (kind) {
-            case "stars" -> desk.note(name, about -> about.withStar(isPut));
+            case "stars" -> service.note(name, about -> about.withStar(isPut));
             case "bookmarks" -> {
                 double seconds = seconds(parameters);
                 String note = Optional.ofNullable(parameters.getValue("note")).orElse("");
-                desk.note(name, about -> mark(about, isPut, seconds, note));
+                service.note(name, about -> mark(about, isPut, seconds, note));
             }
             default -> changeFile(isPut, name, parameters);
         }
@@ -147,11 +148,11 @@ public final class ReplayApi extends Handler.Abstract {
     private void changeFile(boolean isPut, String name, Fields parameters) throws IOException {
         String old = parameters.getValue("was");
         if (!isPut) {
-            desk.remove(name);
+            service.remove(name);
         } else if (old == null) {
-            desk.bringBack(name);
+            service.bringBack(name);
         } else {
-            desk.rename(old, name);
+            service.rename(old, name);
         }
     }
 
@@ -233,7 +234,7 @@ public final class ReplayApi extends Handler.Abstract {
         }
         JsonObject json = new JsonObject();
         json.add("recordings", recordings);
-        places.shelf()
+        places.repository()
                 .ifPresent(place -> json.addProperty("folder", place.folder().toString()));
         return json.toString();
     }

@@ -12,8 +12,7 @@ import java.util.List;
 import java.util.Optional;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.simulator.file.RecordingGroup;
-import org.robonewbie.simulator.file.RecordingShelf;
-import org.robonewbie.studio.NoteLines;
+import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.studio.file.PlainFile;
 
 /**
@@ -22,7 +21,7 @@ import org.robonewbie.studio.file.PlainFile;
  */
 public final class RunNotes {
 
-    private final Optional<RecordingShelf> shelf;
+    private final Optional<RecordingRepository> repository;
     private final NoteLines lines = new NoteLines();
     private Optional<Path> file = Optional.empty();
     private boolean diskFull;
@@ -30,10 +29,10 @@ public final class RunNotes {
     /**
      * Opens the notes of the run that is being recorded.
      *
-     * @param shelf where the recordings are; empty if nothing is recorded
+     * @param repository where the recordings are; empty if nothing is recorded
      */
-    public RunNotes(Optional<RecordingShelf> shelf) {
-        this.shelf = shelf;
+    public RunNotes(Optional<RecordingRepository> repository) {
+        this.repository = repository;
     }
 
     /**
@@ -62,15 +61,15 @@ public final class RunNotes {
 
     /** Opens the notes of the recording that is being written, and deletes notes whose recording is gone. */
     private Optional<Path> begin() throws IOException {
-        if (shelf.isEmpty()) {
+        if (repository.isEmpty()) {
             return Optional.empty();
         }
         try {
-            shelf.get().tidyUp();
+            repository.get().tidyUp();
         } catch (NoSuchFileException nothingRecordedYet) {
             return Optional.empty();
         }
-        return shelf.get().list().stream()
+        return repository.get().list().stream()
                 .filter(RecordingPlaces::isRunning)
                 .findFirst()
                 .map(RunNotes::of);

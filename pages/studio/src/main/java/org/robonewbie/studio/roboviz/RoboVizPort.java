@@ -19,9 +19,9 @@ public final class RoboVizPort implements AutoCloseable {
     public static final int USUAL = 32769;
 
     private final DatagramSocket socket;
-    private final RoboVizBoard board;
+    private final RoboVizFeed board;
 
-    private RoboVizPort(DatagramSocket socket, RoboVizBoard board) {
+    private RoboVizPort(DatagramSocket socket, RoboVizFeed board) {
         this.socket = socket;
         this.board = board;
     }
@@ -34,7 +34,7 @@ public final class RoboVizPort implements AutoCloseable {
      * @return the open port
      * @throws IOException if it cannot be opened; the message says what to do
      */
-    public static RoboVizPort open(int port, RoboVizBoard board) throws IOException {
+    public static RoboVizPort open(int port, RoboVizFeed board) throws IOException {
         try {
             InetAddress here = InetAddress.getByAddress(new byte[] {127, 0, 0, 1});
             RoboVizPort opened = new RoboVizPort(new DatagramSocket(new InetSocketAddress(here, port)), board);

@@ -37,7 +37,7 @@ public final class SceneApi extends Handler.Abstract {
     private static final String START = "/api/start/";
 
     private final SceneFolder folder;
-    private final SceneDesk desk;
+    private final SceneService service;
     private final Function<String, Optional<Path>> recordings;
 
     /**
@@ -48,9 +48,13 @@ public final class SceneApi extends Handler.Abstract {
      * @param done takes what was done to the files, so that it can be undone
      * @param recordings finds recordings by their names
      */
-    public SceneApi(Path folder, LivingWorld world, Consumer<Deed> done, Function<String, Optional<Path>> recordings) {
+    public SceneApi(
+            Path folder,
+            RestorableSimulation world,
+            Consumer<UndoableCommand> done,
+            Function<String, Optional<Path>> recordings) {
         this.folder = new SceneFolder(folder);
-        this.desk = new SceneDesk(this.folder, folder.toAbsolutePath().toString(), world, done);
+        this.service = new SceneService(this.folder, folder.toAbsolutePath().toString(), world, done);
         this.recordings = recordings;
     }
 
@@ -82,7 +86,7 @@ public final class SceneApi extends Handler.Abstract {
         Optional<String> old =
                 Optional.ofNullable(Request.extractQueryParameters(request).getValue("was"));
         boolean replace = "yes".equals(request.getHeaders().get("Replace"));
-        return desk.answer(request.getMethod(), name, old, replace);
+        return service.answer(request.getMethod(), name, old, replace);
     }
 
     private String start(String name, long moment) throws IOException {
@@ -92,9 +96,9 @@ public final class SceneApi extends Handler.Abstract {
                         () -> new IllegalArgumentException("There is no such recording any more. Choose another one."));
         String why = file.toString().endsWith(AtomicFile.UNFINISHED)
                 ? " on the disk yet. Try again in a second."
-                : SceneDesk.ENDS_BEFORE;
+                : SceneService.ENDS_BEFORE;
         try (RecordingReader recording = RecordingFile.read(file)) {
-            return desk.start(recording, moment, why);
+            return service.start(recording, moment, why);
         }
     }
 

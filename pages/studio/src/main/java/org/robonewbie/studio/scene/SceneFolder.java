@@ -16,7 +16,7 @@ import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.text.FileName;
 import org.robonewbie.simulator.file.RecordingFile;
-import org.robonewbie.simulator.file.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.simulator.file.StateFile;
 import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.simulator.state.WorldState;
@@ -37,8 +37,8 @@ record SceneFolder(Path folder) implements SceneStore {
         try (Stream<Path> files = Files.list(folder)) {
             return files.filter(file -> PlainFile.isInItsFolder(file) && Files.isRegularFile(file))
                     .map(file -> String.valueOf(file.getFileName()))
-                    .filter(name -> name.endsWith(RecordingShelf.ENDING))
-                    .map(name -> name.substring(0, name.length() - RecordingShelf.ENDING.length()))
+                    .filter(name -> name.endsWith(RecordingRepository.ENDING))
+                    .map(name -> name.substring(0, name.length() - RecordingRepository.ENDING.length()))
                     .filter(SceneFolder::isName)
                     .sorted()
                     .toList();
@@ -48,7 +48,7 @@ record SceneFolder(Path folder) implements SceneStore {
     }
 
     @Override
-    public void save(String name, SoccerField field, KeptMoment moment, boolean replace) throws IOException {
+    public void save(String name, SoccerField field, Checkpoint moment, boolean replace) throws IOException {
         Path file = file(name);
         if (!replace) {
             refuseTaken(name);
@@ -114,11 +114,11 @@ record SceneFolder(Path folder) implements SceneStore {
     }
 
     @Override
-    public KeptMoment load(String name) throws IOException {
+    public Checkpoint load(String name) throws IOException {
         Path file = file(name);
         try (RecordingReader reader = RecordingFile.read(file)) {
-            KeptMoment moment = SceneRecording.moment(reader, 0).orElseThrow(() -> SceneStore.damaged(name));
-            return new KeptMoment(moment.before(), moment.state(), exactState(file));
+            Checkpoint moment = SceneRecording.moment(reader, 0).orElseThrow(() -> SceneStore.damaged(name));
+            return new Checkpoint(moment.before(), moment.state(), exactState(file));
         }
     }
 
@@ -151,7 +151,7 @@ record SceneFolder(Path folder) implements SceneStore {
             throw new IllegalArgumentException("A scene cannot be named \"" + name
                     + "\". Use letters, digits, blanks, dots, - and _, beginning with a letter or digit.");
         }
-        Path file = folder.resolve(name + RecordingShelf.ENDING);
+        Path file = folder.resolve(name + RecordingRepository.ENDING);
         if (Files.exists(file) && !PlainFile.isInItsFolder(file)) {
             throw new IllegalArgumentException(
                     "The scene \"" + name + "\" is a link to a place outside of " + folder + ". Choose another one.");

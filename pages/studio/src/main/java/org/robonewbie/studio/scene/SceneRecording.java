@@ -53,7 +53,7 @@ final class SceneRecording {
     }
 
     /** Reads a moment; empty if there is no such moment. */
-    static Optional<KeptMoment> moment(RecordingReader reader, long index) throws IOException {
+    static Optional<Checkpoint> moment(RecordingReader reader, long index) throws IOException {
         Optional<WorldSnapshot> before = Optional.empty();
         for (long i = 0; i <= index; i++) {
             Optional<WorldSnapshot> state = reader.next().map(RecordedCycle::snapshot);
@@ -64,7 +64,7 @@ final class SceneRecording {
                 before = state;
             }
             if (i == index) {
-                return Optional.of(new KeptMoment(before.orElse(state.get()), state.get(), Optional.empty()));
+                return Optional.of(new Checkpoint(before.orElse(state.get()), state.get(), Optional.empty()));
             }
         }
         return Optional.empty();

@@ -37,7 +37,7 @@ public interface SceneStore {
      * @throws IOException if it cannot be written
      * @throws IllegalArgumentException if the name is impossible or taken; the message says so
      */
-    void save(String name, SoccerField field, KeptMoment moment, boolean replace) throws IOException;
+    void save(String name, SoccerField field, Checkpoint moment, boolean replace) throws IOException;
 
     /**
      * Reads a scene.
@@ -47,7 +47,7 @@ public interface SceneStore {
      * @throws IOException if it cannot be read
      * @throws IllegalArgumentException if there is none or it is damaged; the message says so
      */
-    KeptMoment load(String name) throws IOException;
+    Checkpoint load(String name) throws IOException;
 
     /**
      * Gives a scene another name.

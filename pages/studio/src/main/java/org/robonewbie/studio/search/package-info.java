@@ -1,5 +1,5 @@
 /**
- * The page on which a search for better numbers is watched. {@link org.robonewbie.studio.search.SearchBoard} first.
+ * The page on which a search for better numbers is watched. {@link org.robonewbie.studio.search.SearchFeed} first.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

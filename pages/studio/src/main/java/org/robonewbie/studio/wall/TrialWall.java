@@ -13,13 +13,13 @@ import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import org.robonewbie.simulator.SimulationControl;
-import org.robonewbie.studio.board.NewsBoard;
+import org.robonewbie.studio.board.EventBus;
 
 /**
  * The wall of a contest: each running trial in a tile, and beside them the table, which grows with each trial that is over.
  * Thread-safe.
  */
-public final class TrialWall extends NewsBoard implements AutoCloseable {
+public final class TrialWall extends EventBus implements AutoCloseable {
 
     /** How long a picture of the trials stands until the next one is sent. */
     static final long PICTURE_MILLIS = 80;

@@ -12,7 +12,7 @@ import { Happenings } from './panels/happenings.js';
 import { banner, notes, reportMistakes, tell } from './panels/messages.js';
 import { Mistakes } from './panels/mistakes.js';
 import { PuppetPanel } from './panels/puppet-panel.js';
-import { RoomDesk } from './panels/room-desk.js';
+import { RoomController } from './panels/room-controller.js';
 import { paced } from './panels/pace.js';
 import { roomsPanel } from './panels/rooms.js';
 import { scenePanel } from './panels/scene-panel.js';
@@ -142,16 +142,16 @@ export class Studio {
     location.hash = '#robot';
   };
 
-  /** Asks for another picture after something was done to it. @template {unknown[]} A @param {(...given: A) => void} deed */
-  #touching(deed) {
+  /** Asks for another picture after something was done to it. @template {unknown[]} A @param {(...given: A) => void} action */
+  #touching(action) {
     return (/** @type {A} */ ...given) => {
-      deed(...given);
+      action(...given);
       this.touch();
     };
   }
 
   #makeRooms() {
-    return new RoomDesk({
+    return new RoomController({
       note: this.note,
       quality: () => this.chooser.quality,
       robotOfRun: () => this.session.robot(this.desk.chosen),
@@ -194,13 +194,13 @@ export class Studio {
 
   #listen() {
     const field = {
-      deeds: [...fieldDeeds(this.field.looks, this.time, this.send), this.drawings.deed],
+      actions: [...fieldDeeds(this.field.looks, this.time, this.send), this.drawings.action],
       mouse: FIELD_MOUSE,
     };
     listenToKeys(() => {
       const keys = this.rooms.keys(this.room(), field);
-      const more = this.room() === 'replay' ? [this.drawings.deed] : timeLineDeeds(this.cursor, this.touch);
-      return { ...keys, deeds: [...keys.deeds, ...more] };
+      const more = this.room() === 'replay' ? [this.drawings.action] : timeLineDeeds(this.cursor, this.touch);
+      return { ...keys, actions: [...keys.actions, ...more] };
     });
     const setTheme = this.#touching((/** @type {'light' | 'dark'} */ theme) => {
       this.view.setTheme(theme);

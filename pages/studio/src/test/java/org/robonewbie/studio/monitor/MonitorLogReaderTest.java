@@ -26,7 +26,7 @@ import org.robonewbie.simulator.recording.RecordingReader;
 class MonitorLogReaderTest {
 
     private static final Path ORIGINAL = Path.of(
-            "../protocol/src/test/resources/org/robonewbie/protocol/monitor/g_monitor_first_and_50_updates.txt.gz");
+            "../../core/protocol/src/test/resources/org/robonewbie/protocol/monitor/g_monitor_first_and_50_updates.txt.gz");
 
     @TempDir
     private Path folder;

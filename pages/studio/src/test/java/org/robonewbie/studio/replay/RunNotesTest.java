@@ -14,7 +14,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.telemetry.Drawing;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
-import org.robonewbie.simulator.file.RecordingShelf;
+import org.robonewbie.simulator.file.RecordingRepository;
 
 class RunNotesTest {
 
@@ -26,7 +26,7 @@ class RunNotesTest {
     }
 
     private RunNotes notes() {
-        return new RunNotes(Optional.of(new RecordingShelf(folder, 1_000_000)));
+        return new RunNotes(Optional.of(new RecordingRepository(folder, 1_000_000)));
     }
 
     private static String notesOf(Path recording) throws IOException {

@@ -11,9 +11,10 @@ import java.util.stream.IntStream;
 import org.robonewbie.agent.walk.WalkParameter;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
-import org.robonewbie.learning.rehearsal.Rehearsal;
-import org.robonewbie.learning.rehearsal.WalkTrial;
+import org.robonewbie.learning.motion.ErraticVelocities;
+import org.robonewbie.learning.motion.MotionTrial;
 import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.trial.Measure;
 
 /** The numbers of the walk engine: it walks straight on as fast as it can, and must also stand what makes no sense. */
@@ -64,17 +65,23 @@ public final class EngineSubject implements Subject {
     @Override
     public Evaluation evaluate(double[] coordinates, long seed) {
         WalkStyle style = style(coordinates);
-        boolean stood =
-                WalkTrial.erratic(style, ERRATIC_SECONDS, seed, PUSH_NEWTONS).stood();
-        try (Rehearsal robot = Rehearsal.inStance(style, seed, PUSH_NEWTONS)) {
+        boolean stood = standsErraticWalk(style, seed);
+        try (MotionTrial robot = MotionTrial.inStance(RobotType.TYPE_0, style, seed, PUSH_NEWTONS)) {
             Measure measure = objective.measure().get();
             robot.watch(measure);
             robot.walk(() -> new WalkVelocity(style.most().forward(), 0, 0), () -> robot.seconds() < SECONDS);
             double value = measure.value();
             boolean success = robot.stopWalking() && robot.endsInStance() && stood;
-            double aside =
-                    Math.abs(robot.turnedDegrees()) / 90 + 0.001 * robot.poise().meanRocking();
+            double aside = Math.abs(robot.turnedDegrees()) / 90
+                    + 0.001 * robot.balance().value();
             return new Evaluation(value, success ? 1 : 0, aside);
+        }
+    }
+
+    private static boolean standsErraticWalk(WalkStyle style, long seed) {
+        try (MotionTrial robot = MotionTrial.inStance(RobotType.TYPE_0, style, seed, PUSH_NEWTONS)) {
+            robot.walk(new ErraticVelocities(style, seed), () -> robot.seconds() < ERRATIC_SECONDS);
+            return robot.stopWalking() && robot.endsInStance();
         }
     }
 

@@ -1,7 +1,7 @@
 package org.robonewbie.learning.optimise;
 
+import java.util.Arrays;
 import java.util.List;
-import org.robonewbie.learning.search.RiskAverseMean;
 
 /**
  * What a candidate has done in one trial, or in several.
@@ -13,6 +13,7 @@ import org.robonewbie.learning.search.RiskAverseMean;
 public record Evaluation(double value, double success, double flaws) {
 
     private static final double COST_OF_FAILURE = 2;
+    private static final double WEIGHT_OF_WORST = 0.3;
 
     /**
      * Judges this evaluation.
@@ -35,7 +36,10 @@ public record Evaluation(double value, double success, double flaws) {
 
     /** Judges several trials by their mean, drawn towards the worst of them. */
     static double cost(List<Evaluation> evaluations, double sign, double scale) {
-        return RiskAverseMean.of(
-                evaluations.stream().mapToDouble(one -> one.cost(sign, scale)).toArray());
+        double[] costs =
+                evaluations.stream().mapToDouble(one -> one.cost(sign, scale)).toArray();
+        double mean = Arrays.stream(costs).average().orElseThrow();
+        double worst = Arrays.stream(costs).max().orElseThrow();
+        return (1 - WEIGHT_OF_WORST) * mean + WEIGHT_OF_WORST * worst;
     }
 }

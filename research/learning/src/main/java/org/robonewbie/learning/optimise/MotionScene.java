@@ -1,19 +1,22 @@
 package org.robonewbie.learning.optimise;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import org.robonewbie.agent.walk.Stance;
-import org.robonewbie.learning.design.Costs;
-import org.robonewbie.learning.rehearsal.Lying;
-import org.robonewbie.learning.rehearsal.Poise;
-import org.robonewbie.learning.rehearsal.Rehearsal;
+import org.robonewbie.learning.motion.FallenPose;
+import org.robonewbie.learning.motion.MotionTrial;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.BallPlace;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.MotionFile;
+import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.trial.Measure;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.measure.BalanceMetrics;
 import org.robonewbie.trial.measure.KickDistance;
 
 /**
@@ -32,8 +35,8 @@ final class MotionScene {
 
     private final Objective objective;
     private final Optional<BallPlace> ball;
-    private final Optional<Lying> lyingStart;
-    private final Optional<Lying> lyingEnd;
+    private final Optional<FallenPose> lyingStart;
+    private final Optional<FallenPose> lyingEnd;
     private final boolean loop;
     private final boolean endsInStance;
     private final Motion motion;
@@ -68,7 +71,7 @@ final class MotionScene {
     }
 
     private Seen play(Motion candidate, long seed) {
-        try (Rehearsal robot = start(seed)) {
+        try (MotionTrial robot = start(seed)) {
             ball.ifPresent(place -> robot.placeBall(place, seed));
             Measure measure = objective.measure().get();
             KickDistance kick = new KickDistance();
@@ -88,34 +91,34 @@ final class MotionScene {
                 value = measure.value();
                 effect = effect(robot, kick);
             }
-            return new Seen(value, isSuccess(robot), roughness(robot.poise()), effect);
+            return new Seen(value, isSuccess(robot), roughness(robot.balance()), effect);
         }
     }
 
-    private boolean isSuccess(Rehearsal robot) {
+    private boolean isSuccess(MotionTrial robot) {
         if (lyingEnd.isPresent()) {
             return lyingEnd.get().isTrueOf(robot.body());
         }
         if (endsInStance) {
             return robot.isInStance();
         }
-        return lyingStart.isPresent() ? robot.isAtRest() : !robot.poise().hasFallen();
+        return lyingStart.isPresent() ? robot.isAtRest() : !robot.balance().hasFallen();
     }
 
-    private static MotionEffect effect(Rehearsal robot, KickDistance kick) {
+    private static MotionEffect effect(MotionTrial robot, KickDistance kick) {
         return new MotionEffect(robot.forward(), robot.left(), robot.turnedDegrees(), kick.value());
     }
 
-    private Rehearsal start(long seed) {
+    private MotionTrial start(long seed) {
         if (lyingStart.isPresent()) {
-            return lyingStart.get().fallen(seed);
+            return lyingStart.get().fallen(RobotType.TYPE_0, seed);
         }
         return objective.isTimeToScore()
-                ? Rehearsal.inStance(BEFORE_GOAL, seed, PUSH_NEWTONS)
-                : Rehearsal.inStance(seed, PUSH_NEWTONS);
+                ? MotionTrial.inStance(BEFORE_GOAL, seed, PUSH_NEWTONS)
+                : MotionTrial.inStance(seed, PUSH_NEWTONS);
     }
 
-    private void perform(Motion candidate, Rehearsal robot) {
+    private void perform(Motion candidate, MotionTrial robot) {
         if (!loop) {
             robot.play(candidate);
             return;
@@ -127,16 +130,28 @@ final class MotionScene {
     }
 
     /** A calm torso and motors within their limits are worth something whatever the objective is. */
-    private static double roughness(Poise poise) {
-        return 0.001 * poise.meanRocking() + 0.03 * poise.meanJointsAtLimit();
+    private static double roughness(BalanceMetrics balance) {
+        return 0.001 * balance.value() + 0.03 * balance.meanJointsAtLimit();
     }
 
+    /** Adds up the degrees by which a motion, played in a loop, asks for more than the motors can do. */
     private static double beyondMotors(Motion motion) {
-        return Costs.degreesBeyondMotors(motion);
+        double sum = 0;
+        List<Keyframe> keyframes = motion.keyframes();
+        Posture before = keyframes.get(keyframes.size() - 1).posture();
+        for (Keyframe keyframe : keyframes) {
+            double seconds = keyframe.durationMillis() / 1000.0;
+            for (Joint joint : Joint.values()) {
+                double way = Math.abs(keyframe.posture().degrees(joint) - before.degrees(joint));
+                sum += Math.max(0, way - joint.maxDegreesPerSecond() * seconds);
+            }
+            before = keyframe.posture();
+        }
+        return sum;
     }
 
-    private static Optional<Lying> lying(String words) {
-        return Arrays.stream(Lying.values())
+    private static Optional<FallenPose> lying(String words) {
+        return Arrays.stream(FallenPose.values())
                 .filter(lying -> words.contains(lying.words()))
                 .findFirst();
     }

@@ -2,10 +2,10 @@ package org.robonewbie.learning.optimise;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
-import org.robonewbie.learning.design.Costs;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.MotionFiles;
@@ -76,7 +76,9 @@ public final class MotionSubject implements Subject {
     @Override
     public Evaluation evaluate(double[] coordinates, long seed) {
         Evaluation evaluation = scene.evaluate(motion(coordinates), seed);
-        double far = Costs.excess(coordinates, FREE_CHANGE);
+        double far = Arrays.stream(coordinates)
+                .map(x -> Math.max(0, Math.abs(x) - FREE_CHANGE))
+                .sum();
         return new Evaluation(evaluation.value(), evaluation.success(), evaluation.flaws() + COST_OF_CHANGE * far);
     }
 

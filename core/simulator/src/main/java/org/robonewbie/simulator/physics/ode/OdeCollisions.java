@@ -20,9 +20,9 @@ import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.physics.Collider;
 
 /**
- * The collision half of the engine, for a world that computes its motion itself.
+ * Collision detection by ode4j, for a world that computes its motion itself.
  *
- * <p>Shapes are kept in the same nested spaces as in {@link OdePhysicsWorld}, so that pairs are found in the same order.
+ * <p>Shapes are kept in nested spaces as in SimSpark, a space for each group, since that determines the order in which pairs are found.
  */
 public final class OdeCollisions implements Restorable {
 
@@ -84,7 +84,16 @@ public final class OdeCollisions implements Restorable {
          */
         public void place(double[] position, double[] rotation) {
             place.position.set(position[0], position[1], position[2]);
-            OdeVectors.copy(rotation, place.rotation);
+            place.rotation.set(
+                    rotation[0],
+                    rotation[1],
+                    rotation[2],
+                    rotation[3],
+                    rotation[4],
+                    rotation[5],
+                    rotation[6],
+                    rotation[7],
+                    rotation[8]);
             geometry.setPosition(place.position);
             geometry.setRotation(place.rotation);
         }
@@ -116,7 +125,7 @@ public final class OdeCollisions implements Restorable {
          * @return the shape, at the world's origin
          */
         public Geometry add(Shape shape, Collider collider, boolean movable) {
-            DGeom geometry = OdeAssembly.geometry(space, shape);
+            DGeom geometry = geometry(space, shape);
             geometry.setCategoryBits(movable ? MOVABLE : FIXED);
             geometry.setCollideBits(movable ? MOVABLE | FIXED : MOVABLE);
             geometry.setData(collider);
@@ -171,6 +180,19 @@ public final class OdeCollisions implements Restorable {
         Group group = new Group(OdeHelper.createHashSpace(space));
         groups.add(group);
         return group;
+    }
+
+    /** Creates a geometry of ODE. */
+    static DGeom geometry(DHashSpace space, Shape shape) {
+        if (shape instanceof Shape.Box box) {
+            return OdeHelper.createBox(
+                    space, box.size().x(), box.size().y(), box.size().z());
+        }
+        if (shape instanceof Shape.Sphere sphere) {
+            return OdeHelper.createSphere(space, sphere.radius());
+        }
+        Shape.Capsule capsule = (Shape.Capsule) shape;
+        return OdeHelper.createCapsule(space, capsule.radius(), capsule.length());
     }
 
     /** {@return the group whose shapes also touch each other} */

@@ -1,6 +1,5 @@
 /**
- * The rigid-body engine on ode4j, the Java edition of the Open Dynamics Engine that SimSpark uses. Nothing else imports
- * ode4j. Read {@link org.robonewbie.simulator.physics.ode.OdePhysicsWorld} first.
+ * Collision detection by ode4j, the Java edition of the Open Dynamics Engine that SimSpark uses. Nothing else imports ode4j.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

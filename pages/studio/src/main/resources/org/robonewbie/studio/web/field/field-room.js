@@ -1,14 +1,14 @@
 /** The pitch in three dimensions: picture, camera, mouse, drawings and names together, for whatever moment the session shows. */
-import { BoardDesk } from '../panels/board-desk.js';
-import { DrawingDesk } from '../panels/drawing-desk.js';
+import { BoardController } from '../panels/board-controller.js';
+import { DrawingController } from '../panels/drawing-controller.js';
 import { byId, setText } from '../panels/elements.js';
 import { QUALITIES, qualityIndex } from '../state/quality.js';
-import { CameraDesk, CAMERAS } from './camera-desk.js';
+import { CameraController, CAMERAS } from './camera-controller.js';
 import { Ghosts } from './ghosts.js';
-import { Hand } from './hand.js';
+import { PointerController } from './pointer-controller.js';
 import { chooserFor, openView } from './open-view.js';
 
-/** @typedef {import('./camera-desk.js').CameraMode} CameraMode */
+/** @typedef {import('./camera-controller.js').CameraMode} CameraMode */
 
 export class FieldRoom {
   /** The scene that the picture is made for. @type {object | undefined} */
@@ -27,10 +27,10 @@ export class FieldRoom {
     this.view = openView(QUALITIES[asked < 0 ? 1 : asked]);
     this.chooser = chooserFor(this.view, asked);
     this.ghosts = new Ghosts(this.view.scene, this.view.quality);
-    this.desk = new CameraDesk(this.view.camera, () => this.view.free);
-    this.drawings = new DrawingDesk(this.view, () => session.touch());
-    this.board = new BoardDesk(this.view.board, () => session.touch());
-    this.hand = new Hand(this.view, this.desk, {
+    this.desk = new CameraController(this.view.camera, () => this.view.free);
+    this.drawings = new DrawingController(this.view, () => session.touch());
+    this.board = new BoardController(this.view.board, () => session.touch());
+    this.hand = new PointerController(this.view, this.desk, {
       now: () => ({ ...session.state, ...session.shown }),
       isSteered,
       send: (command) => isSteered() && send(command),
@@ -109,7 +109,7 @@ export class FieldRoom {
     this.drawings.show(session.shown, session.drawings);
     view.board.group.visible = session.shown.tense === 'live';
     this.hand.draw();
-    session.stale = desk.update(view.crowd.poses, seconds, view.ball.position.toArray());
+    session.stale = desk.update(view.robots.poses, seconds, view.ball.position.toArray());
     view.light.shine(desk.shown.target, view.camera.position);
     view.draw();
   }

@@ -8,7 +8,7 @@ import { Light, PALETTES, roomReflections } from './light.js';
 import { NameTags } from './name-tags.js';
 import { pitch } from './pitch.js';
 import { Ring } from './ring.js';
-import { RobotCrowd } from './robot-crowd.js';
+import { InstancedRobots } from './instanced-robots.js';
 import { SoftShadows } from './soft-shadows.js';
 import { Things } from './things.js';
 
@@ -39,7 +39,7 @@ export class FieldView {
     this.camera = new THREE.PerspectiveCamera(38, 1, 0.05, 160);
     this.camera.up.set(0, 0, 1);
     this.light = new Light(this.scene);
-    this.crowd = new RobotCrowd();
+    this.robots = new InstancedRobots();
     this.softShadows = new SoftShadows();
     this.drawings = new FieldDrawings();
     this.things = new Things();
@@ -48,7 +48,7 @@ export class FieldView {
     this.trail = new BallTrail();
     this.ring = new Ring();
     this.names = new NameTags(stage);
-    this.scene.add(this.crowd.group, this.softShadows.group, this.drawings.group, this.things.group, this.ball);
+    this.scene.add(this.robots.group, this.softShadows.group, this.drawings.group, this.things.group, this.ball);
     this.board = new Board();
     this.scene.add(this.trail.dots, this.ring.group, this.board.group);
     this.palette = PALETTES.light;
@@ -85,7 +85,7 @@ export class FieldView {
     this.quality = quality;
     this.scene.environment = quality.glossy ? roomReflections(this.renderer) : null;
     this.scene.environmentIntensity = 0.5;
-    this.crowd.setQuality(quality);
+    this.robots.setQuality(quality);
     this.ball.geometry.dispose();
     this.ball.geometry = ballShape(quality.nearDetail === 'fine' ? 'fine' : quality.farDetail);
     if (this.content) {
@@ -113,7 +113,7 @@ export class FieldView {
     if (sheet) {
       sheet.visible = real;
     }
-    this.crowd.setShadows(real);
+    this.robots.setShadows(real);
     this.things.setShadows(real);
     this.scene.traverse((thing) => {
       const material = /** @type {THREE.Mesh} */ (thing).material;
@@ -138,7 +138,7 @@ export class FieldView {
       this.#layPitch(content);
     }
     this.content = content;
-    this.crowd.setScene(content);
+    this.robots.setScene(content);
     this.softShadows.setScene(content);
     this.names.setScene(content);
     this.things.setThings(content.things ?? []);
@@ -215,8 +215,8 @@ export class FieldView {
    * @param {Picture} picture
    */
   update(picture) {
-    this.crowd.update(picture.robots, this.camera.position);
-    this.softShadows.update(this.crowd.poses, picture.ball);
+    this.robots.update(picture.robots, this.camera.position);
+    this.softShadows.update(this.robots.poses, picture.ball);
     this.things.update(picture.things ?? []);
     const [x, y, z, rw, rx, ry, rz] = picture.ball;
     this.ball.position.set(x, y, z);
@@ -249,10 +249,10 @@ export class FieldView {
   #render() {
     const least = LEAST_BALL_PIXELS * this.metresPerPixel(this.ball.position);
     this.ball.scale.setScalar(Math.max(1, least / (2 * BALL_RADIUS)));
-    this.board.follow(this.crowd.poses, this.content?.robots ?? []);
+    this.board.follow(this.robots.poses, this.content?.robots ?? []);
     this.trail.setPixelRatio(this.renderer.getPixelRatio());
     this.camera.updateMatrixWorld();
-    this.names.draw(this.crowd.poses, this.camera, { ...this.#size(), slope: this.#slope });
+    this.names.draw(this.robots.poses, this.camera, { ...this.#size(), slope: this.#slope });
     this.renderer.info.reset();
     this.renderer.render(this.scene, this.camera);
     this.stage.dataset.drawn = '';

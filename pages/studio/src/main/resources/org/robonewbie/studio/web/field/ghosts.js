@@ -2,7 +2,7 @@
 import * as THREE from 'three';
 import { BALL_RADIUS } from './ball.js';
 import { ghostMaterial } from './materials.js';
-import { RobotCrowd } from './robot-crowd.js';
+import { InstancedRobots } from './instanced-robots.js';
 
 /**
  * @typedef {import('../live/state-frame.js').Scene} Scene
@@ -20,15 +20,15 @@ export class Ghosts {
 
   /** @param {THREE.Scene} place @param {import('../state/quality.js').Quality} quality */
   constructor(place, quality) {
-    this.crowd = new RobotCrowd(ghostMaterial());
-    this.crowd.setQuality({ ...quality, ...NO_NEAR_ROBOTS });
+    this.robots = new InstancedRobots(ghostMaterial());
+    this.robots.setQuality({ ...quality, ...NO_NEAR_ROBOTS });
     this.ball = new THREE.Mesh(
       new THREE.SphereGeometry(BALL_RADIUS, 16, 12),
       new THREE.MeshLambertMaterial({ transparent: true, opacity: BALL_OPACITY, depthWrite: false }),
     );
     this.ball.renderOrder = AFTER_ROBOTS;
     this.group = new THREE.Group();
-    this.group.add(this.crowd.group, this.ball);
+    this.group.add(this.robots.group, this.ball);
     this.group.visible = false;
     place.add(this.group);
   }
@@ -38,7 +38,7 @@ export class Ghosts {
     this.group.visible = moment !== undefined;
     if (moment) {
       this.#setScene(moment.scene);
-      this.crowd.update(moment.frame.robots, eye);
+      this.robots.update(moment.frame.robots, eye);
       const [x, y, z] = moment.frame.ball;
       this.ball.position.set(x, y, z);
     }
@@ -48,8 +48,8 @@ export class Ghosts {
   #setScene(scene) {
     if (scene !== this.#scene) {
       this.#scene = scene;
-      this.crowd.setScene({ ...scene, robots: scene.robots.map((player) => ({ ...player, number: 0 })) });
-      this.crowd.meshes.forEach((mesh) => {
+      this.robots.setScene({ ...scene, robots: scene.robots.map((player) => ({ ...player, number: 0 })) });
+      this.robots.meshes.forEach((mesh) => {
         mesh.renderOrder = AFTER_ROBOTS;
       });
     }

@@ -90,7 +90,7 @@ export class Session {
     } else if (news.kind === 'telemetry') {
       this.drawn.hear([...news.lines, ...news.drawings]);
       this.audience.telemetry(news);
-    } else if (news.kind === 'deeds') {
+    } else if (news.kind === 'undo') {
       this.#set(withDeeds(this.state, news));
     } else if (news.kind === 'board') {
       this.audience.drawn(news.sets);

@@ -8,7 +8,7 @@ import { mostTurned } from '../state/motion/posture.js';
 import { Editor } from './editor.js';
 import { filesPanel } from './files-panel.js';
 import { jointPanel } from './joint-panel.js';
-import { LimbHand } from './limb-hand.js';
+import { LimbController } from './limb-controller.js';
 import { MotionFiles } from './motion-files.js';
 import { MotionPicture } from './motion-picture.js';
 import { MotionStage } from './motion-stage.js';
@@ -113,7 +113,7 @@ class MotionRoom {
 
   #hand() {
     const { editor } = this;
-    return new LimbHand(this.stage, {
+    return new LimbController(this.stage, {
       now: () => (editor.state.watching || editor.state.playing ? undefined : this.posedNow()),
       pose: (posture, from, torso) => {
         this.picture.heldTorso = torso;
@@ -152,7 +152,7 @@ class MotionRoom {
   }
 
   /** What keys do here. */
-  get deeds() {
+  get actions() {
     return this.orders
       .filter(({ keys }) => keys.length > 0)
       .map((order) => ({ ...order, text: order.hint || order.name.toLowerCase() }));

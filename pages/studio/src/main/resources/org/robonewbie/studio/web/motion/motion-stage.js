@@ -1,10 +1,10 @@
 /** The picture of the motion editor: the robot, ghosts of the neighbouring keyframes, centre of mass and support. */
 import * as THREE from 'three';
-import { CameraDesk } from '../field/camera-desk.js';
+import { CameraController } from '../field/camera-controller.js';
 import { opaqueRenderer } from '../field/field-view.js';
 import { Light, PALETTES, roomReflections } from '../field/light.js';
 import { ghostMaterial } from '../field/materials.js';
-import { RobotCrowd } from '../field/robot-crowd.js';
+import { InstancedRobots } from '../field/instanced-robots.js';
 import { LimbPaint } from './limb-paint.js';
 import { Marker } from './marker.js';
 import { hingeDegrees } from '../state/motion/body.js';
@@ -38,8 +38,8 @@ export class MotionStage {
     this.camera = new THREE.PerspectiveCamera(38, 1, 0.02, 160);
     this.camera.up.set(0, 0, 1);
     this.light = new Light(this.scene);
-    this.robot = this.#crowd(1);
-    this.ghosts = this.#crowd(2, ghostMaterial());
+    this.robot = this.#instances(1);
+    this.ghosts = this.#instances(2, ghostMaterial());
     this.ghosts.meshes.forEach((mesh) => {
       mesh.renderOrder = 2;
     });
@@ -52,7 +52,7 @@ export class MotionStage {
     this.scene.environment = quality.glossy ? roomReflections(this.renderer) : null;
     this.scene.environmentIntensity = 0.5;
     stage.append(this.renderer.domElement);
-    this.desk = new CameraDesk(this.camera);
+    this.desk = new CameraController(this.camera);
     this.home();
     this.desk.jumpTo(this.desk.view);
   }
@@ -141,9 +141,9 @@ export class MotionStage {
   }
 
   /** @param {number} count @param {THREE.Material} [material] */
-  #crowd(count, material) {
-    const crowd = new RobotCrowd(material);
-    crowd.setQuality({
+  #instances(count, material) {
+    const instances = new InstancedRobots(material);
+    instances.setQuality({
       ...this.quality,
       nearDetail: count === 1 ? 'fine' : 'coarse',
       farDetail: 'coarse',
@@ -157,8 +157,8 @@ export class MotionStage {
       number: 0,
       type: 'TYPE_0',
     }));
-    crowd.setScene(/** @type {any} */ ({ robots, models: { TYPE_0: this.body.model } }));
-    return crowd;
+    instances.setScene(/** @type {any} */ ({ robots, models: { TYPE_0: this.body.model } }));
+    return instances;
   }
 
   /** @param {readonly number[]} posture @param {ArrayLike<number>} torso @returns {Figure} */

@@ -5,7 +5,7 @@ import { jointRows } from '../state/motion/names.js';
 import { secondsText } from '../state/motion/timing.js';
 import { node } from './svg.js';
 import { angleScale, drawCurves } from './timeline-curves.js';
-import { TimelineHand } from './timeline-hand.js';
+import { TimelineController } from './timeline-controller.js';
 import { drawKeyframes, drawMarks, drawRuler, HEAD_HEIGHT, kindsOf, MARK_ROW } from './timeline-head.js';
 import { timelineKeys } from './timeline-keys.js';
 import { drawRows, ROW } from './timeline-rows.js';
@@ -64,7 +64,7 @@ export class Timeline {
     this.scale = timeScale({ from: 0, span: 0 }, 0, 100);
     /** @type {import('./timeline-curves.js').AngleScale | undefined} */
     this.angles = undefined;
-    this.hand = new TimelineHand(this);
+    this.hand = new TimelineController(this);
     timelineKeys(this);
   }
 

@@ -15,7 +15,7 @@ import { orderButton } from './toolbar.js';
  * @typedef {import('./editor.js').Editor} Editor
  * @typedef {import('./orders.js').Order} Order
  *
- * @typedef {object} Deeds
+ * @typedef {object} Actions
  * @property {(millis: number) => void} setTime of the chosen keyframe
  * @property {(start: string) => void} tryPhysically
  * @property {(text: string) => void} note
@@ -39,11 +39,11 @@ const STARTS = [
  * @param {HTMLElement} place
  * @param {Editor} editor
  * @param {Order[]} orders
- * @param {Deeds} deeds
+ * @param {Actions} actions
  * @returns {() => void}
  */
-export function transportBar(place, editor, orders, deeds) {
-  const parts = partsOf(editor, orders, deeds);
+export function transportBar(place, editor, orders, actions) {
+  const parts = partsOf(editor, orders, actions);
   const { play, loop, speed, reading, millis, insert, verdict, trial, start } = parts;
   place.append(
     ...[play, loop.label, speed, reading, timeField(millis), insert, verdict],
@@ -55,8 +55,8 @@ export function transportBar(place, editor, orders, deeds) {
   };
 }
 
-/** @param {Editor} editor @param {Order[]} orders @param {Deeds} deeds */
-function partsOf(editor, orders, deeds) {
+/** @param {Editor} editor @param {Order[]} orders @param {Actions} actions */
+function partsOf(editor, orders, actions) {
   const byId = (/** @type {string} */ id) => /** @type {Order} */ (orders.find((order) => order.id === id));
   const play = orderButton(byId('play'));
   play.className = 'primary';
@@ -70,15 +70,15 @@ function partsOf(editor, orders, deeds) {
       SPEEDS.map((each) => [String(each), `${each}×`]),
       (speed) => editor.apply((state) => ({ ...state, speed: Number(speed) })),
     ),
-    millis: millisField(deeds),
+    millis: millisField(actions),
     start,
-    trial: button(TRIAL, TRIAL_HINT, () => deeds.tryPhysically(start.value), { id: 'trial' }),
+    trial: button(TRIAL, TRIAL_HINT, () => actions.tryPhysically(start.value), { id: 'trial' }),
     reading: element('span', { class: 'seconds' }),
     verdict: element('span', { class: 'verdict', role: 'status' }),
   };
 }
 
-/** @param {Deeds} deeds */
+/** @param {Actions} actions */
 function millisField({ setTime, note }) {
   const label = 'Time of the way to this keyframe in milliseconds';
   return numberField({ inputmode: 'numeric', id: 'millis', 'aria-label': label }, MOST_MILLIS, setTime, (text) =>

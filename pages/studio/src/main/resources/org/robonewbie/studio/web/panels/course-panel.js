@@ -209,9 +209,9 @@ export class CoursePanel {
     output.hidden = attempt.output === '';
   }
 
-  /** @param {() => Promise<void>} deed */
-  #attemptTo(deed) {
-    deed().catch((error) => this.#note(error.message));
+  /** @param {() => Promise<void>} action */
+  #attemptTo(action) {
+    action().catch((error) => this.#note(error.message));
   }
 
   /** @param {string} path @param {string} [method] */

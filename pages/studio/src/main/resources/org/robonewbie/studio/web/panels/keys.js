@@ -1,9 +1,9 @@
 /** Everything that keys do, and the page that explains it. */
-import { CAMERAS } from '../field/camera-desk.js';
+import { CAMERAS } from '../field/camera-controller.js';
 import { byId, element } from './elements.js';
 
 /**
- * @typedef {object} Deed
+ * @typedef {object} Action
  * @property {string[]} keys as the browser names them
  * @property {string} shown as people read them
  * @property {string} text
@@ -19,7 +19,7 @@ import { byId, element } from './elements.js';
  * @param {() => void} desk.next follows the next robot
  * @param {ReturnType<typeof import('./transport.js').timeActions>} time
  * @param {(command: object) => void} send
- * @returns {Deed[]}
+ * @returns {Action[]}
  */
 export function fieldDeeds(desk, time, send) {
   return [
@@ -71,7 +71,7 @@ export const FIELD_MOUSE = [
 /**
  * Listens to the keys of the room that one is in, and explains them.
  *
- * @param {() => {deeds: Deed[], mouse: string[][]}} current
+ * @param {() => {actions: Action[], mouse: string[][]}} current
  */
 export function listenToKeys(current) {
   const help = /** @type {HTMLDialogElement} */ (byId('help'));
@@ -85,10 +85,10 @@ export function listenToKeys(current) {
       if (event.key === '?') {
         explain();
       }
-      const deed = current().deeds.find((each) => isAskedBy(each, event));
-      if (deed) {
+      const action = current().actions.find((each) => isAskedBy(each, event));
+      if (action) {
         event.preventDefault();
-        deed.act();
+        action.act();
       }
     }
   });
@@ -113,9 +113,9 @@ export function isTyping(target) {
   return isField && /** @type {HTMLInputElement} */ (target).type !== 'range';
 }
 
-/** @param {Deed} deed @param {KeyboardEvent} event */
-function isAskedBy(deed, event) {
-  return deed.keys.includes(keyOf(event)) && Boolean(deed.ctrl) === hasCtrl(event);
+/** @param {Action} action @param {KeyboardEvent} event */
+function isAskedBy(action, event) {
+  return action.keys.includes(keyOf(event)) && Boolean(action.ctrl) === hasCtrl(event);
 }
 
 /** The key as it is without Caps Lock: a capital letter only together with Shift. @param {KeyboardEvent} event */
@@ -131,9 +131,9 @@ function hasCtrl(event) {
 
 /**
  * @param {HTMLDialogElement} help
- * @param {{deeds: Deed[], mouse: string[][]}} room
+ * @param {{actions: Action[], mouse: string[][]}} room
  */
-function fillHelp(help, { deeds, mouse }) {
+function fillHelp(help, { actions, mouse }) {
   /** @param {string} key @param {string} text */
   const row = (key, text) => element('div', {}, element('dt', {}, element('kbd', {}, key)), element('dd', {}, text));
   const close = element('button', { type: 'button', class: 'primary' }, 'Close');
@@ -143,7 +143,7 @@ function fillHelp(help, { deeds, mouse }) {
     element(
       'dl',
       {},
-      ...deeds.map((deed) => row(deed.shown, deed.text)),
+      ...actions.map((action) => row(action.shown, action.text)),
       ...mouse.map(([key, text]) => row(key, text)),
       row('?', 'this list'),
     ),

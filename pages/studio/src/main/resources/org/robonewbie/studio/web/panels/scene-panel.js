@@ -42,15 +42,15 @@ export function startFrom(recording, moment) {
  */
 export function scenePanel(note, goLive) {
   const panel = new ScenePanel(note, goLive);
-  return ({ scene, frame, deeds }) =>
+  return ({ scene, frame, actions }) =>
     panel.show(
       scene !== undefined && frame !== undefined && scene.clock !== false && scene.trial === undefined,
-      `${deeds.undo}\n${deeds.redo}`,
+      `${actions.undo}\n${actions.redo}`,
     );
 }
 
 class ScenePanel {
-  /** Deeds are done one after the other, however fast one clicks. @type {Promise<void>} */
+  /** Actions are done one after the other, however fast one clicks. @type {Promise<void>} */
   #last = Promise.resolve();
   /** What could be undone when the list was read: a scene may have come back or gone since. */
   #known = '';
@@ -86,19 +86,19 @@ class ScenePanel {
     );
   }
 
-  /** @param {boolean} isPossible @param {string} deeds what can be undone and redone */
-  show(isPossible, deeds) {
+  /** @param {boolean} isPossible @param {string} actions what can be undone and redone */
+  show(isPossible, actions) {
     this.place.hidden = !isPossible;
-    if (isPossible && this.#known !== deeds) {
-      this.#known = deeds;
+    if (isPossible && this.#known !== actions) {
+      this.#known = actions;
       this.#refresh().catch(() => {});
     }
   }
 
-  /** @param {string} id @param {string} title @param {string} hint @param {() => Promise<void>} deed */
-  #control(id, title, hint, deed) {
+  /** @param {string} id @param {string} title @param {string} hint @param {() => Promise<void>} action */
+  #control(id, title, hint, action) {
     const act = () => {
-      this.#last = this.#last.then(deed).catch((error) => this.note(error.message));
+      this.#last = this.#last.then(action).catch((error) => this.note(error.message));
     };
     return button(title, hint, act, { id });
   }

@@ -1,20 +1,20 @@
 /** Which camera looks, and what the referee can be told. */
-import { CAMERAS } from '../field/camera-desk.js';
+import { CAMERAS } from '../field/camera-controller.js';
 import { playModeText } from '../state/play-mode.js';
 import { button, byId, check, choice, element, setEntries } from './elements.js';
 import { keep, recall } from './memory.js';
 
 /**
  * @typedef {import('../state/studio-state.js').StudioState} StudioState
- * @typedef {import('../field/camera-desk.js').CameraDesk} CameraDesk
- * @typedef {import('../field/camera-desk.js').CameraMode} CameraMode
+ * @typedef {import('../field/camera-controller.js').CameraController} CameraController
+ * @typedef {import('../field/camera-controller.js').CameraMode} CameraMode
  * @typedef {{names: boolean, trail: boolean}} Picture what is shown beside robots and ball
  */
 
 const PICTURE_KEY = 'robonewbie-picture';
 
 /**
- * @param {CameraDesk} desk
+ * @param {CameraController} desk
  * @param {object} options
  * @param {(mode: CameraMode) => void} options.choose
  * @param {boolean} options.shadows

@@ -21,9 +21,9 @@ export function timeLinePanel(cursor, changed) {
   const live = button('Live', 'Show what happens now (End)', () => act(() => cursor.goLive()));
   live.id = 'go-live';
   place.append(element('span', { class: 'faint moment-name' }, 'Running simulation'), live, line, reading);
-  /** @param {() => void} deed */
-  const act = (deed) => {
-    deed();
+  /** @param {() => void} action */
+  const act = (action) => {
+    action();
     changed();
   };
   line.addEventListener('input', () => act(() => cursor.goTo(Number(line.value))));
@@ -54,10 +54,10 @@ function readingOf({ cycle, recorded, history }) {
 /**
  * @param {TimeCursor} cursor
  * @param {() => void} changed
- * @returns {import('./keys.js').Deed[]} what keys do with time
+ * @returns {import('./keys.js').Action[]} what keys do with time
  */
 export function timeLineDeeds(cursor, changed) {
-  const go = (/** @type {() => void} */ deed) => () => (deed(), changed());
+  const go = (/** @type {() => void} */ action) => () => (action(), changed());
   return [
     { keys: ['<', ';'], shown: '<', text: 'a moment back, the simulation goes on', act: go(() => cursor.step(-5)) },
     { keys: ['>', ':'], shown: '>', text: 'a moment on', act: go(() => cursor.step(5)) },

@@ -50,8 +50,8 @@ export function transportPanel(actions) {
     const shown = transport(state);
     drawControls(parts, shown, state.scene?.clock !== false);
     reset.disabled = state.connection !== 'live' || !state.frame;
-    drawDeed(undo, 'Undo', state.deeds.undo, 'Ctrl+Z');
-    drawDeed(redo, 'Redo', state.deeds.redo, 'Ctrl+Shift+Z');
+    drawUndo(undo, 'Undo', state.actions.undo, 'Ctrl+Z');
+    drawUndo(redo, 'Redo', state.actions.redo, 'Ctrl+Shift+Z');
     setText(seconds, shown.seconds);
     setText(cycle, shown.cycle);
     setText(factor, shown.realTimeFactor);
@@ -76,10 +76,10 @@ function partsOf(actions) {
   };
 }
 
-/** @param {HTMLButtonElement} control @param {string} verb @param {string} deed @param {string} keys */
-function drawDeed(control, verb, deed, keys) {
-  control.disabled = deed === '';
-  control.title = deed === '' ? `Nothing to ${verb.toLowerCase()} (${keys})` : `${verb}: ${deed} (${keys})`;
+/** @param {HTMLButtonElement} control @param {string} verb @param {string} action @param {string} keys */
+function drawUndo(control, verb, action, keys) {
+  control.disabled = action === '';
+  control.title = action === '' ? `Nothing to ${verb.toLowerCase()} (${keys})` : `${verb}: ${action} (${keys})`;
 }
 
 /** @param {string | number} speed */

@@ -157,7 +157,7 @@ export class CodeEditor {
 
   /** @param {Listener} listener */
   #extensions({ changed, complete, save, run }) {
-    const act = (/** @type {() => void} */ deed) => () => (deed(), true);
+    const act = (/** @type {() => void} */ action) => () => (action(), true);
     const own = [
       { key: 'Mod-s', run: act(save), preventDefault: true },
       { key: 'Mod-Enter', run: act(run), preventDefault: true },

@@ -18,7 +18,7 @@ export class DraftKeeper {
   /** One after the other, since each has to know what the one before made. @type {Promise<unknown>} */
   #last = Promise.resolve();
 
-  /** @param {Desk} desk @param {(deed: () => Promise<unknown>) => void} attempt @param {() => void} taken another window has unsaved work too */
+  /** @param {Desk} desk @param {(action: () => Promise<unknown>) => void} attempt @param {() => void} taken another window has unsaved work too */
   constructor(desk, attempt, taken) {
     this.desk = desk;
     this.attempt = attempt;

@@ -32,9 +32,9 @@ export class EncodingNote {
     }
   }
 
-  /** @param {string} text @param {...HTMLElement} deeds */
-  #say(text, ...deeds) {
-    const note = element('div', { class: 'program-note quiet', role: 'status' }, element('p', {}, text), ...deeds);
+  /** @param {string} text @param {...HTMLElement} actions */
+  #say(text, ...actions) {
+    const note = element('div', { class: 'program-note quiet', role: 'status' }, element('p', {}, text), ...actions);
     this.place.replaceChildren(note);
   }
 }

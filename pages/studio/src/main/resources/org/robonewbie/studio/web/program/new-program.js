@@ -4,9 +4,9 @@ import { encodeText, UTF_8 } from '../state/decoded-text.js';
 import { classNameProblem, FIRST_NAME, folderOfNew, freeName, javaName } from '../state/program/documents.js';
 import { fileName } from '../state/program/remarks.js';
 
-/** @typedef {import('./file-desk.js').FileDesk} FileDesk */
+/** @typedef {import('./file-controller.js').FileController} FileController */
 
-/** Asks for a name. @param {FileDesk} files @param {string} example what to begin with, or nothing */
+/** Asks for a name. @param {FileController} files @param {string} example what to begin with, or nothing */
 export async function makeProgram(files, example) {
   const folder = folderOfNew(files.list.own);
   const name = await ask({
@@ -24,20 +24,20 @@ export async function makeProgram(files, example) {
   }
 }
 
-/** Makes a copy of the example that is shown, which can be changed and run. @param {FileDesk} files */
+/** Makes a copy of the example that is shown, which can be changed and run. @param {FileController} files */
 export async function copyExample(files) {
   if (files.file?.shelf === 'example') {
     await create(files, nameFor(files, files.file.path), files.file.path);
   }
 }
 
-/** @param {FileDesk} files @param {string} example @returns {string} a free path for a program that begins with it */
+/** @param {FileController} files @param {string} example @returns {string} a free path for a program that begins with it */
 function nameFor({ list, file }, example) {
   const wanted = example ? `My${example.replace(/^Agent_/, '')}.java` : FIRST_NAME;
   return freeName(folderOfNew(list.own) + wanted, [...list.own, ...list.drafts, ...(file ? [file] : [])]);
 }
 
-/** @param {FileDesk} files @param {string} path @param {string} example */
+/** @param {FileController} files @param {string} path @param {string} example */
 async function create(files, path, example) {
   if (!(await files.drafts.keep())) {
     return;

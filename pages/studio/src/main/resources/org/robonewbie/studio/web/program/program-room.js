@@ -4,10 +4,11 @@ import { PANEL_TITLES } from '../state/layout.js';
 import { isOpenToChange, programAt } from '../state/program/documents.js';
 import { remarksText } from '../state/program/remarks.js';
 import { CodeEditor } from './code-editor.js';
-import { ExerciseDesk } from './exercise-desk.js';
-import { FileDesk } from './file-desk.js';
+import { ExerciseController } from './exercise-controller.js';
+import { FileController } from './file-controller.js';
+import { note } from './note.js';
 import { ProgramService } from './program-service.js';
-import { RunDesk } from './run-desk.js';
+import { RunController } from './run-controller.js';
 import { SaidPanel } from './said-panel.js';
 
 /**
@@ -51,9 +52,9 @@ class ProgramRoom {
       run: () => this.attempt(() => this.runs.run()),
     });
     this.said = new SaidPanel(said, (line) => this.editor.goTo(line));
-    this.files = new FileDesk(this);
-    this.runs = new RunDesk(this);
-    this.exercises = new ExerciseDesk(this);
+    this.files = new FileController(this);
+    this.runs = new RunController(this);
+    this.exercises = new ExerciseController(this);
   }
 
   async open() {
@@ -84,8 +85,8 @@ class ProgramRoom {
   }
 
   /** What keys do here, outside of the editor. */
-  get deeds() {
-    const deed = (/** @type {string} */ key, /** @type {string} */ text, /** @type {() => Promise<void>} */ act) => ({
+  get actions() {
+    const action = (/** @type {string} */ key, /** @type {string} */ text, /** @type {() => Promise<void>} */ act) => ({
       keys: [key],
       ctrl: true,
       shown: `Ctrl+${key === 'Enter' ? key : key.toUpperCase()}`,
@@ -93,8 +94,8 @@ class ProgramRoom {
       act: () => this.attempt(act),
     });
     return [
-      deed('s', 'save the program; if it runs, it is changed at once', () => this.save()),
-      deed('Enter', 'run the program', () => this.runs.run()),
+      action('s', 'save the program; if it runs, it is changed at once', () => this.save()),
+      action('Enter', 'run the program', () => this.runs.run()),
     ];
   }
 
@@ -103,9 +104,9 @@ class ProgramRoom {
     return this.files.isAtRisk;
   }
 
-  /** Says so if something does not work. @param {() => Promise<void>} deed */
-  attempt(deed) {
-    deed().catch((error) => this.surroundings.note(error.message));
+  /** Says so if something does not work. @param {() => Promise<void>} action */
+  attempt(action) {
+    action().catch((error) => this.surroundings.note(error.message));
   }
 
   /** Saves the program; if it is the one that runs, it is changed at once. */
@@ -195,11 +196,6 @@ class ProgramRoom {
     byId('program-room').append(made);
     return inside;
   }
-}
-
-/** A line above the program. @param {string} text @param {...HTMLElement} deeds @returns {HTMLElement} */
-export function note(text, ...deeds) {
-  return element('div', { class: 'program-note', role: 'status' }, element('p', {}, text), ...deeds);
 }
 
 /**

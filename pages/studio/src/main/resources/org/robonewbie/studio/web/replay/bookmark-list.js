@@ -6,7 +6,7 @@ import { addBookmark, deleteBookmark } from './recording-api.js';
 /**
  * @typedef {import('./recording-api.js').Bookmark} Bookmark
  *
- * @typedef {object} Deeds
+ * @typedef {object} Actions
  * @property {() => number} now the index of the moment that is shown
  * @property {(index: number) => void} goTo
  * @property {() => Promise<void>} changed the list of recordings has to be fetched again
@@ -30,9 +30,9 @@ export class BookmarkList {
   /** The bookmarks that were deleted, the last one at the end. @type {Bookmark[]} */
   #deleted = [];
 
-  /** @param {Deeds} deeds */
-  constructor(deeds) {
-    this.deeds = deeds;
+  /** @param {Actions} actions */
+  constructor(actions) {
+    this.actions = actions;
     this.recording = '';
     const form = element('form', { class: 'bookmark-form' }, this.#field, this.#undo);
     form.prepend(element('button', { id: 'bookmark-add', title: 'Keep this moment with the note' }, 'Add'));
@@ -76,16 +76,21 @@ export class BookmarkList {
     return element(
       'li',
       {},
-      button(`${name} ${note}`, 'Go to this moment', () => this.deeds.goTo(Math.round(seconds * MOMENTS_PER_SECOND)), {
-        class: 'bookmark-go',
-      }),
+      button(
+        `${name} ${note}`,
+        'Go to this moment',
+        () => this.actions.goTo(Math.round(seconds * MOMENTS_PER_SECOND)),
+        {
+          class: 'bookmark-go',
+        },
+      ),
       button('Link', `Copy an address that shows ${name}`, () => this.#copy(seconds), { class: 'quiet' }),
       button('Delete', `Delete the bookmark at ${name}`, () => this.#remove({ seconds, note }), { class: 'quiet' }),
     );
   }
 
   #add() {
-    const seconds = Math.round(this.deeds.now()) / MOMENTS_PER_SECOND;
+    const seconds = Math.round(this.actions.now()) / MOMENTS_PER_SECOND;
     const note = this.#field.value.trim();
     this.#field.value = '';
     this.#act(() => addBookmark(this.recording, { seconds, note }));
@@ -112,19 +117,19 @@ export class BookmarkList {
     history.replaceState(undefined, '', link);
     try {
       await navigator.clipboard.writeText(location.href);
-      this.deeds.note('The address of this moment is copied.');
+      this.actions.note('The address of this moment is copied.');
     } catch {
-      this.deeds.note('The address of this moment stands in the bar of the browser; copy it from there.');
+      this.actions.note('The address of this moment stands in the bar of the browser; copy it from there.');
     }
   }
 
-  /** @param {() => Promise<unknown>} deed */
-  async #act(deed) {
+  /** @param {() => Promise<unknown>} action */
+  async #act(action) {
     try {
-      await deed();
+      await action();
     } catch (error) {
-      this.deeds.note(/** @type {Error} */ (error).message);
+      this.actions.note(/** @type {Error} */ (error).message);
     }
-    await this.deeds.changed().catch(() => {});
+    await this.actions.changed().catch(() => {});
   }
 }

@@ -1,9 +1,9 @@
 /** The page of a single HTML file: plays the recording that it carries, without any server. */
-import { CameraDesk } from '../field/camera-desk.js';
+import { CameraController } from '../field/camera-controller.js';
 import { FieldView } from '../field/field-view.js';
-import { Hand } from '../field/hand.js';
+import { PointerController } from '../field/pointer-controller.js';
 import { button, byId, element, setText } from '../panels/elements.js';
-import { DrawingDesk } from '../panels/drawing-desk.js';
+import { DrawingController } from '../panels/drawing-controller.js';
 import { scoreBoardPanel } from '../panels/score-board.js';
 import { QUALITIES, QualityChooser, qualityRange } from '../state/quality.js';
 import { RecordingReader } from '../state/replay/recording-reader.js';
@@ -32,13 +32,13 @@ const view = new FieldView(byId('stage'), QUALITIES[1]);
 const chooser = new QualityChooser(qualityRange(view.graphics), false);
 view.setQuality(chooser.quality);
 view.setTheme(document.documentElement.dataset.theme === 'dark' ? 'dark' : 'light');
-const desk = new CameraDesk(view.camera, () => view.free);
+const desk = new CameraController(view.camera, () => view.free);
 let replay = { ...BEGINNING, count: moments.length, playing: true };
 let state = withConnection(initialState());
 let revision = 0;
 let stale = true;
 let last = 0;
-new Hand(view, desk, {
+new PointerController(view, desk, {
   now: () => state,
   isSteered: () => false,
   send: () => {},
@@ -48,7 +48,7 @@ new Hand(view, desk, {
 });
 const drawings = new DrawingMemory(Infinity);
 drawings.hear(JSON.parse(byId('pictures').textContent ?? '[]'));
-const layers = new DrawingDesk(view, () => {
+const layers = new DrawingController(view, () => {
   stale = true;
 });
 const board = scoreBoardPanel();
@@ -103,7 +103,7 @@ function draw(now, seconds) {
   view.update(frame);
   view.trail.follow(frame.cycle, frame.ball);
   layers.show(state, drawings);
-  stale = desk.update(view.crowd.poses, seconds, view.ball.position.toArray());
+  stale = desk.update(view.robots.poses, seconds, view.ball.position.toArray());
   view.light.shine(desk.shown.target, view.camera.position);
   view.draw();
   board(state, now);

@@ -8,7 +8,7 @@ import { clock } from '../state/studio-state.js';
  * @typedef {import('./recording-api.js').RecordingEntry} RecordingEntry
  * @typedef {import('./recording-api.js').RecordingCard} RecordingCard
  *
- * @typedef {object} TileDeeds
+ * @typedef {object} TileActions
  * @property {() => void} open
  * @property {(on: boolean) => void} star
  * @property {(to: string) => void} rename
@@ -31,16 +31,16 @@ export class RecordingTile {
   /** How many robots took part, if that is known yet. @type {number | undefined} */
   #robots;
 
-  /** @param {RecordingEntry} entry @param {TileDeeds} deeds */
-  constructor(entry, deeds) {
+  /** @param {RecordingEntry} entry @param {TileActions} actions */
+  constructor(entry, actions) {
     this.entry = entry;
-    this.deeds = deeds;
+    this.actions = actions;
     const { name } = entry;
-    this.open = button('', `Open ${name}`, deeds.open, { class: 'open' });
+    this.open = button('', `Open ${name}`, actions.open, { class: 'open' });
     this.open.append(this.#picture, this.#teams, this.#facts, this.#agent, this.#name);
-    this.star = button('☆', '', () => deeds.star(!this.entry.starred), { class: 'quiet star' });
+    this.star = button('☆', '', () => actions.star(!this.entry.starred), { class: 'quiet star' });
     this.rename = button('Rename', `Give ${name} another name`, () => this.#askName(), { class: 'quiet' });
-    const remove = button('Delete', `Delete ${name}; Undo brings it back`, deeds.remove, { class: 'quiet' });
+    const remove = button('Delete', `Delete ${name}; Undo brings it back`, actions.remove, { class: 'quiet' });
     this.tools = element('div', { class: 'recording-tools' }, this.star, this.rename, remove);
     this.card = element('article', { 'data-recording': name }, this.open, this.tools);
     this.update(entry);
@@ -108,7 +108,7 @@ export class RecordingTile {
         this.rename.focus();
       }
       if (event.key === 'Enter' && name !== '') {
-        this.deeds.rename(name);
+        this.actions.rename(name);
       }
     });
     field.addEventListener('blur', end);

@@ -8,7 +8,7 @@ import { legend, ReplayLine } from './replay-line.js';
  * @typedef {import('../state/replay/replay-state.js').ReplayState} ReplayState
  * @typedef {import('./recording-api.js').RecordingEntry} RecordingEntry
  *
- * @typedef {object} Deeds
+ * @typedef {object} Actions
  * @property {(key: string) => void} press does what a key does
  * @property {() => void} showShelf lets one choose another recording
  * @property {(speed: number) => void} setSpeed
@@ -32,27 +32,27 @@ export class ReplayBar {
    * @param {HTMLElement} place
    * @param {import('./comparison-panel.js').ComparisonPanel} comparison
    * @param {import('./bookmark-list.js').BookmarkList} bookmarks
-   * @param {Deeds} deeds
+   * @param {Actions} actions
    */
-  constructor(place, comparison, bookmarks, deeds) {
-    this.deeds = deeds;
+  constructor(place, comparison, bookmarks, actions) {
+    this.actions = actions;
     /** What needs an open recording. @type {HTMLButtonElement[]} */
     this.keys = [];
     this.play = this.#key('replay-play', '', 'Play or pause', 'Space');
     this.play.className = 'primary';
     this.loop = this.#key('replay-loop', 'Loop', 'Repeat two seconds around this moment', 'L');
-    this.recording = button('Recordings', 'Choose another recording', deeds.showShelf, { id: 'recording' });
+    this.recording = button('Recordings', 'Choose another recording', actions.showShelf, { id: 'recording' });
     this.speed = choice(
       { id: 'replay-speed', 'aria-label': 'Speed of the replay' },
       SPEEDS.map((each) => [String(each), `${each}×`]),
-      (speed) => deeds.setSpeed(Number(speed)),
+      (speed) => actions.setSpeed(Number(speed)),
     );
     this.reading = element('span', { class: 'seconds' });
     this.name = element('span', { class: 'faint', id: 'recording-name' });
-    this.start = button('Start here', '', deeds.startHere, { id: 'start-here' });
-    this.saves = saveButtons(deeds.save);
+    this.start = button('Start here', '', actions.startHere, { id: 'start-here' });
+    this.saves = saveButtons(actions.save);
     const line = element('div', { class: 'replay-line', id: 'replay-line', title: 'Drag to any moment' });
-    this.line = new ReplayLine(line, deeds.goTo);
+    this.line = new ReplayLine(line, actions.goTo);
     place.append(comparison.line, line, legend(), this.#bar(comparison, bookmarks));
   }
 
@@ -99,13 +99,13 @@ export class ReplayBar {
 
   /** A button that does what a key does. @param {string} id @param {string} name @param {string} hint @param {string} key */
   #key(id, name, hint, key) {
-    const made = button(name, `${hint} (${key})`, () => this.deeds.press(key), { id });
+    const made = button(name, `${hint} (${key})`, () => this.actions.press(key), { id });
     this.keys.push(made);
     return made;
   }
 }
 
-/** @param {Deeds['save']} save */
+/** @param {Actions['save']} save */
 function saveButtons(save) {
   return [
     button('CSV', 'Save all cycles as a table, or those of the loop', save.csv, { id: 'export-csv' }),

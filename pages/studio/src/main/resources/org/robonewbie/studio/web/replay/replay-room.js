@@ -14,9 +14,9 @@ import {
 import { restoredText, startFrom } from '../panels/scene-panel.js';
 import { BookmarkList, momentLink } from './bookmark-list.js';
 import { ComparisonPanel } from './comparison-panel.js';
-import { ExportDesk } from './export-desk.js';
+import { ExportController } from './export-controller.js';
 import { ReplayBar } from './replay-bar.js';
-import { RecordingShelf } from './recording-shelf.js';
+import { RecordingRepository } from './recording-repository.js';
 import { SceneMemory } from './scene-memory.js';
 import { eventText } from './replay-line.js';
 import { listRecordings, loadModels } from './recording-api.js';
@@ -28,7 +28,7 @@ import { RecordingFile } from './recordings.js';
  * @property {(text: string) => void} note
  * @property {() => void} goLive
  * @property {() => boolean} hasClock
- * @property {() => import('../field/camera-desk.js').CameraDesk} camera
+ * @property {() => import('../field/camera-controller.js').CameraController} camera
  */
 
 const LIST_MILLISECONDS = 3000;
@@ -42,7 +42,7 @@ export async function openReplayRoom(surroundings) {
 }
 
 /** @param {string[]} keys @param {string} shown @param {string} text @param {() => void} act */
-const deed = (keys, shown, text, act) => ({ keys, shown, text, act });
+const action = (keys, shown, text, act) => ({ keys, shown, text, act });
 
 class ReplayRoom {
   /**
@@ -66,14 +66,14 @@ class ReplayRoom {
       note: surroundings.note,
       changed: () => this.#set(this.state),
     });
-    this.shelf = new RecordingShelf({
+    this.shelf = new RecordingRepository({
       choose: (name) => this.choose(name),
       changed: () => this.refresh(),
       renamed: (from, to) => this.#renamed(from, to),
       note: surroundings.note,
     });
     this.bookmarks = this.#bookmarkList();
-    this.exports = new ExportDesk({
+    this.exports = new ExportController({
       models,
       note: surroundings.note,
       file: () => this.file,
@@ -183,19 +183,19 @@ class ReplayRoom {
   }
 
   /** What keys do here. */
-  get deeds() {
+  get actions() {
     return [
-      deed([' '], 'Space', 'play or pause', () => this.#set({ ...this.#restarted(), playing: !this.state.playing })),
-      deed(['ArrowLeft', ','], '←', 'one cycle back', () => this.#set(stepped(this.state, -1))),
-      deed(['ArrowRight', '.'], '→', 'one cycle on', () => this.#set(stepped(this.state, 1))),
-      deed(['PageUp'], 'Page up', 'one second back', () => this.#set(stepped(this.state, -MOMENTS_PER_SECOND))),
-      deed(['PageDown'], 'Page down', 'one second on', () => this.#set(stepped(this.state, MOMENTS_PER_SECOND))),
-      deed(['Home'], 'Home', 'to the beginning', () => this.#set(atMoment(this.state, 0))),
-      deed(['End'], 'End', 'to the end', () => this.#set(atMoment(this.state, this.state.count - 1))),
-      deed(['['], '[', 'event before', () => this.#jump(-1)),
-      deed([']'], ']', 'next event', () => this.#jump(1)),
-      deed(['m', 'M'], 'M', 'set a bookmark', () => this.bookmarks.ask()),
-      deed(['l', 'L'], 'L', 'repeat two seconds around this moment', () => this.#set(looped(this.state))),
+      action([' '], 'Space', 'play or pause', () => this.#set({ ...this.#restarted(), playing: !this.state.playing })),
+      action(['ArrowLeft', ','], '←', 'one cycle back', () => this.#set(stepped(this.state, -1))),
+      action(['ArrowRight', '.'], '→', 'one cycle on', () => this.#set(stepped(this.state, 1))),
+      action(['PageUp'], 'Page up', 'one second back', () => this.#set(stepped(this.state, -MOMENTS_PER_SECOND))),
+      action(['PageDown'], 'Page down', 'one second on', () => this.#set(stepped(this.state, MOMENTS_PER_SECOND))),
+      action(['Home'], 'Home', 'to the beginning', () => this.#set(atMoment(this.state, 0))),
+      action(['End'], 'End', 'to the end', () => this.#set(atMoment(this.state, this.state.count - 1))),
+      action(['['], '[', 'event before', () => this.#jump(-1)),
+      action([']'], ']', 'next event', () => this.#jump(1)),
+      action(['m', 'M'], 'M', 'set a bookmark', () => this.bookmarks.ask()),
+      action(['l', 'L'], 'L', 'repeat two seconds around this moment', () => this.#set(looped(this.state))),
     ];
   }
 
@@ -251,12 +251,12 @@ class ReplayRoom {
 
   #bar() {
     return new ReplayBar(byId('replay'), this.comparison, this.bookmarks, {
-      press: (key) => this.deeds.find(({ shown }) => shown === key)?.act(),
+      press: (key) => this.actions.find(({ shown }) => shown === key)?.act(),
       showShelf: () => this.shelf.show(!this.shelf.isOpen),
       setSpeed: (speed) => this.#set({ ...this.state, speed }),
       goTo: (index) => this.#goTo(index),
       startHere: () => this.#startHere(),
-      save: this.exports.deeds,
+      save: this.exports.actions,
     });
   }
 

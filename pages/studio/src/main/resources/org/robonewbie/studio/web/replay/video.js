@@ -1,5 +1,5 @@
 /** Recordings as videos: each picture is drawn for its very moment, however long that takes, and encoded by the browser. */
-import { CameraDesk } from '../field/camera-desk.js';
+import { CameraController } from '../field/camera-controller.js';
 import { FieldView } from '../field/field-view.js';
 import { element } from '../panels/elements.js';
 import { QUALITIES } from '../state/quality.js';
@@ -35,7 +35,7 @@ const MISSING =
  * @param {Record<string, import('../state/kinematics.js').RobotModel>} models
  * @param {import('./exports.js').Section} section
  * @param {import('./exports.js').Progress} progress
- * @param {CameraDesk} camera that the video looks like
+ * @param {CameraController} camera that the video looks like
  * @returns {Promise<Blob>} a WebM file
  */
 export async function videoOf({ run }, models, [from, to], progress, camera) {
@@ -65,14 +65,14 @@ class VideoStage {
   /** @type {import('../live/state-frame.js').Scene | undefined} */
   #scene;
 
-  /** @param {Record<string, import('../state/kinematics.js').RobotModel>} models @param {CameraDesk} camera */
+  /** @param {Record<string, import('../state/kinematics.js').RobotModel>} models @param {CameraController} camera */
   constructor(models, camera) {
     document.body.append(this.#place);
     this.view = new FieldView(this.#place, QUALITIES[QUALITIES.length - 1]);
     this.view.setTheme(document.documentElement.dataset.theme === 'dark' ? 'dark' : 'light');
     this.view.renderer.setPixelRatio(1);
     this.view.renderer.setSize(WIDTH, HEIGHT);
-    this.desk = new CameraDesk(this.view.camera);
+    this.desk = new CameraController(this.view.camera);
     this.model = camera;
     this.scenes = new SceneMemory(models);
     this.pen = /** @type {CanvasRenderingContext2D} */ (this.canvas.getContext('2d', { willReadFrequently: true }));
@@ -91,7 +91,7 @@ class VideoStage {
       this.desk.lookAs(this.model);
     }
     this.view.update(frameOf(moment, scene));
-    this.desk.update(this.view.crowd.poses, isFirst ? 1 : 1 / PICTURES_PER_SECOND, this.view.ball.position.toArray());
+    this.desk.update(this.view.robots.poses, isFirst ? 1 : 1 / PICTURES_PER_SECOND, this.view.ball.position.toArray());
     this.view.light.shine(this.desk.shown.target, this.view.camera.position);
     this.view.draw();
     this.pen.drawImage(this.view.renderer.domElement, 0, 0, WIDTH, HEIGHT);

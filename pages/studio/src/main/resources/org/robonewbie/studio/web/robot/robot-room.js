@@ -9,7 +9,7 @@ import { cameraPicture } from './camera-picture.js';
 import { jointBars } from './joint-bars.js';
 import { logList } from './log-list.js';
 import { messageView } from './message-view.js';
-import { PlotDesk } from './plot-desk.js';
+import { PlotController } from './plot-controller.js';
 import { sensesPanel } from './senses-panel.js';
 import { surroundingsMap } from './surroundings-map.js';
 
@@ -57,7 +57,7 @@ class RobotRoom {
     this.drawCamera = cameraPicture(camera);
     this.drawMap = surroundingsMap(map);
     this.drawSenses = sensesPanel(senses);
-    this.plots = new PlotDesk(right, goTo);
+    this.plots = new PlotController(right, goTo);
   }
 
   /** A panel below its name, which folds it. @param {import('../state/layout.js').PanelName} name */
@@ -97,7 +97,7 @@ class RobotRoom {
   }
 
   /** What keys do here. */
-  get deeds() {
+  get actions() {
     return [
       {
         keys: ['n', 'N'],

@@ -16,9 +16,9 @@ import { playModeText } from './play-mode.js';
  * @property {Frame | undefined} frame
  * @property {number} movedMilliseconds when the cycle changed last, on the page's clock
  * @property {{side: 'left' | 'right', milliseconds: number} | undefined} goal who has scored last, and when
- * @property {Deeds} deeds
+ * @property {Actions} actions
  *
- * @typedef {{undo: string, redo: string}} Deeds what would be undone and done again, empty for nothing
+ * @typedef {{undo: string, redo: string}} Actions what would be undone and done again, empty for nothing
  */
 
 /** Without a new cycle for so long, a running world is waiting for somebody. */
@@ -46,7 +46,7 @@ export function initialState() {
     frame: undefined,
     movedMilliseconds: 0,
     goal: undefined,
-    deeds: { undo: '', redo: '' },
+    actions: { undo: '', redo: '' },
   };
 }
 
@@ -86,11 +86,11 @@ export function withScene(state, scene) {
 
 /**
  * @param {StudioState} state
- * @param {Deeds} deeds
+ * @param {Actions} actions
  * @returns {StudioState}
  */
 export function withDeeds(state, { undo, redo }) {
-  return { ...state, deeds: { undo, redo } };
+  return { ...state, actions: { undo, redo } };
 }
 
 /**

@@ -1,7 +1,7 @@
 package org.robonewbie.web.library.org.robonewbie.agent.running;
 
 import java.util.Optional;
-import org.robonewbie.web.bytecode.StudentFields;
+import org.robonewbie.pagejvm.StudentFields;
 
 /** Makes robots of students' programs once more; compiled ones ask for their numbers in {@code think()}. */
 public final class PageMadeOnceMore {

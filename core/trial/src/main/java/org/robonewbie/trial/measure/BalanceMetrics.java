@@ -1,0 +1,68 @@
+package org.robonewbie.trial.measure;
+
+import org.jspecify.annotations.Nullable;
+import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.trial.Moment;
+
+/** How calm the torso is and how hard the motors work: the mean speed about horizontal axes, and joints at their speed limit. */
+public final class BalanceMetrics extends MeasureFromStart {
+
+    private static final Vector3 UP = new Vector3(0, 0, 1);
+
+    /** The part of a joint's largest speed from which on it counts as being at its limit. */
+    private static final double LIMIT = 0.99;
+
+    private @Nullable BodyState before;
+    private int cycles;
+    private double degreesPerSecond;
+    private double jointsAtLimit;
+
+    /** Creates a measure that has not seen anything. */
+    public BalanceMetrics() {}
+
+    @Override
+    protected void see(Moment first, Moment now) {
+        BodyState last = before;
+        before = now.robot();
+        if (last != null) {
+            compare(last, now.robot());
+        }
+    }
+
+    private void compare(BodyState last, BodyState body) {
+        cycles++;
+        degreesPerSecond += PortableMath.toDegrees(up(body).distanceTo(up(last))) / Cycle.SECONDS;
+        for (Joint joint : Joint.values()) {
+            double turned = Math.abs(body.degrees(joint) - last.degrees(joint));
+            jointsAtLimit += turned >= LIMIT * joint.maxDegreesPerSecond() * Cycle.SECONDS ? 1 : 0;
+        }
+    }
+
+    private static Vector3 up(BodyState body) {
+        return body.torso().rotation().apply(UP);
+    }
+
+    @Override
+    public double value() {
+        return degreesPerSecond / Math.max(1, cycles);
+    }
+
+    @Override
+    public String unit() {
+        return "°/s";
+    }
+
+    @Override
+    public boolean isLargerBetter() {
+        return false;
+    }
+
+    /** {@return the mean number of joints at their speed limit} */
+    public double meanJointsAtLimit() {
+        return jointsAtLimit / Math.max(1, cycles);
+    }
+}

@@ -1,0 +1,100 @@
+package org.robonewbie.exercises;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.IntStream;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
+
+/**
+ * Raise the arm on whose side another robot stands; that robot stands somewhere else every three seconds.
+ */
+final class ArmBySideTask implements Task {
+
+    private static final Place STUDENT = new Place(-3, 0, 0);
+    private static final double PHASE_SECONDS = 3;
+    private static final double JUDGED_FROM_SECONDS = 2;
+    private static final double UP_DEGREES = 50;
+    private static final double DOWN_DEGREES = 20;
+
+    private List<Integer> sides = List.of(1, -1, 0, 1, -1, 0);
+    private Chance places = new Chance(0);
+    private final boolean[] wrong = new boolean[6];
+    private int phase = -1;
+
+    @Override
+    public Scene scene(Chance chance) {
+        places = chance;
+        sides = chance.shuffled(sides);
+        return Scene.of(RobotStart.at(STUDENT), RobotStart.at(-5, 2).withTeam("Others", 2));
+    }
+
+    @Override
+    public void act(Trial trial) {
+        int now = phase(trial.seconds());
+        if (now != phase) {
+            phase = now;
+            trial.moveRobot(1, dummyPlace(sides.get(phase)));
+        }
+    }
+
+    private int phase(double seconds) {
+        return Math.min(sides.size() - 1, (int) (seconds / PHASE_SECONDS));
+    }
+
+    @Override
+    public void see(Moment moment) {
+        int now = phase(moment.seconds());
+        if (moment.seconds() - now * PHASE_SECONDS > JUDGED_FROM_SECONDS) {
+            double left = moment.robot().degrees(Joint.LEFT_SHOULDER_PITCH);
+            double right = moment.robot().degrees(Joint.RIGHT_SHOULDER_PITCH);
+            wrong[now] |= isWrong(left, sides.get(now) > 0) || isWrong(right, sides.get(now) < 0);
+        }
+    }
+
+    @Override
+    public Score score() {
+        int left = right(1);
+        int right = right(-1);
+        int none = right(0);
+        String finding = String.format(
+                Locale.ROOT,
+                "right %d of 2 times with the robot on the left, %d of 2 on the right, %d of 2 out of sight",
+                left,
+                right,
+                none);
+        int least = Math.min(left, Math.min(right, none));
+        return least == 2
+                ? Score.passed(finding)
+                : Score.failed(
+                        least == 0 ? (left + right + none) / 2.0 : 2.0 + left + right + none,
+                        finding,
+                        "fieldView.players() lists all whom your robot remembers: ask isVisible(), and the sign of bearing() for"
+                                + " the side. Up is above 50°, down below 20°.");
+    }
+
+    /** How often the arms were right while the other robot stood on a side. */
+    private int right(int side) {
+        return (int) IntStream.range(0, wrong.length)
+                .filter(i -> sides.get(i) == side && !wrong[i])
+                .count();
+    }
+
+    private static boolean isWrong(double degrees, boolean up) {
+        return up ? degrees < UP_DEGREES : degrees > DOWN_DEGREES;
+    }
+
+    /** Left, right, or behind the student's robot, where its camera does not see it. */
+    private Place dummyPlace(int side) {
+        double distance = places.between(1.2, 2.2);
+        double bearing = side == 0 ? places.between(150, 210) : side * places.between(15, 40);
+        Vector3 point = STUDENT.point(distance, bearing, 0);
+        return new Place(point.x(), point.y(), 180);
+    }
+}

@@ -1,0 +1,88 @@
+package org.robonewbie.exercises;
+
+import java.util.Locale;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+
+/**
+ * Walk once around the ball, without touching it and without losing it.
+ */
+final class AroundTheBallTask implements Task {
+
+    private static final Place STUDENT = new Place(-0.8, 0, 0);
+    private static final double MOVED_METRES = 0.002;
+    private static final double NEAR_METRES = 0.9;
+    private static final double FAR_METRES = 2;
+
+    private Vector3 ballStart = Vector3.ZERO;
+    private double directionBefore;
+    private double turned;
+    private double moved;
+    private double farthest;
+    private double seconds;
+
+    @Override
+    public Scene scene(Chance chance) {
+        return Scene.of(RobotStart.at(STUDENT).after("stand"))
+                .withBall(STUDENT.point(chance.between(1, 1.6), chance.side() * chance.between(20, 45), 0));
+    }
+
+    @Override
+    public void see(Moment moment) {
+        double direction = direction(moment);
+        if (moment.seconds() == 0) {
+            ballStart = moment.ball();
+            directionBefore = direction;
+        }
+        if (moment.place().distance(moment.ball()) <= NEAR_METRES) {
+            turned += PortableMath.IEEEremainder(direction - directionBefore, 360);
+        }
+        directionBefore = direction;
+        moved = Math.max(moved, moment.ball().distanceTo(ballStart));
+        farthest = Math.max(farthest, moment.place().distance(ballStart));
+        seconds = moment.seconds();
+    }
+
+    @Override
+    public boolean isDecided() {
+        return Math.abs(turned) >= 360 || moved > MOVED_METRES || farthest > FAR_METRES;
+    }
+
+    @Override
+    public Score score() {
+        String finding = String.format(
+                Locale.ROOT,
+                "%.0f° around the ball within 0.9 m in %.1f s, ball moved by %.3f m",
+                Math.abs(turned),
+                seconds,
+                moved);
+        if (moved > MOVED_METRES) {
+            return Score.failed(
+                    Math.abs(turned) / 60,
+                    finding,
+                    "Keep more distance: 0.5 m from fieldView.ball().distance() is safe.");
+        }
+        if (farthest > FAR_METRES) {
+            return Score.failed(
+                    Math.abs(turned) / 60, finding, "Stay within 2 m of the ball and keep your eyes on it.");
+        }
+        return Math.abs(turned) >= 360
+                ? Score.passed(finding)
+                : Score.failed(
+                        Math.abs(turned) / 45,
+                        finding,
+                        "Stay within 0.9 m and walk sideways while you turn to the ball: walk.towards(forward, left, turn) takes all"
+                                + " three at once.");
+    }
+
+    private static double direction(Moment moment) {
+        Place here = moment.place();
+        Vector3 ball = moment.ball();
+        return PortableMath.toDegrees(PortableMath.atan2(here.y() - ball.y(), here.x() - ball.x()));
+    }
+}

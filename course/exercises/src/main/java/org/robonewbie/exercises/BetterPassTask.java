@@ -1,0 +1,143 @@
+package org.robonewbie.exercises;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
+
+/**
+ * Number 1 passes to the one of two team mates to whom the way is free. First an opponent stands before the nearer mate, then before
+ * the farther one; between the two passes everybody is carried back. What the ball does after it has met the opponent no longer counts: it
+ * may roll to the free mate from there, but that is luck.
+ */
+final class BetterPassTask implements Task {
+
+    private static final Place PASSER = new Place(-1.5, 0, 0);
+    private static final Vector3 BALL = new Vector3(-1.05, 0.05, 0);
+    private static final int PASSES = 2;
+    private static final double PASS_SECONDS = 25;
+    private static final double OPPONENT_METRES = 0.8;
+    private static final double REACHED_METRES = 0.8;
+    private static final double STAYED_METRES = 0.9;
+    private static final double STOPPED_METRES = 0.3;
+    private static final int OPPONENT = 3;
+
+    /** The passer, both mates, the opponent: where they stand at the beginning of a pass. */
+    private final List<List<Place>> starts = new ArrayList<>();
+
+    private final double[] nearest = new double[PASSES];
+    private int pass;
+    private boolean stopped;
+    private double strayed;
+
+    /** Creates the task of one trial. */
+    public BetterPassTask() {
+        Arrays.fill(nearest, Double.POSITIVE_INFINITY);
+    }
+
+    @Override
+    public Scene scene(Chance chance) {
+        int nearSide = chance.isSeedOdd() ? 1 : -1;
+        Place near = mate(nearSide * chance.between(38, 44), chance.between(1.5, 1.6));
+        Place far = mate(-nearSide * chance.between(38, 44), chance.between(1.8, 1.9));
+        starts.add(List.of(PASSER, near, far, before(near)));
+        starts.add(List.of(PASSER, near, far, before(far)));
+        return Scene.of(
+                        RobotStart.at(PASSER).after("stand"),
+                        RobotStart.at(near).after("stand").withTeam(RobotStart.TEAM, 2),
+                        RobotStart.at(far).after("stand").withTeam(RobotStart.TEAM, 3),
+                        RobotStart.at(before(near)).after("stand").withTeam("Others", 2))
+                .withBall(BALL);
+    }
+
+    private static Place mate(double degrees, double metres) {
+        double angle = PortableMath.toRadians(degrees);
+        return new Place(
+                BALL.x() + metres * PortableMath.cos(angle),
+                BALL.y() + metres * PortableMath.sin(angle),
+                180 + degrees);
+    }
+
+    /** Where an opponent stands in the way to a mate. */
+    private static Place before(Place mate) {
+        Vector3 way = mate.point(0, 0, 0).minus(BALL);
+        Vector3 place = BALL.plus(way.times(OPPONENT_METRES / way.length()));
+        return new Place(place.x(), place.y(), mate.degrees());
+    }
+
+    @Override
+    public void act(Trial trial) {
+        if (pass == 0 && trial.seconds() >= PASS_SECONDS) {
+            pass = 1;
+            stopped = false;
+            for (int i = 0; i < starts.get(1).size(); i++) {
+                trial.moveRobot(i, starts.get(1).get(i));
+            }
+            trial.placeBall(BALL);
+        }
+    }
+
+    @Override
+    public void see(Moment moment) {
+        List<Place> places = starts.get(pass);
+        for (int i = 0; i < places.size() && nearest[pass] > REACHED_METRES; i++) {
+            strayed = Math.max(
+                    strayed, places.get(i).distance(moment.robots().get(i).position()));
+        }
+        stopped |= places.get(OPPONENT).distance(moment.ball()) < STOPPED_METRES;
+        if (!stopped) {
+            Place free = places.get(freeMate(pass));
+            nearest[pass] = Math.min(nearest[pass], free.distance(moment.ball()));
+        }
+    }
+
+    /** First the farther mate is free, then the nearer one. */
+    private static int freeMate(int number) {
+        return 2 - number;
+    }
+
+    @Override
+    public boolean isDecided() {
+        return strayed > STAYED_METRES || nearest[1] <= REACHED_METRES;
+    }
+
+    @Override
+    public Score score() {
+        String finding = String.format(
+                Locale.ROOT,
+                "first pass %s, second pass %s%s",
+                told(0),
+                told(1),
+                strayed > STAYED_METRES ? ", and somebody left their place" : "");
+        if (strayed > STAYED_METRES) {
+            return Score.failed(
+                    1,
+                    finding,
+                    "Everybody stays within 0.9 m of where they begin: number 1 only gets behind the ball and stops after its kick, and the"
+                            + " mates wait.");
+        }
+        boolean first = nearest[0] <= REACHED_METRES;
+        boolean second = nearest[1] <= REACHED_METRES;
+        return first && second
+                ? Score.passed(finding)
+                : Score.failed(
+                        first || second ? 3 : 0,
+                        finding,
+                        "Ask for each mate how near an opponent comes to the way from the ball to it: Translation2d.distanceToWay. Kick.kick gets"
+                                + " behind the ball by itself; give it the same direction until the ball rolls.");
+    }
+
+    private String told(int number) {
+        return Double.isInfinite(nearest[number])
+                ? "not tried"
+                : String.format(Locale.ROOT, "%.2f m beside the free mate at best", nearest[number]);
+    }
+}

@@ -1,0 +1,96 @@
+package org.robonewbie.exercises;
+
+import java.util.Locale;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+
+/** Bring the ball past an opponent on its left, without a kick and without touching it. The straight way goes by on its right. */
+final class DribblePastTask implements Task {
+
+    private static final double START_X = -2.5;
+    private static final double LINE_X = 0.9;
+    private static final double BESIDE_METRES = 0.2;
+    private static final double FAR_METRES = 1.8;
+    private static final double EDGE_METRES = 3;
+    private static final double PUSHED_METRES = 0.1;
+
+    private Place opponent = new Place(0, 0, 180);
+    private double x = Double.NEGATIVE_INFINITY;
+    private double farthest;
+    private double aside;
+    private double seconds;
+    private boolean passed;
+    private boolean wrongSide;
+    private boolean pushed;
+
+    @Override
+    public Scene scene(Chance chance) {
+        double y = chance.between(0, 0.3);
+        opponent = new Place(chance.between(-0.5, -0.3), y + chance.between(0.15, 0.3), 180);
+        return Scene.of(
+                        RobotStart.at(new Place(-3.2, y, chance.between(-10, 10)))
+                                .after("stand"),
+                        RobotStart.at(opponent).after("stand").withTeam("Others", 2))
+                .withBall(START_X, y);
+    }
+
+    @Override
+    public void see(Moment moment) {
+        seconds = moment.seconds();
+        Vector3 ball = moment.ball();
+        if (!passed && ball.x() > opponent.x()) {
+            passed = true;
+            wrongSide = ball.y() - opponent.y() < BESIDE_METRES;
+        }
+        x = ball.x();
+        farthest = Math.max(farthest, moment.place().distance(ball));
+        aside = Math.max(aside, Math.abs(ball.y()));
+        pushed |= opponent.distance(moment.robots().get(1).position()) > PUSHED_METRES;
+    }
+
+    @Override
+    public boolean isDecided() {
+        return pushed || wrongSide || farthest > FAR_METRES || aside > EDGE_METRES || x > LINE_X;
+    }
+
+    @Override
+    public Score score() {
+        String finding = String.format(
+                Locale.ROOT,
+                "brought the ball %.2f of %.2f m ahead in %.0f s, %.2f m away from it at most",
+                Math.max(0, x - START_X),
+                LINE_X - START_X,
+                seconds,
+                farthest);
+        if (wrongSide) {
+            return Score.failed(
+                    2, finding, "The ball has to pass the opponent on its left (more y), at least 0.2 m beside it.");
+        }
+        if (pushed) {
+            return Score.failed(
+                    passed ? 3 : 2,
+                    finding,
+                    "The opponent was pushed. Choose a point to its left, 0.8 m away, and bring the ball there first; when the ball has"
+                            + " passed the opponent, go on to the goal.");
+        }
+        if (farthest > FAR_METRES) {
+            return Score.failed(
+                    1,
+                    finding,
+                    "Stay with the ball: within 1.8 m of it all the time. Dribble, do not kick, and walk more slowly.");
+        }
+        if (aside > EDGE_METRES) {
+            return Score.failed(1, finding, "Stay within 3 m of the middle of the pitch: |y| below 3.");
+        }
+        return x > LINE_X
+                ? Score.passed(finding)
+                : Score.failed(
+                        passed ? 3 : 0,
+                        finding,
+                        "Dribble.bring(world, target) brings the ball to a point. Which one, so that the way past the opponent is free?");
+    }
+}

@@ -1,0 +1,77 @@
+package org.robonewbie.exercises;
+
+import java.util.Locale;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+
+/**
+ * Walk further in 10 seconds than the framework's walk does with its own numbers. The fast walk, which is given too, does not count.
+ */
+final class FasterWalkTask implements Task {
+
+    private static final double FAR_METRES = 6.3;
+    private static final double BEST_METRES = 6.8;
+    private static final double ASIDE_METRES = 1;
+
+    private static final double STARTING_METRES = 2;
+    private static final double GIVEN_POINTS = 3;
+
+    private final RecognisedGait gait = new RecognisedGait();
+    private Place start = new Place(-5, 0, 0);
+    private double metres;
+    private double aside;
+    private boolean fallen;
+
+    @Override
+    public Scene scene(Chance chance) {
+        start = new Place(-5, chance.between(-2, 2), chance.between(-15, 15));
+        return Scene.of(RobotStart.at(start).after("stand")).withBall(5.5, 3.7);
+    }
+
+    @Override
+    public void see(Moment moment) {
+        Vector3 torso = moment.robot().position();
+        double direction = PortableMath.toRadians(start.bearing(torso));
+        double way = start.distance(torso);
+        metres = way * PortableMath.cos(direction);
+        aside = Math.max(aside, Math.abs(way * PortableMath.sin(direction)));
+        fallen |= moment.robot().isFallen();
+        if (metres > STARTING_METRES) {
+            gait.see(moment.robot());
+        }
+    }
+
+    @Override
+    public boolean isDecided() {
+        return fallen;
+    }
+
+    @Override
+    public Score score() {
+        String finding = String.format(
+                Locale.ROOT, "%.2f m in 10 s, at most %.2f m aside%s", metres, aside, fallen ? ", then a fall" : "");
+        if (fallen) {
+            return Score.failed(
+                    metres / 2, finding, "Too fast: change one number at a time and try each several times.");
+        }
+        if (gait.isFastWalk()) {
+            return Score.failed(
+                    GIVEN_POINTS,
+                    finding + ", with the framework's fast walk",
+                    "WalkStyle.FAST and FastWalk are given; find numbers of your own, beginning with WalkStyle.coordinates().");
+        }
+        return metres >= FAR_METRES && aside <= ASIDE_METRES
+                ? Score.passed(
+                        (int) Math.round(7 + 3 * (metres - FAR_METRES) / (BEST_METRES - FAR_METRES)), finding, "")
+                : Score.failed(
+                        metres,
+                        finding,
+                        "With its own numbers the framework's walk gets 5.8 m far. Give walk.setStyle others: let a program try"
+                                + " many, keep the best, and vary it again.");
+    }
+}

@@ -1,0 +1,166 @@
+package org.robonewbie.exercises;
+
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.function.Predicate;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
+
+/**
+ * Three players take places around a ball that nobody touches: one at the ball, one between it and their goal, one free for a pass.
+ * Then the ball is put somewhere else.
+ */
+final class FormationTask implements Task {
+
+    private static final int SCENES = 2;
+    private static final double SCENE_SECONDS = 24;
+    private static final double JUDGED_SECONDS = 2;
+    private static final double OPPONENT_METRES = 1.2;
+    private static final double AT_BALL_METRES = 0.9;
+    private static final double COVER_ASIDE_METRES = 0.6;
+    private static final double COVER_LEAST_METRES = 1.2;
+    private static final double COVER_MOST_METRES = 3.5;
+    private static final double PASS_LEAST_METRES = 1.8;
+    private static final double PASS_MOST_METRES = 4;
+    private static final double LANE_METRES = 0.7;
+    private static final double TOUCHED_METRES = 0.1;
+    private static final int PLAYERS = 3;
+    private static final Vector3 OUR_GOAL = new Vector3(-6, 0, 0);
+    private static final Vector3 THEIR_GOAL = new Vector3(6, 0, 0);
+
+    private final Vector3[] balls = new Vector3[SCENES];
+    private final boolean[][] missed = new boolean[SCENES][PLAYERS];
+    private int scene;
+    private boolean touched;
+    private double seconds;
+
+    /** Creates the task of one trial. */
+    public FormationTask() {
+        Arrays.fill(balls, Vector3.ZERO);
+    }
+
+    @Override
+    public Scene scene(Chance chance) {
+        int side = chance.isSeedOdd() ? 1 : -1;
+        balls[0] = new Vector3(chance.between(-0.8, -0.3), side * chance.between(0.9, 1.3), 0);
+        balls[1] = new Vector3(chance.between(0.9, 1.3), -side * chance.between(1.2, 1.6), 0);
+        return Scene.of(
+                        player(1, -4, chance.between(-0.3, 0.3)),
+                        player(2, -3.5, chance.between(1.4, 1.8)),
+                        player(3, -3.5, -chance.between(1.4, 1.8)),
+                        RobotStart.at(opponent(balls[0])).after("stand").withTeam("Others", 2))
+                .withBall(balls[0]);
+    }
+
+    private static RobotStart player(int number, double x, double y) {
+        return RobotStart.at(new Place(x, y, 0)).after("stand").withTeam(RobotStart.TEAM, number);
+    }
+
+    /** An opponent stands between the ball and its goal. */
+    private static Place opponent(Vector3 ball) {
+        Vector3 way = THEIR_GOAL.minus(ball);
+        Vector3 place = ball.plus(way.times(OPPONENT_METRES / way.length()));
+        return new Place(place.x(), place.y(), 180);
+    }
+
+    @Override
+    public void act(Trial trial) {
+        if (scene == 0 && trial.seconds() >= SCENE_SECONDS) {
+            scene = 1;
+            trial.moveRobot(PLAYERS, opponent(balls[1]));
+            trial.placeBall(balls[1]);
+        }
+    }
+
+    @Override
+    public void see(Moment moment) {
+        seconds = moment.seconds();
+        Vector3 ball = balls[scene];
+        boolean settled = seconds - scene * SCENE_SECONDS > 0.5;
+        touched |= settled && level(moment.ball()).distanceTo(ball) > TOUCHED_METRES;
+        if (seconds > (scene + 1) * SCENE_SECONDS - JUDGED_SECONDS) {
+            Vector3 opponent = level(moment.robots().get(PLAYERS).position());
+            missed[scene][0] |= nobody(moment, place -> place.distanceTo(ball) <= AT_BALL_METRES);
+            missed[scene][1] |= nobody(moment, place -> isCovering(place, ball));
+            missed[scene][2] |= nobody(moment, place -> isFree(place, ball, opponent));
+        }
+    }
+
+    private static boolean nobody(Moment moment, Predicate<Vector3> question) {
+        return moment.robots().stream()
+                .limit(PLAYERS)
+                .map(BodyState::position)
+                .map(FormationTask::level)
+                .noneMatch(question);
+    }
+
+    private static boolean isCovering(Vector3 place, Vector3 ball) {
+        double metres = place.distanceTo(ball);
+        return metres >= COVER_LEAST_METRES
+                && metres <= COVER_MOST_METRES
+                && distanceToWay(place, ball, OUR_GOAL) <= COVER_ASIDE_METRES;
+    }
+
+    private static boolean isFree(Vector3 place, Vector3 ball, Vector3 opponent) {
+        double metres = place.distanceTo(ball);
+        return metres >= PASS_LEAST_METRES
+                && metres <= PASS_MOST_METRES
+                && place.x() >= ball.x()
+                && distanceToWay(opponent, ball, place) >= LANE_METRES;
+    }
+
+    private static double distanceToWay(Vector3 point, Vector3 from, Vector3 to) {
+        Vector3 way = to.minus(from);
+        double share = point.minus(from).dot(way) / way.dot(way);
+        return point.distanceTo(from.plus(way.times(Math.max(0, Math.min(1, share)))));
+    }
+
+    private static Vector3 level(Vector3 point) {
+        return new Vector3(point.x(), point.y(), 0);
+    }
+
+    @Override
+    public boolean isDecided() {
+        return touched;
+    }
+
+    @Override
+    public Score score() {
+        if (touched) {
+            return Score.failed(
+                    0,
+                    String.format(Locale.ROOT, "the ball was touched after %.0f s", seconds),
+                    "Nobody may touch the ball: whoever goes to it stops 0.6 m before it.");
+        }
+        int right = 0;
+        for (boolean[] each : missed) {
+            for (boolean one : each) {
+                right += one ? 0 : 1;
+            }
+        }
+        String finding = String.format(Locale.ROOT, "first ball: %s, second ball: %s", told(0), told(1));
+        return right == SCENES * PLAYERS
+                ? Score.passed(finding)
+                : Score.failed(
+                        right - 2,
+                        finding,
+                        "Three places that depend on the ball: 0.6 m behind it, on the way to your goal, and ahead beside the opponent. Who"
+                                + " takes which? Assignment.cheapest finds the shortest ways, and all come to the same result.");
+    }
+
+    private String told(int number) {
+        boolean[] bad = missed[number];
+        return String.format(
+                Locale.ROOT,
+                "%s at the ball and %s before the goal and %s free for a pass",
+                bad[0] ? "nobody" : "one",
+                bad[1] ? "nobody" : "one",
+                bad[2] ? "nobody" : "one");
+    }
+}

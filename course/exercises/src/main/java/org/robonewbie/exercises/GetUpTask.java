@@ -1,0 +1,90 @@
+package org.robonewbie.exercises;
+
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.measure.Held;
+
+/**
+ * Feel how the robot lies, say it, get up and say that, too: it lies on its back with odd seeds and on its front with even ones.
+ */
+final class GetUpTask implements Task {
+
+    private static final double HELD_SECONDS = 1;
+    private static final double LIMIT_SECONDS = 12;
+    private static final double QUICK_SECONDS = 7;
+    private static final String UP = "up";
+    private static final Set<String> WORDS = Set.of("back", "front", "left", "right", UP);
+
+    private final Held up = new Held(HELD_SECONDS, moment -> moment.robot().isStanding());
+    private boolean onBack;
+    private Optional<String> said = Optional.empty();
+    private Optional<String> firstWord = Optional.empty();
+    private boolean saidUp;
+    private boolean saidUpTooEarly;
+
+    @Override
+    public Scene scene(Chance chance) {
+        onBack = chance.isSeedOdd();
+        return Scene.of(RobotStart.at(new Place(-1, 0, chance.between(-180, 180)))
+                .after("stand", onBack ? "fall-back" : "fall-forward"));
+    }
+
+    @Override
+    public void act(Trial trial) {
+        said = trial.said(0).filter(WORDS::contains);
+    }
+
+    @Override
+    public void see(Moment moment) {
+        up.see(moment);
+        if (said.isEmpty()) {
+            return;
+        }
+        if (said.get().equals(UP)) {
+            saidUp = true;
+            saidUpTooEarly |= !moment.robot().isStanding();
+        } else if (firstWord.isEmpty()) {
+            firstWord = said;
+        }
+    }
+
+    @Override
+    public boolean isDecided() {
+        return up.isDecided() && saidUp;
+    }
+
+    @Override
+    public Score score() {
+        String lying = onBack ? "back" : "front";
+        double upSeconds = up.value();
+        boolean stood = up.isDecided() && upSeconds <= LIMIT_SECONDS;
+        String finding = String.format(
+                Locale.ROOT,
+                "lay on its %s and said %s; %s",
+                lying,
+                firstWord.map(word -> '"' + word + '"').orElse("nothing"),
+                stood ? String.format(Locale.ROOT, "stood after %.1f s", upSeconds) : "did not get up");
+        if (!firstWord.equals(Optional.of(lying))) {
+            return Score.failed(
+                    stood ? 3 : 0,
+                    finding,
+                    "Ask nao.getBodyPosition() how the robot lies and say it: nao.say(\"back\") or nao.say(\"front\").");
+        }
+        if (!stood) {
+            return Score.failed(4, finding, "Each way of lying needs a motion of its own.");
+        }
+        return saidUp && !saidUpTooEarly
+                ? Score.passed((int) Math.round(10 - Math.max(0, upSeconds - QUICK_SECONDS)), finding, "")
+                : Score.failed(
+                        6,
+                        finding + (saidUp ? ", but said \"up\" while it did not stand" : ", but did not say \"up\""),
+                        "Say nao.say(\"up\") when the robot feels that it stands, and not before.");
+    }
+}

@@ -1,0 +1,86 @@
+package org.robonewbie.exercises;
+
+import java.util.Locale;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.simulator.landscape.Landscape;
+import org.robonewbie.simulator.landscape.Thing;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.measure.Held;
+
+/** Walk up a slope and stand still on the top. */
+final class HillTask implements Task {
+
+    private static final Thing TOP = Landscape.SLOPE.things().get(1);
+    private static final double HELD_SECONDS = 3;
+    private static final double STILL_METRES = 0.06;
+    private static final double LEAST_TORSO_METRES = 0.25;
+
+    private final Held standing = new Held(HELD_SECONDS, this::isStandingOnTop);
+    private Place anchor = new Place(0, 0, 0);
+    private double highest;
+    private boolean fallen;
+
+    @Override
+    public Scene scene(Chance chance) {
+        Place start = new Place(chance.between(-5.1, -4.7), chance.between(-0.8, 0.8), chance.between(-40, 40));
+        return Scene.of(RobotStart.at(start).after("stand"))
+                .withLandscape(Landscape.SLOPE)
+                .withBall(0, chance.between(-1, 1));
+    }
+
+    @Override
+    public void see(Moment moment) {
+        fallen |= moment.robot().isFallen();
+        if (isOverTop(moment)) {
+            highest = Math.max(highest, moment.robot().position().z() - LEAST_TORSO_METRES);
+        }
+        standing.see(moment);
+    }
+
+    private static boolean isOverTop(Moment moment) {
+        Place place = moment.place();
+        return Math.abs(place.x() - TOP.centre().x()) < TOP.size().x() / 2
+                && Math.abs(place.y() - TOP.centre().y()) < TOP.size().y() / 2;
+    }
+
+    /** Whether the robot has hardly moved since it was seen at the anchor; whoever walks on takes the anchor along. */
+    private boolean isStandingOnTop(Moment moment) {
+        Place place = moment.place();
+        boolean still = place.distance(new Vector3(anchor.x(), anchor.y(), 0)) <= STILL_METRES;
+        anchor = still ? anchor : place;
+        boolean high = moment.robot().position().z() > TOP.size().z() + LEAST_TORSO_METRES;
+        return still && high && isOverTop(moment) && !moment.robot().isFallen();
+    }
+
+    @Override
+    public boolean isDecided() {
+        return standing.isDecided() || fallen;
+    }
+
+    @Override
+    public Score score() {
+        boolean reached = highest >= TOP.size().z();
+        String finding = String.format(
+                Locale.ROOT,
+                "%s%s",
+                reached ? "reached the top" : "did not reach the top",
+                fallen ? ", and fell" : standing.isDecided() ? ", and stood there for 3 s" : "");
+        if (standing.isDecided()) {
+            return Score.passed(finding);
+        }
+        if (fallen) {
+            return Score.failed(
+                    reached ? 3 : 0, finding, "Walk slowly: 0.2 m/s leads up safely. Stop before the steps.");
+        }
+        return Score.failed(
+                reached ? 4 : 0,
+                finding,
+                reached
+                        ? "Stop on the top, which is from x = -3.0 to x = -2.3, and stand still for 3 s."
+                        : "The slope is 2 m wide and begins at x = -4.2. Walk to (-4.5, 0) first, turn to 0°, then walk up.");
+    }
+}

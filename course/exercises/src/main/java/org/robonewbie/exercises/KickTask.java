@@ -1,0 +1,125 @@
+package org.robonewbie.exercises;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.nao.motion.file.ShippedMotions;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
+
+/**
+ * Kick a ball with a motion of one's own: it lies before the left foot with odd seeds and before the right one with even seeds.
+ * Walking through it does not count, and neither do the kicks of the framework.
+ */
+final class KickTask implements Task {
+
+    private static final double FAR_METRES = 2;
+    private static final double STAYED_METRES = 0.4;
+    private static final double TOUCHED_METRES = 0.01;
+    private static final double BALL_AHEAD = 0.209;
+    private static final double BALL_ASIDE = 0.036;
+    private static final double ERROR_METRES = 0.006;
+
+    private final List<RecognisedMotion> given = Stream.of("kick-left", "kick-right")
+            .map(ShippedMotions::motion)
+            .map(RecognisedMotion::new)
+            .toList();
+
+    private Place start = new Place(-3, 0, 0);
+    private Vector3 ballStart = Vector3.ZERO;
+    private FootBesideBall foot = new FootBesideBall(start, ballStart);
+    private double ahead;
+    private double left;
+    private double metres;
+    private double walked;
+    private String fall = "";
+    private boolean standing;
+
+    @Override
+    public Scene scene(Chance chance) {
+        ahead = BALL_AHEAD + chance.between(-ERROR_METRES, ERROR_METRES);
+        left = (chance.isSeedOdd() ? 1 : -1) * BALL_ASIDE + chance.between(-ERROR_METRES, ERROR_METRES);
+        Place place = new Place(chance.between(-4, -1), chance.between(-2, 2), chance.between(-45, 45));
+        return Scene.of(RobotStart.at(place).after("stand")).withBall(5.5, 3.7);
+    }
+
+    @Override
+    public void begin(Trial trial) {
+        start = trial.now().place();
+        trial.placeBall(start.pointAt(ahead, left));
+        ballStart = trial.ball().position();
+        foot = new FootBesideBall(start, ballStart);
+    }
+
+    @Override
+    public void see(Moment moment) {
+        BodyState robot = moment.robot();
+        given.forEach(motion -> motion.see(robot));
+        double direction = PortableMath.toRadians(start.degrees());
+        Vector3 way = moment.ball().minus(ballStart);
+        metres = Math.max(metres, way.x() * PortableMath.cos(direction) + way.y() * PortableMath.sin(direction));
+        walked = Math.max(walked, start.distance(robot.position()));
+        if (metres < TOUCHED_METRES) {
+            foot.see(robot);
+        }
+        standing = robot.isStanding();
+        if (robot.isFallen() && fall.isEmpty()) {
+            fall = String.format(Locale.ROOT, " and fell %s after %.1f s", side(robot), moment.seconds());
+        }
+    }
+
+    /** Where the head of a fallen robot points. */
+    private String side(BodyState robot) {
+        double bearing = start.bearing(new Vector3(
+                start.x() + robot.torso().rotation().apply(new Vector3(0, 0, 1)).x(),
+                start.y() + robot.torso().rotation().apply(new Vector3(0, 0, 1)).y(),
+                0));
+        if (Math.abs(bearing) < 45) {
+            return "forward";
+        }
+        return Math.abs(bearing) > 135 ? "backward" : bearing > 0 ? "to the left" : "to the right";
+    }
+
+    @Override
+    public Score score() {
+        String finding = String.format(
+                Locale.ROOT,
+                "ball before the %s foot: %s, the robot moved %.2f m%s",
+                left > 0 ? "left" : "right",
+                metres < TOUCHED_METRES ? foot.finding() : String.format(Locale.ROOT, "it went %.2f m", metres),
+                walked,
+                fall);
+        if (given.stream().anyMatch(RecognisedMotion::isRecognised)) {
+            return Score.failed(
+                    2, finding, "That is a kick of the framework. Make your own: other keyframes, more than 4° apart.");
+        }
+        if (!fall.isEmpty() || !standing) {
+            return Score.failed(
+                    Math.min(3, 2 * metres),
+                    finding,
+                    "Shift the weight onto the other foot before the leg swings; what the robot does at the moment of the"
+                            + " fall is one keyframe too fast or too far.");
+        }
+        if (walked > STAYED_METRES) {
+            return Score.failed(2, finding, "Kick from where you stand: that was a walk.");
+        }
+        return metres >= FAR_METRES
+                ? Score.passed(
+                        (int) Math.round(7 + metres - FAR_METRES), finding, metres < 5 ? "10 points are for 5 m." : "")
+                : Score.failed(
+                        3 * metres,
+                        finding,
+                        metres < TOUCHED_METRES
+                                ? "The foot has not touched the ball. Short of it: do the toes scrape the ground? Raise them by 20°, or bend the knee more."
+                                        + " If less than 1 cm is missing: more hip pitch. Above it: less hip pitch. Beside it: less hip roll."
+                                : "Look down to see before which foot the ball lies. The foot must be quick where the ball is:"
+                                        + " a short keyframe there.");
+    }
+}

@@ -1,0 +1,78 @@
+package org.robonewbie.exercises;
+
+import java.util.Locale;
+import org.robonewbie.simulator.landscape.Landscape;
+import org.robonewbie.simulator.landscape.Thing;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+
+/** Two robots push a wide box over a line without turning it, though one of them has a longer way to it. */
+final class PushTogetherTask implements Task {
+
+    private static final double LINE_METRES = -1.2;
+    private static final double STRAIGHT_DEGREES = 12;
+    private static final double APART_METRES = 0.45;
+
+    private double x = Double.NEGATIVE_INFINITY;
+    private double turned;
+    private double seconds;
+    private boolean fallen;
+
+    @Override
+    public Scene scene(Chance chance) {
+        double side = chance.side();
+        Place near = new Place(-4, side * APART_METRES, chance.between(-8, 8));
+        Place far = new Place(-4 - chance.between(0.6, 1), -side * APART_METRES, chance.between(-8, 8));
+        boolean firstIsNear = chance.side() > 0;
+        return Scene.of(
+                        RobotStart.at(firstIsNear ? near : far).after("stand"),
+                        RobotStart.at(firstIsNear ? far : near).after("stand").withTeam(RobotStart.TEAM, 2))
+                .withLandscape(Landscape.BOX)
+                .withBall(4, 0);
+    }
+
+    @Override
+    public void see(Moment moment) {
+        Thing box = moment.things().get(0);
+        x = box.centre().x();
+        turned = Math.max(turned, box.pose().rotation().angleDegrees());
+        seconds = moment.seconds();
+        fallen |= moment.robots().stream().anyMatch(robot -> robot.isFallen());
+    }
+
+    @Override
+    public boolean isDecided() {
+        return x >= LINE_METRES || turned > STRAIGHT_DEGREES;
+    }
+
+    @Override
+    public Score score() {
+        double start = Landscape.BOX.things().get(0).centre().x();
+        double pushed = Math.max(0, x - start);
+        String finding = String.format(
+                Locale.ROOT,
+                "pushed %.2f of %.2f m in %.0f s, turned by %.0f°%s",
+                pushed,
+                LINE_METRES - start,
+                seconds,
+                turned,
+                fallen ? ", and a fall" : "");
+        if (turned > STRAIGHT_DEGREES) {
+            return Score.failed(
+                    Math.min(3, 2 * pushed),
+                    finding,
+                    "Whoever comes first waits at the box and says so: nao.say(\"ready\"). When both are there, both push at the same"
+                            + " speed.");
+        }
+        return x >= LINE_METRES
+                ? Score.passed(finding)
+                : Score.failed(
+                        Math.min(5, 3 * pushed),
+                        finding,
+                        "The box begins 0.6 m ahead of the nearer robot. Walk straight on against it; SelfLocalisation says how far you have"
+                                + " come and keeps your heading at 0°.");
+    }
+}

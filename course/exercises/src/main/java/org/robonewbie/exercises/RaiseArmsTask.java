@@ -1,0 +1,83 @@
+package org.robonewbie.exercises;
+
+import java.util.Locale;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+
+/**
+ * Raise the left arm to 60° and the right arm to 45°; the last half second counts.
+ */
+final class RaiseArmsTask implements Task {
+
+    private static final double LEFT_DEGREES = 60;
+    private static final double RIGHT_DEGREES = 45;
+    private static final double TOLERANCE_DEGREES = 2;
+    private static final double JUDGED_FROM_SECONDS = 3.5;
+
+    private static final double AT_REST_DEGREES = 0.5;
+
+    private final Arm left = new Arm(Joint.LEFT_SHOULDER_PITCH, LEFT_DEGREES);
+    private final Arm right = new Arm(Joint.RIGHT_SHOULDER_PITCH, RIGHT_DEGREES);
+
+    /** What one shoulder did in the last half second: its worst error, with a sign, and how far it moved. */
+    private static final class Arm {
+        private final Joint joint;
+        private final double goal;
+        private double error;
+        private double lowest = Double.POSITIVE_INFINITY;
+        private double highest = Double.NEGATIVE_INFINITY;
+
+        Arm(Joint joint, double goal) {
+            this.joint = joint;
+            this.goal = goal;
+        }
+
+        void see(BodyState robot) {
+            double degrees = robot.degrees(joint);
+            error = Math.abs(degrees - goal) > Math.abs(error) ? degrees - goal : error;
+            lowest = Math.min(lowest, degrees);
+            highest = Math.max(highest, degrees);
+        }
+
+        boolean isRight() {
+            return Math.abs(error) <= TOLERANCE_DEGREES;
+        }
+
+        @Override
+        public String toString() {
+            String place = isRight()
+                    ? String.format(Locale.ROOT, "%.1f° off", Math.abs(error))
+                    : String.format(Locale.ROOT, "%.1f° too %s", Math.abs(error), error < 0 ? "low" : "high");
+            return highest - lowest > AT_REST_DEGREES ? place + " and still moving" : place;
+        }
+    }
+
+    @Override
+    public Scene scene(Chance chance) {
+        return Scene.of(RobotStart.at(-1, 0));
+    }
+
+    @Override
+    public void see(Moment moment) {
+        if (moment.seconds() > JUDGED_FROM_SECONDS) {
+            left.see(moment.robot());
+            right.see(moment.robot());
+        }
+    }
+
+    @Override
+    public Score score() {
+        String finding = "left arm " + left + ", right arm " + right + " (2° are allowed)";
+        return left.isRight() && right.isRight()
+                ? Score.passed(finding)
+                : Score.failed(
+                        left.isRight() || right.isRight() ? 5 : 0,
+                        finding,
+                        "Give each shoulder its own speed, and 0 when it has reached its angle. Fast goes too far, and at 10 °/s"
+                                + " the arm is not there after 4 s.");
+    }
+}

@@ -1,0 +1,91 @@
+package org.robonewbie.exercises;
+
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.ToDoubleFunction;
+import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.walk.WalkStyle;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
+
+/**
+ * Recognises the framework's fast walk by the legs, where an exercise asks for a walk of the student's own: how far each joint is bent
+ * in the mean, and how much it moves. A walk that is more like the fast walk than like the standard walk was begun from it.
+ */
+final class RecognisedGait {
+
+    private static final double STARTING_SECONDS = 4;
+    private static final double SECONDS = 8;
+    private static final Set<Joint> LEGS = EnumSet.range(Joint.LEFT_HIP_YAW_PITCH, Joint.RIGHT_FOOT_ROLL);
+
+    private final List<BodyState> seen = new ArrayList<>();
+
+    /** Looks at the robot; call it in each cycle, once the robot walks steadily. */
+    void see(BodyState robot) {
+        seen.add(robot);
+    }
+
+    /** Whether the walk is more like the fast one than like the standard one. */
+    boolean isFastWalk() {
+        return !seen.isEmpty() && distance(seen, Known.FAST) < distance(seen, Known.STANDARD);
+    }
+
+    /** The walks that are given, as they are walked straight ahead. */
+    private static final class Known {
+        static final List<BodyState> STANDARD = walked(WalkStyle.STANDARD);
+        static final List<BodyState> FAST = walked(WalkStyle.FAST);
+    }
+
+    private static List<BodyState> walked(WalkStyle style) {
+        Scene scene =
+                Scene.of(RobotStart.at(-5, 0).after("stand")).withBall(5.5, 3.7).withoutNoise();
+        List<BodyState> states = new ArrayList<>();
+        try (Trial trial = Trial.direct(scene, 1, Performer.ofAgent(new Straight(style)))) {
+            while (trial.seconds() < SECONDS) {
+                BodyState robot = trial.step().robot();
+                if (trial.seconds() > STARTING_SECONDS) {
+                    states.add(robot);
+                }
+            }
+        }
+        return states;
+    }
+
+    private static final class Straight extends Agent {
+
+        Straight(WalkStyle style) {
+            walk.setStyle(style);
+        }
+
+        @Override
+        protected void think() {
+            walk.towards(1, 0, 0);
+        }
+    }
+
+    private static double distance(List<BodyState> some, List<BodyState> others) {
+        double square = 0;
+        for (Joint joint : LEGS) {
+            ToDoubleFunction<BodyState> angle = robot -> robot.degrees(joint);
+            double mean = mean(some, angle) - mean(others, angle);
+            double spread = spread(some, angle) - spread(others, angle);
+            square += mean * mean + spread * spread;
+        }
+        return square;
+    }
+
+    private static double mean(List<BodyState> states, ToDoubleFunction<BodyState> angle) {
+        return states.stream().mapToDouble(angle).average().orElseThrow();
+    }
+
+    private static double spread(List<BodyState> states, ToDoubleFunction<BodyState> angle) {
+        double mean = mean(states, angle);
+        return Math.sqrt(mean(states, state -> Math.pow(angle.applyAsDouble(state) - mean, 2)));
+    }
+}

@@ -1,0 +1,115 @@
+package org.robonewbie.exercises;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.IntStream;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+
+/**
+ * Score a goal as in the competition, but past a wall of three robots that hold still between the ball and the goal; who
+ * pushes one of them out of its place has lost.
+ */
+final class ScoreAGoalTask implements Task {
+
+    private static final Place STUDENT = new Place(-0.5, 0.4, -40);
+    private static final double GOAL_X = 6;
+    private static final double PUSHED_METRES = 0.1;
+    private static final double WALL_METRES = 0.45;
+    private static final double QUICK_SECONDS = 45;
+    private static final double SECONDS_PER_POINT = 20;
+
+    /** A robot and a ball that stay where they are for so long are not going to score. */
+    private static final double SECONDS_OF_PATIENCE = 30;
+
+    private static final double STAYED_METRES = 0.1;
+
+    private double seconds;
+    private double nearest = Double.POSITIVE_INFINITY;
+    private boolean scored;
+    private Vector3 lastBall = Vector3.ZERO;
+    private Vector3 lastTorso = Vector3.ZERO;
+    private double lastMoved;
+    private List<Place> wall = List.of();
+    private boolean pushed;
+
+    @Override
+    public Scene scene(Chance chance) {
+        double x = chance.between(2.6, 3.2);
+        double y = (chance.isSeedOdd() ? 1 : -1) * chance.between(0, 0.35);
+        return Scene.of(
+                        RobotStart.at(STUDENT),
+                        defender(2, x, y - WALL_METRES),
+                        defender(3, x, y),
+                        defender(4, x, y + WALL_METRES))
+                .withBall(0, 0);
+    }
+
+    private static RobotStart defender(int number, double x, double y) {
+        return RobotStart.at(new Place(x, y, 180)).withTeam("Others", number);
+    }
+
+    @Override
+    public void see(Moment moment) {
+        Vector3 ball = moment.ball();
+        nearest = Math.min(nearest, PortableMath.hypot(GOAL_X - ball.x(), ball.y()));
+        scored |= moment.goals(TeamSide.LEFT) > 0;
+        seconds = moment.seconds();
+        wall = wall.isEmpty() ? wall(moment) : wall;
+        pushed |= IntStream.range(0, wall.size())
+                .anyMatch(i -> wall.get(i).distance(moment.robots().get(i + 1).position()) > PUSHED_METRES);
+        Vector3 torso = moment.robot().position();
+        if (ball.distanceTo(lastBall) > STAYED_METRES || torso.distanceTo(lastTorso) > STAYED_METRES) {
+            lastBall = ball;
+            lastTorso = torso;
+            lastMoved = seconds;
+        }
+    }
+
+    private static List<Place> wall(Moment moment) {
+        return IntStream.range(1, moment.robots().size())
+                .mapToObj(moment::place)
+                .toList();
+    }
+
+    @Override
+    public boolean isDecided() {
+        return scored || pushed || isStuck();
+    }
+
+    private boolean isStuck() {
+        return seconds - lastMoved > SECONDS_OF_PATIENCE;
+    }
+
+    @Override
+    public Score score() {
+        if (pushed) {
+            return Score.failed(
+                    2,
+                    String.format(Locale.ROOT, "a robot of the wall was pushed away after %.1f s", seconds),
+                    "Go around the wall with the ball: choose a point beside the outermost robot, and the goal when the ball has"
+                            + " passed it.");
+        }
+        if (!scored) {
+            return Score.failed(
+                    3 - nearest,
+                    String.format(
+                            Locale.ROOT,
+                            "no goal%s; the ball came within %.2f m of it",
+                            isStuck() ? ", and for " + Math.round(SECONDS_OF_PATIENCE) + " s nothing moved" : "",
+                            nearest),
+                    "Push the ball past the wall first: choose a point beside the outermost robot. When the ball has passed it,"
+                            + " choose the goal, whose middle is at (6, 0).");
+        }
+        return Score.passed(
+                (int) Math.floor(10 - Math.max(0, Math.ceil((seconds - QUICK_SECONDS) / SECONDS_PER_POINT))),
+                String.format(Locale.ROOT, "goal after %.1f s", seconds),
+                seconds > QUICK_SECONDS ? "10 points are for 45 s." : "");
+    }
+}

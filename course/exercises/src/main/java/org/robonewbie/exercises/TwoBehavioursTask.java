@@ -1,0 +1,83 @@
+package org.robonewbie.exercises;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
+
+/**
+ * Follow a moving ball with the head, and swing the left arm once in two seconds, at the same time.
+ */
+final class TwoBehavioursTask implements Task {
+
+    private static final Place STUDENT = new Place(-3, 0, 0);
+    private static final double FROM_SECONDS = 3;
+    private static final double AT_BALL_DEGREES = 15;
+    private static final double SWING_DEGREES = 30;
+    private static final double PERIOD_SECONDS = 2;
+
+    private final List<Double> upward = new ArrayList<>();
+    private double angleBefore;
+    private double lowest;
+    private double highest;
+    private int cycles;
+    private int atBall;
+
+    @Override
+    public Scene scene(Chance chance) {
+        return Scene.of(RobotStart.at(STUDENT)).withBall(STUDENT.point(1.5, 0, 0));
+    }
+
+    @Override
+    public void act(Trial trial) {
+        trial.placeBall(STUDENT.point(1.5, 45 * PortableMath.sin(2 * Math.PI * trial.seconds() / 6), 0));
+    }
+
+    @Override
+    public void see(Moment moment) {
+        BodyState robot = moment.robot();
+        double arm = robot.degrees(Joint.LEFT_SHOULDER_PITCH);
+        if (moment.seconds() > FROM_SECONDS) {
+            cycles++;
+            double gaze = robot.degrees(Joint.NECK_YAW);
+            atBall += Math.abs(moment.place().bearing(moment.ball()) - gaze) < AT_BALL_DEGREES ? 1 : 0;
+            lowest = Math.min(lowest, arm);
+            highest = Math.max(highest, arm);
+            if (angleBefore < 0 && arm >= 0) {
+                upward.add(moment.seconds());
+            }
+        }
+        angleBefore = arm;
+    }
+
+    @Override
+    public Score score() {
+        double share = 100.0 * atBall / Math.max(1, cycles);
+        boolean follows = share >= 80;
+        double period =
+                upward.size() < 2 ? Double.NaN : (upward.get(upward.size() - 1) - upward.get(0)) / (upward.size() - 1);
+        boolean swings = Math.abs(period - PERIOD_SECONDS) < 0.1 && lowest < -SWING_DEGREES && highest > SWING_DEGREES;
+        String finding = String.format(
+                Locale.ROOT,
+                "head at the ball for %.0f %% of the time, arm from %.0f° to %.0f°, %s",
+                share,
+                lowest,
+                highest,
+                Double.isNaN(period) ? "less than two swings" : String.format(Locale.ROOT, "once in %.2f s", period));
+        return follows && swings
+                ? Score.passed(finding)
+                : Score.failed(
+                        (follows ? 3 : 0) + (swings ? 3 : 0),
+                        finding,
+                        "Two methods, each for joints of its own, called in each think(). The arm goes from below -30° to above"
+                                + " 30° and back in 2 s; the head looks where fieldView.ball().bearing() says.");
+    }
+}

@@ -1,0 +1,94 @@
+package org.robonewbie.exercises;
+
+import java.util.Locale;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
+
+/** Turn away from a ball that lies still, and go on saying where it is. */
+final class UnseenBallTask implements Task {
+
+    private static final Place STUDENT = new Place(-2, 0, 0);
+    private static final Pattern WORDS = Pattern.compile("ball:(-?\\d{1,3}(\\.\\d+)?)");
+    private static final double UNSEEN_DEGREES = 70;
+    private static final double TURN_DEGREES = 150;
+    private static final double STRAIGHT_DEGREES = 20;
+    private static final double GOOD_DEGREES = 12;
+    private static final int FEWEST_WORDS = 100;
+    private static final double WORST_DEGREES = 60;
+
+    private Optional<String> said = Optional.empty();
+    private double turned;
+    private double headTurned;
+    private double sumOfErrors;
+    private int words;
+    private boolean fallen;
+
+    @Override
+    public Scene scene(Chance chance) {
+        return Scene.of(RobotStart.at(STUDENT).after("stand"))
+                .withBall(STUDENT.point(chance.between(1.2, 2.2), chance.side() * chance.between(5, 35), 0));
+    }
+
+    @Override
+    public void act(Trial trial) {
+        said = trial.said(0);
+    }
+
+    @Override
+    public void see(Moment moment) {
+        BodyState robot = moment.robot();
+        turned = Math.max(turned, Math.abs(robot.headingDegrees() - STUDENT.degrees()));
+        headTurned = Math.max(headTurned, Math.abs(robot.degrees(Joint.NECK_YAW)));
+        fallen |= robot.isFallen();
+        double bearing = moment.place().bearing(moment.ball());
+        if (Math.abs(bearing) > UNSEEN_DEGREES) {
+            said.map(WORDS::matcher).filter(Matcher::matches).ifPresent(match -> {
+                words++;
+                double error = Math.abs(Double.parseDouble(match.group(1)) - bearing) % 360;
+                sumOfErrors += Math.min(error, 360 - error);
+            });
+        }
+    }
+
+    @Override
+    public Score score() {
+        double error = sumOfErrors / Math.max(1, words);
+        String finding = String.format(
+                Locale.ROOT,
+                "turned by %.0f°, said %d times where the unseen ball is%s%s",
+                turned,
+                words,
+                words == 0 ? "" : String.format(Locale.ROOT, ", mean error %.1f°", error),
+                fallen ? ", and fell" : "");
+        if (turned < TURN_DEGREES || fallen) {
+            return Score.failed(
+                    1, finding, "Turn on the spot with walk.towards(0, 0, 30) until the ball is behind you.");
+        }
+        if (headTurned > STRAIGHT_DEGREES) {
+            return Score.failed(
+                    1, finding, "The head has to look straight ahead (NECK_YAW within 20°), so that the ball is lost.");
+        }
+        if (words < FEWEST_WORDS) {
+            return Score.failed(
+                    2,
+                    finding,
+                    "Say the bearing in each cycle, such as nao.say(\"ball:-112.5\"), also when the ball is out of sight.");
+        }
+        return error <= GOOD_DEGREES
+                ? Score.passed(finding)
+                : Score.failed(
+                        error > WORST_DEGREES ? 2 : 4,
+                        finding,
+                        "nao.getGyro().z() says how fast you turn, in degrees per second: what is on the left moves to the right by that"
+                                + " much. Begin to count when the ball was seen last.");
+    }
+}

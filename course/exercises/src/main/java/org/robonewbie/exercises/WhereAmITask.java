@@ -1,0 +1,89 @@
+package org.robonewbie.exercises;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
+
+/**
+ * Find out where on the pitch the robot stands; in the middle of the trial it is carried to another place.
+ */
+final class WhereAmITask implements Task {
+
+    private static final Pattern WORDS = Pattern.compile("at:(-?\\d+(?:\\.\\d+)?):(-?\\d+(?:\\.\\d+)?)");
+    private static final double CARRIED_SECONDS = 12;
+    private static final double THINKING_SECONDS = 10;
+    private static final double GOOD_METRES = 0.3;
+
+    private final List<Double> errors = new ArrayList<>();
+    private Chance places = new Chance(0);
+    private Optional<String> words = Optional.empty();
+    private boolean carried;
+    private double said = Double.POSITIVE_INFINITY;
+
+    @Override
+    public Scene scene(Chance chance) {
+        places = chance;
+        return Scene.of(RobotStart.at(somewhere()));
+    }
+
+    @Override
+    public void act(Trial trial) {
+        if (!carried && trial.seconds() >= CARRIED_SECONDS) {
+            carried = true;
+            errors.add(said);
+            said = Double.POSITIVE_INFINITY;
+            trial.moveRobot(0, somewhere());
+        }
+        words = trial.said(0);
+    }
+
+    @Override
+    public void see(Moment moment) {
+        double sinceMoved = moment.seconds() - (carried ? CARRIED_SECONDS : 0);
+        words.map(WORDS::matcher).filter(Matcher::matches).ifPresent(match -> {
+            double x = Double.parseDouble(match.group(1));
+            double y = Double.parseDouble(match.group(2));
+            if (sinceMoved > THINKING_SECONDS) {
+                said = moment.place().distance(new Vector3(x, y, 0));
+            }
+        });
+    }
+
+    @Override
+    public Score score() {
+        List<Double> all = new ArrayList<>(errors);
+        all.add(said);
+        double worst = all.stream().mapToDouble(Double::doubleValue).max().orElse(said);
+        String finding =
+                "first place " + told(all.get(0)) + (all.size() > 1 ? ", second place " + told(all.get(1)) : "");
+        if (Double.isInfinite(worst)) {
+            return Score.failed(
+                    0, finding, "From 10 s on say in each cycle where you are, such as nao.say(\"at:-2.31:1.05\").");
+        }
+        return worst <= GOOD_METRES
+                ? Score.passed(finding)
+                : Score.failed(
+                        3 - worst,
+                        finding,
+                        "Two landmarks with distance and bearing give the place; SoccerField.BEGINNER.position(landmark) tells"
+                                + " where they stand. Forget what was seen before the robot was carried away.");
+    }
+
+    private static String told(double error) {
+        return Double.isInfinite(error) ? "not said" : String.format(Locale.ROOT, "%.2f m wrong", error);
+    }
+
+    private Place somewhere() {
+        return new Place(places.between(-4.5, 3), places.between(-2.5, 2.5), places.between(-180, 180));
+    }
+}

@@ -1,0 +1,83 @@
+package org.robonewbie.pagejvm;
+
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** The classes of a student's program. */
+public final class Program {
+
+    private static final String MAIN = "main([Ljava/lang/String;)V";
+
+    private final Map<String, StudentClass> classes = new LinkedHashMap<>();
+    private final Compiled compiled = new Compiled();
+
+    /**
+     * Loads a program.
+     *
+     * @param classFiles the contents of its class files
+     * @throws IllegalArgumentException if one is none, or extends a class that the page cannot extend; the message is a sentence for
+     *     the user
+     */
+    public Program(Collection<byte[]> classFiles) {
+        for (byte[] bytes : classFiles) {
+            ClassFile file = ClassFileReader.read(bytes);
+            classes.put(file.name(), new StudentClass(file, this));
+        }
+        classes.values().forEach(StudentObjects::check);
+    }
+
+    Compiled compiled() {
+        return compiled;
+    }
+
+    /** {@return the student's class of a name with slashes} */
+    Optional<StudentClass> find(String name) {
+        return Optional.ofNullable(classes.get(name));
+    }
+
+    /** {@return the names of the classes with a main method, with slashes} */
+    public List<String> mainClasses() {
+        return classes.values().stream()
+                .filter(type -> type.own(MAIN).isPresent())
+                .map(type -> type.file().name())
+                .toList();
+    }
+
+    /** {@return the names of the agents that can be made without arguments, with slashes; those of inner classes last} */
+    public List<String> agents() {
+        return classes.values().stream()
+                .filter(type -> type.is("org/robonewbie/agent/Agent")
+                        && type.own("<init>()V").isPresent())
+                .map(type -> type.file().name())
+                .sorted(Comparator.comparing(name -> name.contains("$")))
+                .toList();
+    }
+
+    /** {@return classes and methods that the program uses and the page lacks, by their names in Java} */
+    public List<String> missing() {
+        return classes.values().stream()
+                .flatMap(type -> type.file().constants().stream())
+                .filter(constant -> constant instanceof ClassFile.Member)
+                .map(constant -> (ClassFile.Member) constant)
+                .filter(member ->
+                        !member.owner().startsWith("[") && find(member.owner()).isEmpty())
+                .filter(member -> !member.owner().startsWith("java/lang/invoke/")
+                        && !member.owner().equals("java/lang/runtime/ObjectMethods"))
+                .filter(member -> !compiled.has(member))
+                .map(member -> member.owner().replace('/', '.').replace('$', '.')
+                        + (compiled.isKnown(member.owner()) ? "." + member.name() : ""))
+                .distinct()
+                .toList();
+    }
+
+    StudentMethod main(String type) {
+        return find(type)
+                .flatMap(home -> home.own(MAIN))
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "The class " + type + " has no main method: add public static void main(String[] args)."));
+    }
+}

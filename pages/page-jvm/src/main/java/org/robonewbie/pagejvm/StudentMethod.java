@@ -1,0 +1,16 @@
+package org.robonewbie.pagejvm;
+
+import org.robonewbie.pagejvm.ClassFile.MethodCode;
+
+/**
+ * A method of a student's class.
+ *
+ * @param home the class
+ * @param code what it does
+ */
+record StudentMethod(StudentClass home, MethodCode code) {
+
+    Descriptor type() {
+        return Descriptor.of(code.descriptor());
+    }
+}

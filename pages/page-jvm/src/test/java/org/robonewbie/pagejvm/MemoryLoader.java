@@ -1,0 +1,29 @@
+package org.robonewbie.pagejvm;
+
+import java.util.Map;
+
+/** Loads classes from memory, before those of the same name elsewhere. */
+public final class MemoryLoader extends ClassLoader {
+
+    private final Map<String, byte[]> classes;
+
+    /**
+     * Prepares to load classes.
+     *
+     * @param classes class files by name
+     */
+    public MemoryLoader(Map<String, byte[]> classes) {
+        super(MemoryLoader.class.getClassLoader());
+        this.classes = classes;
+    }
+
+    @Override
+    protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
+        byte[] bytes = classes.get(name);
+        if (bytes == null) {
+            return super.loadClass(name, resolve);
+        }
+        Class<?> loaded = findLoadedClass(name);
+        return loaded == null ? defineClass(name, bytes, 0, bytes.length) : loaded;
+    }
+}

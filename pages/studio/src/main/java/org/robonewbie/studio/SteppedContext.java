@@ -1,0 +1,59 @@
+package org.robonewbie.studio;
+
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.robonewbie.protocol.telemetry.NumberWishes;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.WorldSnapshot;
+
+/** What a page can act upon whose world runs on the same thread. */
+final class SteppedContext implements StudioContext {
+
+    private final PageFeed.World world;
+    private final CommandQueue commandQueue = new InlineCommandQueue();
+    private final NumberWishes numbers = new NumberWishes();
+    private final PuppetService puppets;
+    private final UndoManager undoManager;
+
+    /**
+     * Opens the stage.
+     *
+     * @param world the world, which need not have begun
+     * @param teller tells people what has happened
+     */
+    SteppedContext(PageFeed.World world, Consumer<String> teller) {
+        this.world = world;
+        puppets = new PuppetService(world, Optional.of(world));
+        undoManager = new UndoManager(this, teller);
+    }
+
+    @Override
+    public SimulationControl simulation() {
+        return world;
+    }
+
+    @Override
+    public UndoManager undoManager() {
+        return undoManager;
+    }
+
+    @Override
+    public CommandQueue commandQueue() {
+        return commandQueue;
+    }
+
+    @Override
+    public NumberWishes numbers() {
+        return numbers;
+    }
+
+    @Override
+    public PuppetService puppets() {
+        return puppets;
+    }
+
+    @Override
+    public WorldSnapshot now() {
+        return world.now();
+    }
+}

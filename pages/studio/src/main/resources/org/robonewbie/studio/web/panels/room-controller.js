@@ -1,0 +1,170 @@
+/** Opens the rooms when one enters them first, so that nobody waits for a room that is not needed. */
+
+import { element } from './elements.js';
+
+/**
+ * @typedef {import('./rooms.js').RoomName} RoomName
+ * @typedef {{actions: import('./keys.js').Action[], mouse: string[][]}} Keys
+ */
+
+const MOTION_MOUSE = [
+  ['Drag a limb', 'turn its joints'],
+  ['Shift, drag', 'the whole arm or leg follows'],
+  ['Drag the torso', 'the feet stay where they are'],
+  ['Drag the ground', 'turn the view'],
+  ['Drag a keyframe', 'change its time, those after it follow; with Alt they stay'],
+  ['Shift, Ctrl, click', 'choose several keyframes'],
+  ['Drag over joints', 'choose what is in the box'],
+  ['Drag a point of a curve', 'change the angle'],
+  ['Wheel', 'on the timeline: closer and farther, with Shift scroll'],
+];
+
+const ROBOT_MOUSE = [
+  ['Click a curve', 'all rooms show this moment'],
+  ['Drag over a curve', 'zoom in; H lets it go on'],
+  ['Click a log time', 'all rooms show this moment'],
+  ['Drag an edge', 'panels become larger, smaller'],
+];
+
+const REPLAY_MOUSE = [
+  ['Drag the time line', 'go to any moment'],
+  ['Drag the ground', 'turn the view'],
+  ['Click a robot', 'follow it'],
+];
+
+const PROGRAM_MOUSE = [
+  ['Drag the edge', 'the program gets more or less room'],
+  ['Double click an edge', 'all panels go back to where they were'],
+];
+
+const MOTION_STYLES = ['motion.css', 'motion-bars.css', 'motion-timeline.css', 'motion-tracks.css'];
+const PROGRAM_STYLES = ['program.css'];
+const ROBOT_STYLES = ['vendor/uplot/uplot.min.css', 'robot.css', 'robot-sheets.css'];
+
+export class RoomController {
+  /**
+   * @param {object} surroundings
+   * @param {(text: string) => void} surroundings.note
+   * @param {() => import('../state/quality.js').Quality} surroundings.quality
+   * @param {(command: object) => void} surroundings.send
+   * @param {() => void} surroundings.goLive shows what happens now
+   * @param {() => boolean} surroundings.hasClock whether time can be stopped
+   * @param {(seconds: number) => void} surroundings.goTo shows a moment of the running simulation
+   * @param {(panel: import('../state/layout.js').PanelName) => void} surroundings.fold folds or unfolds a panel
+   * @param {() => import('../field/camera-controller.js').CameraController} surroundings.camera of the field
+   * @param {() => readonly import('../live/state-frame.js').Player[]} surroundings.robots that are there now
+   * @param {() => {name: string, degrees: ArrayLike<number>} | undefined} surroundings.robotOfRun
+   */
+  constructor(surroundings) {
+    this.surroundings = surroundings;
+    /** @type {Awaited<ReturnType<typeof import('../motion/motion-room.js').openMotionRoom>> | undefined} */
+    this.motion = undefined;
+    /** @type {Awaited<ReturnType<typeof import('../replay/replay-room.js').openReplayRoom>> | undefined} */
+    this.replay = undefined;
+    /** @type {ReturnType<typeof import('../robot/robot-room.js').openRobotRoom> | undefined} */
+    this.robot = undefined;
+    /** @type {Awaited<ReturnType<typeof import('../program/program-room.js').openProgramRoom>> | undefined} */
+    this.program = undefined;
+    /** @type {RoomName} */
+    this.here = 'field';
+    /** @type {Set<RoomName>} */
+    this.opening = new Set();
+  }
+
+  /** @param {RoomName} room */
+  async enter(room) {
+    this.motion?.touch();
+    if (room !== this.here && (room === 'program' || this.here === 'program')) {
+      this.forget();
+    }
+    this.here = room;
+    const isOpen = room === 'field' || this[room] !== undefined || this.opening.has(room);
+    if (isOpen) {
+      return;
+    }
+    this.opening.add(room);
+    try {
+      await {
+        motion: () => this.#openMotion(),
+        replay: () => this.#openReplay(),
+        robot: () => this.#openRobot(),
+        program: () => this.#openProgram(),
+      }[room]();
+    } catch (error) {
+      this.surroundings.note(`This room cannot open: ${/** @type {Error} */ (error).message}`);
+    }
+    this.opening.delete(room);
+  }
+
+  /** @returns {boolean} whether something is lost if the page is closed now */
+  get isAtRisk() {
+    return this.motion?.editor.isAtRisk === true || this.program?.isAtRisk === true;
+  }
+
+  /** The simulator, or the room that has asked it for a robot, is another one now. */
+  forget() {
+    this.robot?.forget();
+    this.program?.forget();
+  }
+
+  /** @param {any} news of robots */
+  hear(news) {
+    this.robot?.hear(news);
+    this.program?.hear(news);
+  }
+
+  /** @param {RoomName} room @param {Keys} field @returns {Keys} what keys and mouse do in a room */
+  keys(room, field) {
+    if (room === 'motion') {
+      return { actions: this.motion?.actions ?? [], mouse: MOTION_MOUSE };
+    }
+    if (room === 'robot') {
+      const own = this.robot?.actions ?? [];
+      const others = field.actions.filter(({ shown }) => !own.some((action) => action.shown === shown));
+      return { actions: [...own, ...others], mouse: [...field.mouse, ...ROBOT_MOUSE] };
+    }
+    if (room === 'program') {
+      return {
+        actions: [...(this.program?.actions ?? []), ...field.actions],
+        mouse: [...field.mouse, ...PROGRAM_MOUSE],
+      };
+    }
+    return room === 'replay' ? { actions: this.replay?.actions ?? [], mouse: REPLAY_MOUSE } : field;
+  }
+
+  async #openMotion() {
+    const [{ openMotionRoom }] = await Promise.all([import('../motion/motion-room.js'), loadStyles(MOTION_STYLES)]);
+    const { quality, ...others } = this.surroundings;
+    const wanted = decodeURIComponent(location.hash.split('/')[1] ?? '') || undefined;
+    this.motion = await openMotionRoom({ ...others, quality: quality(), wanted });
+    this.motion.setTheme(document.documentElement.dataset.theme === 'dark' ? 'dark' : 'light');
+  }
+
+  async #openProgram() {
+    const [{ openProgramRoom }] = await Promise.all([import('../program/program-room.js'), loadStyles(PROGRAM_STYLES)]);
+    this.program = await openProgramRoom(this.surroundings);
+  }
+
+  async #openRobot() {
+    const [{ openRobotRoom }] = await Promise.all([import('../robot/robot-room.js'), loadStyles(ROBOT_STYLES)]);
+    this.robot = openRobotRoom(this.surroundings);
+  }
+
+  async #openReplay() {
+    const { openReplayRoom } = await import('../replay/replay-room.js');
+    this.replay = await openReplayRoom(this.surroundings);
+  }
+}
+
+/** Loads the style sheets of a room, in their order. @param {readonly string[]} sheets */
+function loadStyles(sheets) {
+  const loads = sheets.map((href) => {
+    const link = element('link', { rel: 'stylesheet', href });
+    document.head.append(link);
+    return new Promise((done, failed) => {
+      link.addEventListener('load', done);
+      link.addEventListener('error', () => failed(new Error(`${href} is missing. Load the page again.`)));
+    });
+  });
+  return Promise.all(loads);
+}

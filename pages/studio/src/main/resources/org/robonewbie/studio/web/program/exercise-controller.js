@@ -1,0 +1,126 @@
+/** Exercises in the room for programs: the goal above the program, and Check, which lets the judge try what is in the editor. */
+import { button, element, setText } from '../panels/elements.js';
+import { hints, progressText, trialText } from '../state/course.js';
+import { lessonOf } from '../state/program/documents.js';
+import { note } from './note.js';
+
+/**
+ * @typedef {import('../state/course.js').Lesson} Lesson
+ * @typedef {import('../state/course.js').Attempt} Attempt
+ */
+
+const LOOK_MILLISECONDS = 400;
+const TRIALS = 3;
+
+export class ExerciseController {
+  #looking = false;
+  #isShown = false;
+
+  /** @param {any} room */
+  constructor(room) {
+    this.room = room;
+    this.service = room.service;
+    /** @type {Lesson[]} */
+    this.lessons = [];
+    this.place = element('div', {});
+    room.notes.append(this.place);
+    this.progress = element('p', { id: 'program-progress', role: 'status' });
+    this.trials = element('ul', { id: 'program-trials' });
+    this.hints = element('div', { id: 'program-hints' });
+    const leave = button('Back to the free pitch', 'Ends the trial', () => room.attempt(() => this.leave()), {
+      id: 'program-leave',
+    });
+    this.verdict = element('div', { hidden: '' }, this.progress, this.trials, this.hints, leave);
+    room.said.verdict.append(this.verdict);
+  }
+
+  /** Name and title of each exercise, as the list of programs shows them. */
+  get names() {
+    return this.lessons.map(({ name, number, title }) => `${name}\t${number} ${title}`);
+  }
+
+  /** @param {string} name @returns {boolean} whether there is an exercise of this name */
+  has(name) {
+    return this.lessons.some((each) => each.name === name);
+  }
+
+  async open() {
+    this.lessons = await this.service.lessons();
+  }
+
+  /** Opens an exercise with the program to begin with, or with what there is of it. @param {string} name */
+  async begin(name) {
+    const { files } = this.room;
+    const lesson = this.lessons.find((each) => each.name === name);
+    const there = [...files.list.own, ...files.list.drafts].find(({ path }) => lessonOf(path, this.lessons) === lesson);
+    const path = there?.path ?? (await this.service.handOut(name));
+    await files.refresh();
+    await files.openOwn(path);
+  }
+
+  /** Shows the goal of the exercise that the open program solves. */
+  draw() {
+    const { file } = this.room.files;
+    const lesson = file?.shelf === 'own' ? lessonOf(file.path, this.lessons) : undefined;
+    if (!lesson) {
+      this.place.replaceChildren();
+      return;
+    }
+    const judge = button('Check', 'Saves the program and lets the judge try it', () => {
+      this.room.attempt(() => this.#check(lesson));
+    });
+    judge.id = 'program-check';
+    const sheet = element('a', { href: lesson.worksheet, target: 'robonewbie-docs' }, 'Worksheet');
+    this.place.replaceChildren(note(`Exercise ${lesson.number}: ${lesson.goal}`, sheet, judge));
+  }
+
+  /** @param {Lesson} lesson */
+  async #check(lesson) {
+    if (!(await this.room.files.save())) {
+      return;
+    }
+    await this.room.runs.stop();
+    this.room.runs.forgetMistakes();
+    this.#show(await this.service.attempt(lesson.name, this.room.files.file.path, TRIALS));
+    this.room.surroundings.goLive();
+    this.#watch();
+  }
+
+  /** Ends a trial and shows the free pitch again, if a trial is shown. */
+  async leave() {
+    if (this.#isShown) {
+      this.#show(await this.service.leaveAttempt());
+      this.room.surroundings.goLive();
+    }
+  }
+
+  async #watch() {
+    if (this.#looking) {
+      return;
+    }
+    this.#looking = true;
+    while (this.#isShown) {
+      await new Promise((done) => setTimeout(done, LOOK_MILLISECONDS));
+      try {
+        this.#show(await this.service.attemptNow());
+      } catch {
+        // The studio has ended or begins again; the page says so elsewhere.
+      }
+    }
+    this.#looking = false;
+  }
+
+  /** @param {Attempt} attempt */
+  #show(attempt) {
+    this.#isShown = attempt.state !== 'NONE';
+    this.verdict.hidden = !this.#isShown;
+    setText(this.progress, progressText(attempt));
+    this.trials.replaceChildren(
+      ...attempt.judged.map((trial) => element('li', { 'data-passed': String(trial.passed) }, trialText(trial))),
+    );
+    this.hints.replaceChildren(...hints(attempt).map((hint) => element('p', {}, `Hint: ${hint}`)));
+    if (this.#isShown) {
+      this.room.said.showOutput(attempt.output);
+    }
+  }
+}

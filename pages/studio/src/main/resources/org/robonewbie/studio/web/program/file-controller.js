@@ -1,0 +1,317 @@
+/** Which program is open: chooses, opens, makes, saves; keeps what is unsaved; takes over what an IDE writes meanwhile. */
+import { button, byId, choice, element } from '../panels/elements.js';
+import { keep, recall } from '../panels/memory.js';
+import { encodeText, encodingFor, UTF_8 } from '../state/decoded-text.js';
+import {
+  FIRST_NAME,
+  folderOfNew,
+  isOpenToChange,
+  isUnsaved,
+  LAST_PROGRAM,
+  newText,
+  normal,
+  opened,
+  written,
+} from '../state/program/documents.js';
+import { fileName } from '../state/program/remarks.js';
+import { DraftKeeper } from './draft-keeper.js';
+import { EncodingNote } from './encoding-note.js';
+import { fillChoice } from './file-choice.js';
+import { makeProgram } from './new-program.js';
+import { note } from './note.js';
+
+/**
+ * @typedef {import('./program-service.js').ProgramList} ProgramList
+ * @typedef {import('../state/program/documents.js').OpenFile} OpenFile
+ */
+
+const LOOK_MILLISECONDS = 1000;
+
+export class FileController {
+  #looking = false;
+  /** The shared program that was opened last, as it came. */
+  #asShared = '';
+  #sharedVersion = '';
+
+  /** @param {any} room */
+  constructor(room) {
+    this.room = room;
+    this.service = room.service;
+    this.editor = room.editor;
+    this.drafts = new DraftKeeper(
+      this,
+      (action) => room.attempt(action),
+      () => this.#sayTaken(),
+    );
+    /** @type {ProgramList} */
+    this.list = { open: true, folder: '', own: [], drafts: [], examples: [] };
+    /** @type {OpenFile | undefined} */
+    this.file = undefined;
+    this.choice = choice({ id: 'program-file', 'aria-label': 'Program' }, [], (value) =>
+      room.attempt(() => this.choose(value)),
+    );
+    this.change = element('div', {});
+    this.encoding = new EncodingNote((file) => room.attempt(() => this.#toUtf8(file)));
+    const make = button('New…', 'Makes another program', () => room.attempt(() => makeProgram(this, '')), {
+      id: 'program-new',
+    });
+    this.saveButton = button('Save', 'Saves the program (Ctrl+S)', () => room.attempt(() => room.save()), {
+      id: 'program-save',
+    });
+    room.bar.append(this.choice, make, this.saveButton);
+    room.notes.append(this.change, this.encoding.place);
+  }
+
+  /** @returns {boolean} whether something is lost if the page is closed now */
+  get isAtRisk() {
+    return this.drafts.isAtRisk;
+  }
+
+  /** @param {ProgramList} list */
+  async open(list) {
+    this.list = list;
+    const last = recall(LAST_PROGRAM, '');
+    const wanted = [last, list.drafts[0]?.path, list.own[0]?.path].find(
+      (path) => path && [...list.own, ...list.drafts].some((each) => each.path === path),
+    );
+    if (wanted) {
+      await this.openOwn(wanted);
+    } else {
+      const path = folderOfNew(list.own) + FIRST_NAME;
+      this.#show(opened('own', path, newText(await this.service.newProgram(path))), '');
+    }
+    if (!this.#looking) {
+      this.#looking = true;
+      setInterval(() => this.#look(), LOOK_MILLISECONDS);
+    }
+  }
+
+  /** @param {string} path of one of the person's own programs */
+  async openOwn(path) {
+    const isSaved = this.list.own.some((each) => each.path === path);
+    const isDraft = this.list.drafts.some((each) => each.path === path);
+    const file = opened('own', path, isSaved ? await this.service.read('own', path) : newText(''));
+    const draft = isDraft && file.problem === '' ? await this.service.read('draft', path) : newText('');
+    keep(LAST_PROGRAM, path);
+    this.#show(file, normal(draft.text.content));
+    this.drafts.begin(draft.version);
+    const shared = this.list.shared?.find((each) => each.path === path);
+    if (shared) {
+      this.#asShared = this.editor.text;
+      this.#sharedVersion = draft.version;
+      this.#say('A program that was shared with you. Your own programs are as they were.', [
+        ['Keep a copy', () => this.room.save()],
+        ['Back to mine', () => this.#giveBack(shared)],
+      ]);
+    } else if (isSaved && draft.version !== '' && normal(draft.text.content) !== file.saved) {
+      this.#say('This is what you had not saved.', [
+        ['Take the saved one', () => this.#takeSaved()],
+        ['Keep this', async () => this.#say('', [])],
+      ]);
+    }
+  }
+
+  /** Saves the program. @returns {Promise<boolean>} whether that was possible */
+  async save() {
+    const { file } = this;
+    if (!file || !isOpenToChange(file)) {
+      return false;
+    }
+    await this.drafts.keep().catch(() => false); // what cannot be kept may be saved all the same
+    const content = written(file, this.editor.text);
+    const encoding = encodingFor(file.source, content);
+    try {
+      const version = await this.service.write(file.path, encodeText(file.source, content), file.version);
+      const text = { ...file.source, encoding, content };
+      this.file = opened('own', file.path, { text, version, problem: '' });
+      this.drafts.saved();
+      if (file.version === '') {
+        this.#say('', []);
+      }
+      this.encoding.show(this.file, file.source.encoding);
+      await this.refresh();
+      return true;
+    } catch (error) {
+      if (/** @type {any} */ (error).status !== 409) {
+        throw error;
+      }
+      this.#sayChanged(/** @type {Error} */ (error).message);
+      return false;
+    }
+  }
+
+  /** Something was typed. */
+  changed() {
+    this.saveButton.disabled = !isUnsaved(this.file, this.editor.text);
+    if (isOpenToChange(this.file)) {
+      this.drafts.keepSoon();
+    }
+  }
+
+  async refresh() {
+    this.list = await this.service.list();
+    this.#draw();
+  }
+
+  /** @param {OpenFile} file @param {string} text of the editor, if it is another one than that of the file */
+  #show(file, text) {
+    this.file = file;
+    const isExample = file.shelf === 'example';
+    const isReadOnly = !isOpenToChange(file);
+    const shelf = isReadOnly ? `${file.shelf}, to read` : file.shelf;
+    this.editor.open(`${shelf} ${file.path}`, text || file.saved, isReadOnly);
+    this.encoding.show(file, file.source.encoding);
+    this.drafts.begin('');
+    this.#say('', []);
+    if (isExample) {
+      this.#say('An example, which can only be read. Run makes a copy of your own.', [
+        ['Make my own copy', () => makeProgram(this, file.path)],
+      ]);
+    }
+    this.#draw();
+    this.room.opened();
+  }
+
+  #draw() {
+    const { file, list } = this;
+    fillChoice(this.choice, list, this.room.exercises.names, file);
+    this.choice.value = file ? `${file.shelf} ${file.path}` : '';
+    this.choice.title = `${list.folder}`;
+    this.saveButton.disabled = !isUnsaved(file, this.editor.text);
+    this.room.runs.draw();
+  }
+
+  /** @param {string} value the kind of program and its path or name, with a space between */
+  async choose(value) {
+    const [shelf, ...words] = value.split(' ');
+    const path = words.join(' ');
+    if (!(await this.drafts.keep())) {
+      this.#draw();
+      return;
+    }
+    await this.refresh();
+    if (shelf === 'example') {
+      this.#show(opened('example', path, await this.service.read('example', path)), '');
+    } else if (shelf === 'exercise') {
+      await this.room.exercises.begin(path);
+    } else {
+      await this.openOwn(path);
+    }
+  }
+
+  async #takeSaved() {
+    const { file } = this;
+    if (file) {
+      const now = opened('own', file.path, await this.service.read('own', file.path));
+      if (now.problem !== file.problem) {
+        this.#show(now, '');
+        return;
+      }
+      this.file = now;
+      this.editor.replace(now.saved);
+      this.encoding.show(now, now.source.encoding);
+      this.#say('', []);
+      await this.drafts.keep();
+      this.#draw();
+    }
+  }
+
+  /** @param {OpenFile} file */
+  async #toUtf8(file) {
+    this.file = { ...file, source: UTF_8 };
+    await this.room.save();
+  }
+
+  /** The shared program goes, unless it was changed, and the one before it is shown. @param {{path: string, before: string}} shared */
+  async #giveBack({ path, before }) {
+    if (this.editor.text === this.#asShared) {
+      await this.service.removeDraft(path, this.#sharedVersion);
+    } else {
+      await this.drafts.keep();
+    }
+    keep(LAST_PROGRAM, before);
+    this.drafts.begin('');
+    await this.open(await this.service.list());
+  }
+
+  /** Another window has unsaved work on the open file, too. */
+  #sayTaken() {
+    const { path = '' } = this.file ?? {};
+    this.#say(`Another window has unsaved work on ${fileName(path)}, too.`, [
+      ['Take the other one', () => this.#takeDraft(path)],
+      ['Keep mine', () => this.#replaceDraft(path)],
+    ]);
+  }
+
+  /** @param {string} path */
+  async #takeDraft(path) {
+    const { text, version } = await this.service.read('draft', path);
+    this.drafts.replace(version);
+    this.editor.replace(normal(text.content));
+    this.#say('', []);
+    await this.drafts.keep();
+  }
+
+  /** @param {string} path */
+  async #replaceDraft(path) {
+    this.drafts.replace((await this.service.read('draft', path)).version);
+    this.#say('', []);
+    await this.drafts.keep();
+  }
+
+  /** @param {string} text */
+  #sayChanged(text) {
+    this.#say(text, [
+      ['Take the other one', () => this.#takeSaved()],
+      ['Keep mine', () => this.#keepMine()],
+    ]);
+  }
+
+  async #keepMine() {
+    const { file } = this;
+    if (file) {
+      const gone = { version: '' };
+      const { version } = await this.service.read('own', file.path).catch(() => gone);
+      this.file = { ...file, version };
+      this.#say('', []);
+      await this.room.save();
+    }
+  }
+
+  /** Takes over what another program has written, unless there is unsaved work. */
+  async #look() {
+    if (document.hidden || byId('program-room').hidden) {
+      return;
+    }
+    const { file } = this;
+    try {
+      const list = await this.service.list();
+      const now = list.own.find((/** @type {{path: string}} */ { path }) => path === file?.path)?.version;
+      const isOther = JSON.stringify(list) !== JSON.stringify(this.list);
+      this.list = list;
+      if (file && file === this.file && file.shelf === 'own' && now && now !== file.version) {
+        await this.#takeOver(file);
+      } else if (isOther && document.activeElement !== this.choice) {
+        this.#draw();
+      }
+    } catch {
+      // The studio has ended or begins again; the page says so elsewhere.
+    }
+  }
+
+  /** @param {OpenFile} file */
+  async #takeOver(file) {
+    if (file.version !== '' && !isUnsaved(file, this.editor.text)) {
+      await this.#takeSaved();
+      await this.room.runs.saved();
+    } else if (this.change.childElementCount === 0) {
+      this.#sayChanged(`${fileName(file.path)} was changed by another program.`);
+    }
+  }
+
+  /** @param {string} text @param {Array<[string, () => Promise<void>]>} actions */
+  #say(text, actions) {
+    const buttons = actions.map(([name, action]) => button(name, '', () => this.room.attempt(action)));
+    this.change.replaceChildren(...(text ? [note(text, ...buttons)] : []));
+  }
+}

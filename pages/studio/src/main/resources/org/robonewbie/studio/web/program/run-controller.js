@@ -1,0 +1,282 @@
+/** Runs the program, and shows how it runs: what it says, what it plots, and what goes wrong at which line. */
+import { button, byId, choice, element, setText } from '../panels/elements.js';
+import { keep, recall } from '../panels/memory.js';
+import { lineOf, withMistake } from '../state/program/remarks.js';
+import { isUnderWay, NO_RUN, ownRobot, runText } from '../state/program/run.js';
+import { valuesAtLines } from '../state/program/values.js';
+import { readTelemetry, robotKey } from '../state/robot/telemetry.js';
+import { copyExample } from './new-program.js';
+import { SliderController } from './slider-controller.js';
+
+/** @typedef {import('../state/program/run.js').ProgramRun} ProgramRun */
+
+const KEY = 'robonewbie-program-world';
+const LOOK_MILLISECONDS = 400;
+const VALUE_MILLISECONDS = 200;
+
+export class RunController {
+  #looking = false;
+  #valuesAt = 0;
+  #robot = '';
+  /** @type {string[]} */
+  #before = [];
+  /** @type {Map<string, number>} */
+  #values = new Map();
+  /** @type {readonly import('../state/program/remarks.js').Mistake[]} */
+  #mistakes = [];
+  #remarks = '';
+  #hasMistakes = false;
+
+  /** @param {any} room */
+  constructor(room) {
+    this.room = room;
+    this.service = room.service;
+    /** @type {ProgramRun} */
+    this.now = NO_RUN;
+    const act = (/** @type {() => Promise<void>} */ action) => () => room.attempt(action);
+    this.start = button(
+      '▶ Run',
+      'Saves and runs the program (Ctrl+Enter)',
+      act(() => this.run()),
+      {
+        id: 'program-run',
+        class: 'primary',
+      },
+    );
+    this.stopButton = button(
+      '■ Stop',
+      'Ends the program',
+      act(() => this.stop()),
+      { id: 'program-stop' },
+    );
+    this.again = button(
+      '⟲ Restart',
+      'World and program begin again',
+      act(() => this.#start('fresh')),
+      {
+        id: 'program-restart',
+      },
+    );
+    this.stepButton = button(
+      'Step',
+      'One cycle of 20 ms, in which the program thinks once; then the world stands still until Play (Space) or Run',
+      () => room.surroundings.send({ do: 'step', cycles: 1 }),
+      { id: 'program-step' },
+    );
+    this.world = worldChoice();
+    this.state = element('p', { id: 'program-state', role: 'status' });
+    this.sliders = this.#newSliders();
+    room.bar.append(this.start, this.stopButton, this.again, this.stepButton);
+    room.foot.append(this.state, this.world);
+  }
+
+  /** Saves the program and runs it. */
+  async run() {
+    await copyExample(this.room.files);
+    if (await this.room.files.save()) {
+      await this.#start(isUnderWay(this.now) ? this.#chosenWorld : 'fresh');
+    }
+  }
+
+  /** The program was saved: if it runs, it is changed at once. */
+  async saved() {
+    if (isUnderWay(this.now) && this.now.program === this.room.files.file?.path) {
+      await this.#start(this.#chosenWorld);
+    }
+  }
+
+  async stop() {
+    this.#show(await this.service.stop());
+  }
+
+  /** @returns {'keep' | 'fresh'} */
+  get #chosenWorld() {
+    return this.world.value === 'fresh' ? 'fresh' : 'keep';
+  }
+
+  /** @param {'keep' | 'fresh'} world */
+  async #start(world) {
+    const { file } = this.room.files;
+    if (!file || file.shelf === 'example') {
+      return;
+    }
+    await this.room.exercises.leave();
+    if (!isUnderWay(this.now)) {
+      this.#before = this.#keys();
+    }
+    if (this.now.program !== file.path) {
+      this.sliders.forget();
+    }
+    this.#show({ ...NO_RUN, state: 'STARTING', program: file.path });
+    this.forgetMistakes();
+    this.room.surroundings.goLive();
+    const run = await this.service.run(file.path, world);
+    if (run.state === 'REFUSED') {
+      await this.room.check();
+      await this.look();
+      this.#tell(runText(run), 'trouble');
+    } else {
+      this.#show(run);
+      this.#watch();
+    }
+  }
+
+  /** Looks once how the program runs. */
+  async look() {
+    this.#show(await this.service.state());
+    if (isUnderWay(this.now)) {
+      this.#watch();
+    }
+  }
+
+  /** Looks again and again, as long as the program runs. */
+  async #watch() {
+    if (this.#looking) {
+      return;
+    }
+    this.#looking = true;
+    while (isUnderWay(this.now)) {
+      this.#listen();
+      await new Promise((done) => setTimeout(done, LOOK_MILLISECONDS));
+      try {
+        this.#show(await this.service.state());
+      } catch {
+        // The studio has ended or begins again; the page says so elsewhere.
+      }
+    }
+    this.#looking = false;
+  }
+
+  /** @param {ProgramRun} run */
+  #show(run) {
+    this.now = run;
+    this.room.said.showOutput(run.output);
+    this.draw();
+  }
+
+  draw() {
+    const { file } = this.room.files;
+    const goesOn = isUnderWay(this.now);
+    this.start.hidden = goesOn && this.now.program === file?.path;
+    this.stopButton.hidden = this.again.hidden = this.stepButton.hidden = !goesOn;
+    const isTrouble = this.now.state === 'ENDED' && this.now.exitCode !== 0;
+    this.#tell(runText(this.now), isTrouble ? 'trouble' : '');
+  }
+
+  /** @param {string} text @param {string} tone */
+  #tell(text, tone) {
+    const mistakes = this.#hasMistakes ? `${this.#remarks}. ` : '';
+    setText(this.state, `${mistakes}${text}`);
+    this.state.dataset.tone = this.#hasMistakes ? 'trouble' : tone;
+  }
+
+  /** @param {string} text @param {readonly import('../state/program/remarks.js').Remark[]} remarks of the compiler */
+  showRemarks(text, remarks) {
+    this.#remarks = text;
+    this.#hasMistakes = remarks.some(({ serious }) => serious);
+    this.draw();
+  }
+
+  /** Lines have moved: values are shown beside the right ones. */
+  edited() {
+    this.#valuesAt = 0;
+  }
+
+  forgetMistakes() {
+    this.#mistakes = [];
+    this.#values.clear();
+    this.room.editor.setMistakes([]);
+    this.room.editor.setValues([]);
+    this.room.said.clear();
+    this.sliders.begin();
+  }
+
+  #newSliders() {
+    const { said, editor, files } = this.room;
+    return new SliderController(said.sliders, {
+      tune: (name, value) => this.#tune(name, value),
+      text: () => (this.now.program === files.file?.path ? editor.text : ''),
+      write: (text) => editor.replace(text),
+    });
+  }
+
+  /** Gives a number of the running program another value. @param {string} name @param {number} value */
+  #tune(name, value) {
+    const [team, number] = this.#robot.split('\t');
+    this.room.surroundings.send({ do: 'tune', team, number: Number(number), name, value });
+  }
+
+  #keys() {
+    return this.room.surroundings
+      .robots()
+      .map((/** @type {{team: string, number: number}} */ { team, number }) => robotKey(team, number));
+  }
+
+  /** Asks for what the program's robot tells; a page hears one robot at a time. */
+  #listen() {
+    const key = ownRobot(this.#robot, this.#before, this.#keys(), this.now.entersFirst);
+    if (key !== this.#robot && !byId('program-room').hidden) {
+      const [team, number] = key.split('\t');
+      this.#robot = key;
+      this.forgetMistakes();
+      this.room.surroundings.send({ do: 'watch', team, number: Number(number) });
+    }
+  }
+
+  /** Another room has asked for another robot. */
+  forgetRobot() {
+    this.#robot = '';
+  }
+
+  /** @param {{robot: string, lines: string[]}} news of a robot */
+  hear({ robot, lines }) {
+    if (robot !== this.#robot) {
+      return;
+    }
+    for (const each of lines.map(readTelemetry)) {
+      if (each.kind === 'log') {
+        this.#hearLine(each.log);
+      } else if (each.kind === 'plot') {
+        this.#values.set(each.name, each.value);
+      } else if (each.kind === 'number') {
+        this.sliders.hear(each.number);
+      }
+    }
+    this.#showValues();
+  }
+
+  /** @param {import('../state/robot/telemetry.js').LogLine} log */
+  #hearLine(log) {
+    this.room.said.addLine(log);
+    const line = lineOf(log.text, this.now.program);
+    if (line > 0 && ['WARNING', 'ERROR'].includes(log.level) && this.now.program === this.room.files.file?.path) {
+      const [text] = log.text.split('\n');
+      this.#mistakes = withMistake(this.#mistakes, { line, text });
+      this.room.editor.setMistakes(this.#mistakes);
+      this.room.said.showMistakes(this.#mistakes);
+    }
+  }
+
+  #showValues() {
+    const now = performance.now();
+    if (this.#values.size === 0 || now - this.#valuesAt < VALUE_MILLISECONDS) {
+      return;
+    }
+    this.#valuesAt = now;
+    this.room.said.showValues(this.#values);
+    this.room.editor.setValues(valuesAtLines(this.room.editor.text, this.#values));
+  }
+}
+
+function worldChoice() {
+  const world = choice(
+    { id: 'program-world', 'aria-label': 'What happens to the world when a running program is saved' },
+    [
+      ['keep', 'Saving keeps the world'],
+      ['fresh', 'Saving starts over'],
+    ],
+    (value) => keep(KEY, value),
+  );
+  world.value = recall(KEY, 'keep');
+  return world;
+}

@@ -1,0 +1,97 @@
+/** Sliders for the numbers of the program that runs: they act at once, and what was found can be written into the program. */
+import { button, element, setText } from '../panels/elements.js';
+import { ChosenNumbers, numberText, stepOf, withUsual } from '../state/program/sliders.js';
+
+/** @typedef {import('../state/program/sliders.js').DeclaredNumber} DeclaredNumber */
+/** @typedef {{line: HTMLElement, range: HTMLInputElement, shown: HTMLElement, keep: HTMLElement, number: DeclaredNumber}} Slider */
+
+export class SliderController {
+  #chosen = new ChosenNumbers();
+  /** @type {Map<string, Slider>} */
+  #sliders = new Map();
+
+  /**
+   * @param {HTMLElement} place
+   * @param {object} program
+   * @param {(name: string, value: number) => void} program.tune
+   * @param {() => string} program.text
+   * @param {(text: string) => void} program.write takes the place of the program's text
+   */
+  constructor(place, program) {
+    this.place = place;
+    this.program = program;
+  }
+
+  /** The program begins once more. */
+  begin() {
+    this.#sliders.clear();
+    this.place.replaceChildren();
+  }
+
+  /** Another program is shown. */
+  forget() {
+    this.begin();
+    this.#chosen.forget();
+  }
+
+  /** @param {DeclaredNumber} number that the running program has */
+  hear(number) {
+    const slider = this.#sliders.get(number.name) ?? this.#add(number);
+    slider.number = number;
+    const wish = this.#chosen.wish(number, performance.now());
+    if (wish !== undefined) {
+      this.program.tune(number.name, wish);
+    }
+    this.#show(slider, this.#chosen.shown(number));
+  }
+
+  /** @param {DeclaredNumber} number */
+  #add(number) {
+    const { name, least, most } = number;
+    const range = element('input', {
+      type: 'range',
+      min: String(least),
+      max: String(most),
+      step: String(stepOf(number)),
+      'aria-label': name,
+    });
+    const shown = element('output');
+    const usual = button('⟲', `Back to ${numberText(number.usual)}, as in the program`, () =>
+      this.#choose(slider, slider.number.usual),
+    );
+    const keep = button('Write into the program', `Changes number("${name}", …) in the editor`, () =>
+      this.#write(slider),
+    );
+    const line = element('div', { class: 'program-slider' }, element('span', {}, name), range, shown, usual, keep);
+    /** @type {Slider} */
+    const slider = { line, range, shown, keep, number };
+    range.addEventListener('input', () => this.#choose(slider, Number(range.value)));
+    this.#sliders.set(name, slider);
+    this.place.append(line);
+    return slider;
+  }
+
+  /** @param {Slider} slider @param {number} value */
+  #choose(slider, value) {
+    this.#chosen.choose(slider.number, value, performance.now());
+    this.program.tune(slider.number.name, value);
+    this.#show(slider, value);
+  }
+
+  /** @param {Slider} slider @param {number} value */
+  #show({ range, shown, keep, number }, value) {
+    if (Number(range.value) !== value) {
+      range.value = String(value);
+    }
+    setText(shown, numberText(value));
+    keep.hidden = value === number.usual || withUsual(this.program.text(), number.name, value) === undefined;
+  }
+
+  /** @param {Slider} slider */
+  #write({ number }) {
+    const text = withUsual(this.program.text(), number.name, this.#chosen.shown(number));
+    if (text !== undefined) {
+      this.program.write(text);
+    }
+  }
+}

@@ -1,9 +1,0 @@
-/**
- * Runs class files that the page has compiled from a student's program, instruction by instruction, among the classes of the framework
- * that are compiled already. Read {@link org.robonewbie.web.bytecode.Machine} first, then {@link
- * org.robonewbie.web.bytecode.Members}; the instructions are those of the Java Virtual Machine Specification, chapter 6.
- *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
- */
-@org.jspecify.annotations.NullMarked
-package org.robonewbie.web.bytecode;

@@ -1,0 +1,49 @@
+package org.robonewbie.learning.motion;
+
+import java.util.Random;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.nao.motion.Posture;
+import org.robonewbie.trial.Script;
+import org.robonewbie.trial.Trial;
+
+/** Differences between trials: joints slightly off their posture, and a push of 0.1 s against the torso each second. The seed chooses them. */
+final class Disturbance implements Script {
+
+    private static final int CYCLES_BETWEEN = 50;
+    private static final int CYCLES_OF_PUSH = 5;
+
+    private final Random random;
+    private final double newtons;
+    private int cycle;
+    private Vector3 push = Vector3.ZERO;
+
+    Disturbance(long seed, double newtons) {
+        this.random = new Random(seed);
+        this.newtons = newtons;
+        random.nextLong();
+    }
+
+    /** Draws a posture whose joints have this standard deviation from another one. */
+    Posture near(Posture posture, double degrees) {
+        double[] angles = posture.toArray();
+        for (Joint joint : Joint.values()) {
+            angles[joint.ordinal()] += degrees * random.nextGaussian();
+        }
+        return Posture.of(angles).clamped();
+    }
+
+    @Override
+    public void act(Trial trial) {
+        int phase = cycle % CYCLES_BETWEEN;
+        if (phase == 0) {
+            double direction = 2 * Math.PI * random.nextDouble();
+            push = new Vector3(PortableMath.cos(direction), PortableMath.sin(direction), 0).times(newtons);
+        }
+        if (phase >= CYCLES_BETWEEN - CYCLES_OF_PUSH && newtons > 0) {
+            trial.robot(0).push(push);
+        }
+        cycle++;
+    }
+}

@@ -1,0 +1,7 @@
+/**
+ * Trials of motions and walks that are scripted step by step. Read {@link org.robonewbie.learning.motion.MotionTrial} first.
+ *
+ * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.learning.motion;

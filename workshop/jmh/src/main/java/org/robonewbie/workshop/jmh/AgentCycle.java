@@ -1,0 +1,105 @@
+package org.robonewbie.workshop.jmh;
+
+import java.util.concurrent.TimeUnit;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.Warmup;
+import org.openjdk.jmh.runner.Runner;
+import org.openjdk.jmh.runner.RunnerException;
+import org.openjdk.jmh.runner.options.OptionsBuilder;
+import org.robonewbie.agent.Nao;
+import org.robonewbie.agent.Options;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.protocol.frame.MessageBuffer;
+import org.robonewbie.protocol.perceptor.PerceptorMessage;
+import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
+
+/**
+ * What a robot's program pays for the framework in each cycle of 20 ms: it receives and parses a message that a real server sent
+ * (two teams, every third with a picture of the camera), senses, acts and writes its answer. Nothing is sent and nothing thought.
+ *
+ * <p>{@link #perception} is the part that makes the immutable perception; what the others allocate beyond that is garbage of the
+ * framework. The samples give the median of the time; they allocate themselves, so that what a cycle allocates is to be read from the
+ * averages.
+ */
+@State(Scope.Thread)
+@BenchmarkMode({Mode.SampleTime, Mode.AverageTime})
+@OutputTimeUnit(TimeUnit.MICROSECONDS)
+@Warmup(iterations = 10, time = 2)
+@Measurement(iterations = 5, time = 2)
+@Fork(1)
+public class AgentCycle {
+
+    private final ReplayLink link = new ReplayLink();
+    private final MessageBuffer buffer = new MessageBuffer();
+    private final PerceptorMessageReader reader = new PerceptorMessageReader();
+    private final Nao nao = Nao.connect(Options.none().with("seed", "1").with("headless", "true"));
+
+    /** Creates the state of one thread. */
+    public AgentCycle() {}
+
+    /**
+     * Measures, and prints the allocation too.
+     *
+     * @param args none
+     * @throws RunnerException if JMH cannot run
+     */
+    public static void main(String[] args) throws RunnerException {
+        new Runner(new OptionsBuilder()
+                        .include(AgentCycle.class.getSimpleName())
+                        .addProfiler("gc")
+                        .build())
+                .run();
+    }
+
+    /** Lets all joints be still at first. */
+    @Setup
+    public void begin() {
+        nao.sense();
+        nao.act();
+    }
+
+    /**
+     * Receives and parses a message.
+     *
+     * @return the perception
+     */
+    @Benchmark
+    public PerceptorMessage perception() {
+        link.receive(buffer);
+        return reader.read(buffer);
+    }
+
+    /** One whole cycle in which one joint is commanded. */
+    @Benchmark
+    public void cycle() {
+        nao.sense();
+        nao.setJointSpeed(Joint.LEFT_SHOULDER_PITCH, nao.getJointAngle(Joint.LEFT_SHOULDER_PITCH) < 30 ? 60 : 0);
+        nao.act();
+    }
+
+    /** One whole cycle in which a motion moves all joints. */
+    @Benchmark
+    public void cycleWithMotion() {
+        nao.sense();
+        if (nao.motions().isFinished()) {
+            nao.motions().loop("walk-forward");
+        }
+        nao.act();
+    }
+
+    /** One whole cycle in which the walk engine moves all joints. */
+    @Benchmark
+    public void cycleWithWalk() {
+        nao.sense();
+        nao.walk().towards(0.3, 0, 0);
+        nao.act();
+    }
+}

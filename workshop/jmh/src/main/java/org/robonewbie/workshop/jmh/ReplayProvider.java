@@ -1,0 +1,41 @@
+package org.robonewbie.workshop.jmh;
+
+import java.util.Optional;
+import org.robonewbie.protocol.embedded.EmbeddedSimulator;
+import org.robonewbie.protocol.embedded.SimulatorProvider;
+import org.robonewbie.protocol.embedded.SimulatorRequest;
+import org.robonewbie.protocol.frame.AgentLink;
+
+/** Gives agents a world that costs nothing. */
+public final class ReplayProvider implements SimulatorProvider {
+
+    /** Creates the provider. */
+    public ReplayProvider() {}
+
+    @Override
+    public EmbeddedSimulator start(SimulatorRequest request) {
+        return new Replayed();
+    }
+
+    /** A simulator without a simulation. */
+    private static final class Replayed implements EmbeddedSimulator {
+
+        @Override
+        public AgentLink connect() {
+            return new ReplayLink();
+        }
+
+        @Override
+        public int agentPort() {
+            return 0;
+        }
+
+        @Override
+        public Optional<String> studioAddress() {
+            return Optional.empty();
+        }
+
+        @Override
+        public void close() {}
+    }
+}

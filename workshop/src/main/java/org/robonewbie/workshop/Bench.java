@@ -1,0 +1,171 @@
+package org.robonewbie.workshop;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.workshop.motion.MotionMeasurement;
+import org.robonewbie.workshop.team.AgentMeasurement;
+import org.robonewbie.workshop.team.PlayerChecks;
+import org.robonewbie.workshop.team.TeamMeasurement;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ScopeType;
+
+/** The command line of the workshop: measures motions, agents, and the simulator's speed and fidelity. */
+@Command(
+        name = "bench",
+        description = "Measure motions, agents and the simulator on this computer.",
+        synopsisSubcommandLabel = "SUBJECT",
+        commandListHeading = "%nSubjects:%n",
+        sortOptions = false,
+        subcommands = {ServerCommand.class, SpeedCommand.class, FidelityCommand.class, RecordCommand.class},
+        footer = {
+            "",
+            "Examples:",
+            "  bench motions --seeds 3     try each shipped motion three times",
+            "  bench server --fast         let 22 robots play over TCP",
+            "  bench speed --robots 1,22   how fast is a step?",
+            "  bench fidelity              how close is it to the real rcssserver3d?",
+            "  bench speed --help          more about one subject",
+            "",
+            "bench is short for: java -jar workshop/target/bench.jar"
+        })
+public final class Bench {
+
+    @Option(
+            names = {"-h", "--help"},
+            usageHelp = true,
+            scope = ScopeType.INHERIT,
+            description = "Show this help.")
+    boolean help;
+
+    private Bench() {}
+
+    /**
+     * Measures.
+     *
+     * @param arguments the subject and its options
+     */
+    public static void main(String... arguments) {
+        System.exit(commandLine().execute(arguments));
+    }
+
+    /** Creates the command; a wrong value of an option is one sentence and exit code 2. */
+    static CommandLine commandLine() {
+        return new CommandLine(new Bench())
+                .setCaseInsensitiveEnumValuesAllowed(true)
+                .setUsageHelpAutoWidth(true)
+                .setExecutionExceptionHandler((failure, command, parsed) -> {
+                    if (failure instanceof IllegalArgumentException) {
+                        command.getErr().println(failure.getMessage());
+                        return ExitCode.USAGE;
+                    }
+                    throw failure;
+                });
+    }
+
+    /** The trials of a measurement. */
+    static final class Trials {
+
+        @Option(
+                names = "--seeds",
+                paramLabel = "N",
+                description = "Trials of each one, each disturbed in another way (20).")
+        private int seeds = 20;
+
+        @Option(names = "--first-seed", paramLabel = "N", description = "Seed of the first trial (1).")
+        private long firstSeed = 1;
+
+        private int seeds() {
+            if (seeds < 1) {
+                throw new IllegalArgumentException("--seeds " + seeds + ": give a number of trials of at least 1.");
+            }
+            return seeds;
+        }
+    }
+
+    @Command(
+            description = "Try all shipped motions many times in the simulator.",
+            footer = {
+                "",
+                "Examples:",
+                "  bench motions                20 trials of each motion",
+                "  bench motions --seeds 3      a quick look",
+                "  bench motions --first-seed 1000 --json result.json"
+            })
+    void motions(
+            @Mixin Trials trials,
+            @Option(
+                            names = "--only",
+                            paramLabel = "PART",
+                            defaultValue = "",
+                            description = "Only those whose name has this in it, such as kick.")
+                    String part,
+            @Option(
+                            names = "--type",
+                            paramLabel = "0..4",
+                            defaultValue = "0",
+                            description =
+                                    "Build of the robot; types 1 to 4 walk on a whole simulator only (${DEFAULT-VALUE}).")
+                    int type,
+            @Option(names = "--json", paramLabel = "FILE", description = "Write the results as JSON too.")
+                    Optional<Path> json)
+            throws IOException {
+        if (type < 0 || type >= RobotType.values().length) {
+            throw new IllegalArgumentException("--type " + type + ": give the number of a robot type, 0 to 4.");
+        }
+        RobotType built = RobotType.values()[type];
+        new MotionMeasurement(trials.seeds(), trials.firstSeed, part, built, System.out)
+                .with(PlayerChecks.all(built))
+                .run(json);
+    }
+
+    @Command(
+            description = "Let each example agent play many times.",
+            footer = {"", "Example:", "  bench agents                 20 games of each example agent"})
+    void agents(
+            @Mixin Trials trials,
+            @Option(
+                            names = "--only",
+                            paramLabel = "PART",
+                            defaultValue = "",
+                            description = "Only those whose name has this in it, such as Better.")
+                    String part,
+            @Option(names = "--json", paramLabel = "FILE", description = "Write the results as JSON too.")
+                    Optional<Path> json)
+            throws IOException {
+        new AgentMeasurement(trials.seeds(), trials.firstSeed, System.out).run(part, json);
+    }
+
+    @Command(
+            description = "Let the example team play halves against as many others.",
+            footer = {
+                "",
+                "Examples:",
+                "  bench team --players 3       20 halves, 3 against 3",
+                "  bench team --players 1       one player alone, for 5 minutes of open play"
+            })
+    void team(
+            @Mixin Trials trials,
+            @Option(
+                            names = "--players",
+                            paramLabel = "N",
+                            defaultValue = "3",
+                            description = "Players of each team, 1 to 11; 1 plays alone (${DEFAULT-VALUE}).")
+                    int players,
+            @Option(
+                            names = "--against",
+                            paramLabel = "AGENT",
+                            defaultValue = TeamMeasurement.DEFAULT_OPPONENT,
+                            description = "The others, Agent_BetterSoccer or Agent_Team (${DEFAULT-VALUE}).")
+                    String opponent) {
+        if (players < 1 || players > 11) {
+            throw new IllegalArgumentException("--players " + players + ": a team has 1 to 11 players.");
+        }
+        new TeamMeasurement(trials.seeds(), trials.firstSeed, System.out).run(players, opponent);
+    }
+}

@@ -1,0 +1,73 @@
+package org.robonewbie.workshop;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.workshop.fidelity.AgentRoute;
+import org.robonewbie.workshop.fidelity.FidelityBench;
+import org.robonewbie.workshop.fidelity.FidelityReport;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Replays recordings of a real rcssserver3d and measures how closely the simulator follows them. */
+@Command(
+        name = "fidelity",
+        description = "Replay recordings of a real rcssserver3d and measure how closely the simulator follows them.",
+        footer = {
+            "",
+            "Examples:",
+            "  bench fidelity                       the recordings that come with RoboNewbie",
+            "  bench fidelity my-recordings --json result.json",
+            "  bench fidelity --link tcp            the same with an agent connected over TCP"
+        })
+final class FidelityCommand implements Callable<Integer> {
+
+    @Parameters(
+            arity = "0..1",
+            paramLabel = "DIRECTORY",
+            description = "Folder with recordings (*.jsonl, *.jsonl.gz); without it, those that come with RoboNewbie.")
+    private Optional<Path> directory = Optional.empty();
+
+    @Option(
+            names = "--link",
+            paramLabel = "LINK",
+            defaultValue = "none",
+            description = "How the recorded commands reach the robot: none (straight in the world; default), in-process"
+                    + " or tcp (as an agent's messages, through a whole server).")
+    private String link = "none";
+
+    @Option(names = "--json", paramLabel = "FILE", description = "Write the results as JSON too.")
+    private Optional<Path> json = Optional.empty();
+
+    @Override
+    public Integer call() throws IOException {
+        directory.filter(folder -> !Files.isDirectory(folder)).ifPresent(folder -> {
+            throw new IllegalArgumentException(
+                    folder + " is not a folder. Name one with recordings (*.jsonl, *.jsonl.gz).");
+        });
+        AgentRoute route = route();
+        FidelityReport report =
+                directory.isPresent() ? FidelityBench.run(directory.get(), route) : FidelityBench.run(route);
+        System.out.print(report.toTable());
+        report.problems().forEach(System.err::println);
+        if (json.isPresent()) {
+            AtomicFile.write(json.get(), report.toJson());
+        }
+        return report.problems().isEmpty() ? ExitCode.OK : ExitCode.SOFTWARE;
+    }
+
+    private AgentRoute route() {
+        return switch (link) {
+            case "none" -> AgentRoute.NONE;
+            case "in-process" -> AgentRoute.IN_PROCESS;
+            case "tcp" -> AgentRoute.TCP;
+            default ->
+                throw new IllegalArgumentException("There is no link \"" + link + "\". Use none, in-process or tcp.");
+        };
+    }
+}

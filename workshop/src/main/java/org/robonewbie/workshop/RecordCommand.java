@@ -1,0 +1,114 @@
+package org.robonewbie.workshop;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.robonewbie.workshop.fidelity.FidelityBench;
+import org.robonewbie.workshop.fidelity.ReferenceRecorder;
+import org.robonewbie.workshop.fidelity.ReferenceScenario;
+import org.robonewbie.workshop.fidelity.ReferenceServer;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Option;
+
+/** Records robots and balls on a running server, so that {@code fidelity} can tell whether our simulator does the same. */
+@Command(
+        name = "record",
+        description = {
+            "Record robots and balls on a running rcssserver3d (or robonewbie simulator), for \"bench fidelity\" to replay.",
+            "",
+            "The server must wait for its agents and tell monitors each cycle: in a real server's spark.rb"
+                    + " $agentSyncMode = true and $monitorStep = 0.02, and $threadedMode = false; for exact numbers no beam noise"
+                    + " (naosoccersim.rb: BeamNoiseXY and BeamNoiseAngle 0)."
+        },
+        footer = {
+            "",
+            "Examples:",
+            "  bench record                          ten scenarios into the folder reference",
+            "  bench record --host lab7 --out lab7 --type 3",
+            "  bench record --scenario h_squat --scenario d_fall_front",
+            "  bench record --commands my/h_squat.jsonl.gz   the commands of another recording again",
+            "  robonewbie simulator --sync --no-noise --monitor-step 0.02 --set BeamNoiseXY=0 --set BeamNoiseAngle=0",
+            "                                                       a server of ours to try it with",
+            "  bench fidelity reference                        compare what was recorded"
+        })
+final class RecordCommand implements Callable<Integer> {
+
+    private static final int LAST_TYPE = 4;
+
+    @Option(
+            names = "--host",
+            paramLabel = "HOST",
+            defaultValue = "127.0.0.1",
+            description = "The server's computer (default: ${DEFAULT-VALUE}).")
+    private String host = "127.0.0.1";
+
+    @Option(
+            names = "--port",
+            paramLabel = "N",
+            defaultValue = "3100",
+            description = "The server's port for agents (default: ${DEFAULT-VALUE}).")
+    private int port;
+
+    @Option(
+            names = "--monitor-port",
+            paramLabel = "N",
+            defaultValue = "3200",
+            description = "The server's port for monitors (default: ${DEFAULT-VALUE}).")
+    private int monitorPort;
+
+    @Option(
+            names = "--out",
+            paramLabel = "DIRECTORY",
+            defaultValue = "reference",
+            description = "Where to write the recordings (default: ${DEFAULT-VALUE}).")
+    private Path directory = Path.of("reference");
+
+    @Option(
+            names = "--type",
+            paramLabel = "0..4",
+            defaultValue = "0",
+            description = "Build of the robot (default: ${DEFAULT-VALUE}).")
+    private int type;
+
+    @Option(names = "--scenario", paramLabel = "NAME", description = "Record only this; may be repeated.")
+    private List<String> names = new ArrayList<>();
+
+    @Option(
+            names = "--commands",
+            paramLabel = "FILE",
+            description = "Record a robot that gets the commands of this recording (.jsonl or .jsonl.gz).")
+    private Optional<Path> commands = Optional.empty();
+
+    @Override
+    public Integer call() throws IOException {
+        if (type < 0 || type > LAST_TYPE) {
+            throw new IllegalArgumentException("--type " + type + ": give a number from 0 to " + LAST_TYPE + ".");
+        }
+        List<ReferenceScenario> scenarios = scenarios();
+        new ReferenceRecorder(new ReferenceServer(host, port, monitorPort), type, System.out)
+                .record(scenarios, directory);
+        System.out.println("Recorded into " + directory + ". Compare with: bench fidelity " + directory);
+        return ExitCode.OK;
+    }
+
+    private List<ReferenceScenario> scenarios() throws IOException {
+        if (commands.isPresent()) {
+            return List.of(ReferenceScenario.of(FidelityBench.read(commands.get())));
+        }
+        List<ReferenceScenario> all = ReferenceScenario.all();
+        List<String> known = all.stream().map(ReferenceScenario::name).toList();
+        for (String name : names) {
+            if (!known.contains(name)) {
+                throw new IllegalArgumentException(
+                        "There is no scenario \"" + name + "\". There are " + String.join(", ", known) + ".");
+            }
+        }
+        return all.stream()
+                .filter(scenario -> names.isEmpty() || names.contains(scenario.name()))
+                .toList();
+    }
+}

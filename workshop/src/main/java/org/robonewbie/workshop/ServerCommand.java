@@ -1,0 +1,70 @@
+package org.robonewbie.workshop;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.robonewbie.workshop.load.LoadSettings;
+import org.robonewbie.workshop.load.MatchLoad;
+import org.robonewbie.workshop.load.MatchLoadResult;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Option;
+
+/** Puts a server under the load of whole matches. */
+@Command(
+        name = "server",
+        description = "Let many robots play whole matches over TCP; does the server keep step with the clock?",
+        footer = {
+            "",
+            "Examples:",
+            "  bench server                 11 against 11 for 10 minutes on the clock",
+            "  bench server --fast --matches 3"
+        })
+final class ServerCommand implements Callable<Integer> {
+
+    private static final int MAX_ROBOTS = 22;
+
+    @Option(
+            names = "--robots",
+            paramLabel = "N",
+            defaultValue = "22",
+            description = "Robots on the pitch, 2 to 22 (default: 22).")
+    private int robots;
+
+    @Option(
+            names = "--seconds",
+            paramLabel = "T",
+            defaultValue = "600",
+            description = "Length of a match, both halves together, in simulated seconds (default: 600).")
+    private double seconds;
+
+    @Option(
+            names = "--matches",
+            paramLabel = "N",
+            defaultValue = "1",
+            description = "Matches that one server plays one after the other (default: 1).")
+    private int matches;
+
+    @Option(names = "--fast", description = "Wait for all robots and run as fast as possible instead of on the clock.")
+    private boolean fast;
+
+    /** Plays the matches and prints what they cost; the exit code is 1 when the world has missed a cycle. */
+    @Override
+    public Integer call() throws IOException {
+        if (robots < 2 || robots > MAX_ROBOTS) {
+            throw new IllegalArgumentException("--robots " + robots + ": give a number from 2 to " + MAX_ROBOTS + ".");
+        }
+        if (!(seconds >= 1) || Double.isInfinite(seconds)) {
+            throw new IllegalArgumentException("--seconds " + seconds + ": give a length of at least 1 second.");
+        }
+        if (matches < 1) {
+            throw new IllegalArgumentException("--matches " + matches + ": give a number of at least 1.");
+        }
+        LoadSettings load = new LoadSettings(robots, seconds, matches, !fast);
+        List<MatchLoadResult> results = new MatchLoad(load, System.out).run();
+        System.out.println(MatchLoadResult.TITLE);
+        results.forEach(result -> System.out.println(result.toLine()));
+        boolean inTime = results.stream().allMatch(result -> result.missedCycles() == 0);
+        return inTime ? ExitCode.OK : ExitCode.SOFTWARE;
+    }
+}

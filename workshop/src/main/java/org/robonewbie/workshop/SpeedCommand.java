@@ -1,0 +1,179 @@
+package org.robonewbie.workshop;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
+import java.util.concurrent.Callable;
+import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.workshop.speed.Benchmark;
+import org.robonewbie.workshop.speed.BenchmarkPlan;
+import org.robonewbie.workshop.speed.BenchmarkReport;
+import org.robonewbie.workshop.speed.CrowdScene;
+import org.robonewbie.workshop.speed.ServerAddress;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Option;
+
+/** Measures how fast a server is with 1 to 22 robots. */
+@Command(
+        name = "speed",
+        description = "Measure how fast the simulator is with 1 to 22 robots that stand, walk or lie in a heap.",
+        sortOptions = false,
+        footer = {
+            "",
+            "The processor time is that of the server alone; the factor of real time includes the agents.",
+            "",
+            "Examples:",
+            "  bench speed",
+            "  bench speed --robots 1,22 --scene walking --seconds 60 --json result.json",
+            "  bench speed --robots 1 --scene walking --seconds 20000 --heap-every 2000      10^6 cycles: is memory lost?",
+            "  bench speed --json figures.json --table table.md      the table of docs/performance.md",
+            "  bench speed --host 127.0.0.1 --pid 4711      another server in sync mode, such as rcssserver3d",
+            "",
+            "A real rcssserver3d: say $agentSyncMode = true and $enableRealTimeMode = false in a copy of its spark.rb in the folder",
+            "in which it starts, start it there without any monitor, find its process with \"pidof rcssserver3d\", and measure it on",
+            "the same computer as above; --port and --monitor-port if it has others than 3100 and 3200. Robots join one after the",
+            "other, and are placed by its monitor port. A server that admits no more of them, or is silent for 20 s, is told. Memory is that of this process, not of the server."
+        })
+final class SpeedCommand implements Callable<Integer> {
+
+    private static final int MAX_ROBOTS = 22;
+    private static final int MAX_THREADS = 16;
+    private static final int LAST_PORT = 65535;
+
+    @Option(
+            names = "--robots",
+            paramLabel = "N",
+            split = ",",
+            description = "How many robots, each number 1 to 22 (1,2,6,11,22).")
+    private List<Integer> robots = List.of(1, 2, 6, 11, 22);
+
+    @Option(
+            names = "--scene",
+            paramLabel = "SCENE",
+            split = ",",
+            description = "What they do: standing, walking, heap (all three).")
+    private List<CrowdScene> scenes = List.of(CrowdScene.values());
+
+    @Option(names = "--seconds", paramLabel = "T", description = "Simulated seconds that are measured (20).")
+    private double seconds = 20;
+
+    @Option(
+            names = "--warm-up",
+            paramLabel = "T",
+            description = "Simulated seconds before that, in which Java compiles what is used most (20).")
+    private double warmUpSeconds = 20;
+
+    @Option(
+            names = "--heap-every",
+            paramLabel = "T",
+            description = "Collect garbage and print the memory in use every T simulated seconds.")
+    private Optional<Double> heapEvery = Optional.empty();
+
+    @Option(
+            names = "--threads",
+            paramLabel = "N",
+            description = "How many threads our server works on, and robots think on in between, 1 to 16 (1).")
+    private int threads = 1;
+
+    @Option(names = "--json", paramLabel = "FILE", description = "Write the results as JSON too.")
+    private Optional<Path> json = Optional.empty();
+
+    @Option(names = "--table", paramLabel = "FILE", description = "Write the results as a Markdown table too.")
+    private Optional<Path> table = Optional.empty();
+
+    @Option(names = "--host", paramLabel = "H", description = "Measure the server on this computer instead of ours.")
+    private Optional<String> host = Optional.empty();
+
+    @Option(names = "--port", paramLabel = "N", description = "Its port for agents (3100).")
+    private int port = 3100;
+
+    @Option(names = "--monitor-port", paramLabel = "N", description = "Its port for monitors and trainers (3200).")
+    private int monitorPort = 3200;
+
+    @Option(
+            names = "--pid",
+            paramLabel = "N",
+            description = "Its process on this computer, to measure its processor time.")
+    private Optional<Long> processId = Optional.empty();
+
+    private boolean begun;
+
+    @Override
+    public Integer call() throws IOException {
+        BenchmarkPlan plan = plan();
+        json.ifPresent(SpeedCommand::checkFolder);
+        table.ifPresent(SpeedCommand::checkFolder);
+        BenchmarkReport report =
+                new Benchmark(plan).run(run -> print(BenchmarkReport.line(run)), sample -> print(sample.toLine()));
+        if (json.isPresent()) {
+            AtomicFile.write(json.get(), report.toJson());
+        }
+        if (table.isPresent()) {
+            AtomicFile.write(table.get(), report.toMarkdown());
+        }
+        return ExitCode.OK;
+    }
+
+    /** A table that has no line has no head either. */
+    private void print(String line) {
+        if (!begun) {
+            System.out.print(BenchmarkReport.header());
+            begun = true;
+        }
+        System.out.print(line);
+    }
+
+    private BenchmarkPlan plan() {
+        for (int number : robots) {
+            if (number < 1 || number > MAX_ROBOTS) {
+                throw new IllegalArgumentException(
+                        "--robots " + number + " is not possible. Two teams have 1 to " + MAX_ROBOTS + " robots.");
+            }
+        }
+        checkSeconds("--seconds", seconds);
+        checkSeconds("--warm-up", warmUpSeconds);
+        heapEvery.ifPresent(distance -> checkSeconds("--heap-every", distance));
+        if (threads < 1 || threads > MAX_THREADS) {
+            throw new IllegalArgumentException(
+                    "--threads " + threads + " is not possible. Give 1 to " + MAX_THREADS + " threads.");
+        }
+        checkPort("--port", port);
+        checkPort("--monitor-port", monitorPort);
+        OptionalDouble heap = heapEvery.map(OptionalDouble::of).orElse(OptionalDouble.empty());
+        return new BenchmarkPlan(robots, scenes, warmUpSeconds, seconds, heap, threads, host.map(this::address));
+    }
+
+    private ServerAddress address(String name) {
+        return new ServerAddress(
+                name, port, monitorPort, processId.map(OptionalLong::of).orElse(OptionalLong.empty()));
+    }
+
+    private static void checkSeconds(String option, double value) {
+        if (!(value > 0 && value <= 1e6)) {
+            throw new IllegalArgumentException(
+                    option + " " + value + " is not possible. Give simulated seconds above 0, such as 20.");
+        }
+    }
+
+    private static void checkPort(String option, int number) {
+        if (number < 1 || number > LAST_PORT) {
+            throw new IllegalArgumentException(
+                    option + " " + number + " does not exist. Ports are 1 to " + LAST_PORT + ".");
+        }
+    }
+
+    /** It would be a pity to learn after all measurements that they cannot be written. */
+    private static void checkFolder(Path file) {
+        Path folder = Objects.requireNonNullElse(file.toAbsolutePath().getParent(), file.toAbsolutePath());
+        if (!Files.isWritable(folder)) {
+            throw new IllegalArgumentException(
+                    "The results cannot be written to the folder " + folder + ": name another one.");
+        }
+    }
+}

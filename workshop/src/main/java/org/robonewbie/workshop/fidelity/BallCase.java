@@ -1,0 +1,22 @@
+package org.robonewbie.workshop.fidelity;
+
+import java.util.List;
+
+/**
+ * A ball that a trainer sets in motion.
+ *
+ * @param name how it starts, such as {@code roll_v3}, {@code drop_h0.5} or {@code lob_4_4}: speed along x and upward in
+ *     m/s, height in m
+ * @param cycles for how many cycles of 20 ms it is recorded
+ */
+public record BallCase(String name, int cycles) {
+
+    /** Balls that roll slowly and fast, fall and fly. */
+    public static final List<BallCase> ALL = List.of(
+            new BallCase("roll_v1", 400),
+            new BallCase("roll_v3", 500),
+            new BallCase("roll_v8", 500),
+            new BallCase("drop_h1", 300),
+            new BallCase("lob_4_4", 500),
+            new BallCase("lob_6_3", 500));
+}

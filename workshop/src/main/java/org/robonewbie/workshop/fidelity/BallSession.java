@@ -1,0 +1,90 @@
+package org.robonewbie.workshop.fidelity;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.monitor.MonitoredGame;
+import org.robonewbie.protocol.order.Order.ChangePlayMode;
+import org.robonewbie.protocol.order.Order.MoveBall;
+import org.robonewbie.protocol.order.Order.SetTime;
+import org.robonewbie.simulator.world.BallProperties;
+
+/**
+ * Sets the ball in motion by trainer commands and watches it through the monitor port, while an idle robot keeps the server
+ * running cycle by cycle.
+ *
+ * <p>A monitor cannot know in which cycle its command acts. So the ball waits near the centre line, and a case begins with the
+ * first message that shows it elsewhere; the game's clock shows which messages belong to which cycle.
+ */
+final class BallSession {
+
+    private static final double RADIUS = BallProperties.STANDARD.radius();
+    private static final Vector3 WAITING_PLACE = new Vector3(0, 5, RADIUS);
+    private static final double NOT_WAITING = 4;
+    private static final int CYCLES_TO_WAIT = 10;
+
+    private final ReferenceSession session;
+    private final MonitorFeed monitor;
+
+    BallSession(ReferenceSession session, MonitorFeed monitor) {
+        this.session = session;
+        this.monitor = monitor;
+    }
+
+    /** Records one case and gives its lines. */
+    List<String> record(BallCase ballCase) throws IOException {
+        put(WAITING_PLACE, Vector3.ZERO);
+        pass(CYCLES_TO_WAIT);
+        int start = monitor.count();
+        BallStart ball = BallStart.of(ballCase.name(), RADIUS);
+        put(ball.position(), ball.velocity());
+        pass(ballCase.cycles() + CYCLES_TO_WAIT);
+        List<String> lines = new ArrayList<>();
+        double first = Double.NaN;
+        double last = Double.NEGATIVE_INFINITY;
+        for (MonitorFeed.Sight sight : monitor.sightsFrom(start)) {
+            MonitoredGame game = sight.game();
+            boolean moves =
+                    lines.size() > 0 || sight.ball().map(BallSession::hasLeft).orElse(false);
+            if (!moves || lines.size() == ballCase.cycles() || game.timeSeconds() < last + Cycle.SECONDS / 2) {
+                continue;
+            }
+            last = game.timeSeconds();
+            first = lines.isEmpty() ? last : first;
+            if (Math.round((last - first) / Cycle.SECONDS) != lines.size()) {
+                throw new IOException(ReferenceSession.STEP_ADVICE);
+            }
+            lines.add(RowWriter.ballRow(ballCase, lines.size(), sight.ball(), game));
+        }
+        if (lines.size() < ballCase.cycles()) {
+            throw new IOException(ReferenceSession.STEP_ADVICE);
+        }
+        return lines;
+    }
+
+    private static boolean hasLeft(Vector3 ball) {
+        return ball.y() < NOT_WAITING;
+    }
+
+    private void put(Vector3 place, Vector3 velocity) throws IOException {
+        monitor.send(
+                new SetTime(0),
+                new ChangePlayMode(PlayMode.PLAY_ON),
+                new MoveBall(Optional.of(place), Optional.of(velocity)));
+    }
+
+    private void pass(int cycles) throws IOException {
+        for (int i = 0; i < cycles; i++) {
+            int before = monitor.count();
+            monitor.requestFullState();
+            session.exchange("");
+            if (!monitor.await(before + 1)) {
+                throw new IOException(ReferenceSession.STEP_ADVICE);
+            }
+        }
+    }
+}

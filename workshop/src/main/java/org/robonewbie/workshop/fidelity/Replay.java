@@ -1,0 +1,127 @@
+package org.robonewbie.workshop.fidelity;
+
+import java.io.IOException;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.simulator.physics.BodyPose;
+import org.robonewbie.simulator.soccer.JoinRefusedException;
+import org.robonewbie.simulator.soccer.Match;
+import org.robonewbie.simulator.soccer.SoccerParameters;
+import org.robonewbie.simulator.world.Ball;
+import org.robonewbie.simulator.world.BallProperties;
+import org.robonewbie.simulator.world.SoccerWorld;
+
+/** Plays recordings again in worlds of ours, each run in a fresh one, and compares every row. */
+final class Replay {
+
+    private static final Comparator<RecordingFidelity> CLOSEST = Comparator.comparingDouble(
+                    (RecordingFidelity result) ->
+                            -result.firstDivergenceSeconds().orElse(Double.POSITIVE_INFINITY))
+            .thenComparingDouble(result -> result.jointMaxDegrees().orElse(0));
+
+    private final Recording recording;
+    private final AgentRoute route;
+    private final RobotType type;
+    private final JoiningWay way;
+    private final Comparison comparison = new Comparison(Tolerances.STANDARD);
+
+    private Replay(Recording recording, AgentRoute route, RobotType type, JoiningWay way) {
+        this.recording = recording;
+        this.route = route;
+        this.type = type;
+        this.way = way;
+    }
+
+    /**
+     * Replays one recording. If it does not tell the robot's build or how it came to its start, builds and ways are tried until
+     * one does the same.
+     *
+     * @param recording the recording
+     * @param route how commands and measurements travel
+     * @return how closely it was followed, by the build and way that follow best
+     * @throws IOException if a run shows neither a robot's torso nor a ball that was started in a known way
+     */
+    static RecordingFidelity of(Recording recording, AgentRoute route) throws IOException {
+        Optional<RecordingFidelity> best = Optional.empty();
+        for (JoiningWay way : JoiningWay.candidates(recording)) {
+            for (RobotType type : BuildSearch.candidates(recording)) {
+                RecordingFidelity result = new Replay(recording, route, type, way).replay();
+                if (best.isEmpty() || CLOSEST.compare(result, best.get()) < 0) {
+                    best = Optional.of(result);
+                }
+                if (best.get().firstDivergenceSeconds().isEmpty()
+                        || best.get().torsoMaxMetres().isEmpty()) {
+                    return best.get();
+                }
+            }
+        }
+        return best.orElseThrow();
+    }
+
+    private RecordingFidelity replay() throws IOException {
+        for (RecordedRun run : recording.runs()) {
+            RecordedRow first = run.rows().get(0);
+            comparison.startRun(first);
+            if (first.torso().isPresent()) {
+                replayRobot(run, first.torso().get());
+            } else if (first.ball().isPresent()) {
+                replayBall(run);
+            } else {
+                throw new IOException(
+                        "The recording " + recording.name() + " shows neither torso nor ball. It needs one of them.");
+            }
+            comparison.endRun();
+        }
+        return comparison.result(recording.name());
+    }
+
+    private void replayRobot(RecordedRun run, BodyPose start) throws IOException {
+        try (ReplayStage stage = ReplayStage.open(route, type, way)) {
+            new RecordedStart(stage, run, way).reach(start);
+            RecordedCommands commands = new RecordedCommands(stage.robot().model());
+            List<RecordedRow> rows = run.rows();
+            for (int i = 0; i < rows.size(); i++) {
+                RecordedRow row = rows.get(i);
+                Optional<RecordedRow> next = i + 1 < rows.size() ? Optional.of(rows.get(i + 1)) : Optional.empty();
+                BodyPose torso = stage.robot().torso();
+                Vector3 ball = stage.ball().position();
+                Measurements felt = stage.step(commands.read(row.sent(), next.flatMap(RecordedRow::torso)));
+                comparison.compare(row, felt, torso, ball);
+                for (int missing = next.map(row::cyclesUntil).orElse(1); missing > 1; missing--) {
+                    stage.step(List.of());
+                }
+            }
+        }
+    }
+
+    /** The referee takes part: it puts the ball back before the kick-off and when it has left the pitch. */
+    private void replayBall(RecordedRun run) throws IOException {
+        SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE, BallProperties.STANDARD);
+        Match match = new Match(world, SoccerParameters.league(), 0);
+        Ball ball = world.ball();
+        BallStart start = BallStart.of(run.name(), ball.properties().radius());
+        join(match, world);
+        match.setPlayMode(PlayMode.ofSimSparkName(run.rows().get(0).playMode()).orElse(PlayMode.PLAY_ON));
+        ball.moveTo(start.position());
+        ball.setVelocity(start.velocity());
+        for (RecordedRow row : run.rows()) {
+            world.step();
+            comparison.compare(row, ball.position());
+            match.tick();
+        }
+    }
+
+    /** The clock runs only while a robot is there. */
+    private static void join(Match match, SoccerWorld world) throws IOException {
+        try {
+            match.teams().join("Recorded", 1, world.addRobot(RobotType.TYPE_0));
+        } catch (JoinRefusedException e) {
+            throw new IOException("The trainer's robot cannot join.", e);
+        }
+    }
+}

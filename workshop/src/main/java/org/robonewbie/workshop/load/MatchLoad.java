@@ -1,0 +1,204 @@
+package org.robonewbie.workshop.load;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.lang.management.ManagementFactory;
+import java.lang.management.MemoryType;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
+import org.robonewbie.nao.Cycle;
+import org.robonewbie.protocol.order.Order;
+import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.server.Simulator;
+import org.robonewbie.simulator.server.SimulatorSettings;
+import org.robonewbie.simulator.server.WarmUp;
+import org.robonewbie.simulator.soccer.SoccerParameters;
+
+/**
+ * Plays whole matches of the league, two halves each, with many agents over TCP and one server, and measures what it costs.
+ * Agents and server share this process, so that nothing else has to be started.
+ *
+ * <pre>{@code
+ * LoadSettings settings = new LoadSettings(22, 600, 1, true);
+ * new MatchLoad(settings, System.out).run().forEach(result -> System.out.println(result.toLine()));
+ * }</pre>
+ */
+public final class MatchLoad {
+
+    private static final double SECONDS_BEFORE_KICK_OFF = 2;
+    private static final long LOOKING_MILLISECONDS = 100;
+    private static final double PROGRESS_SECONDS = 30;
+    private static final double SECONDS_UNTIL_APART = 10;
+    private static final int COLLECTIONS = 4;
+    private static final double SILENT_AGENT_SECONDS = 600;
+
+    private final LoadSettings load;
+    private final PrintStream progress;
+
+    /**
+     * Creates a measurement.
+     *
+     * @param load the load
+     * @param progress reports the progress
+     */
+    public MatchLoad(LoadSettings load, PrintStream progress) {
+        this.load = load;
+        this.progress = progress;
+    }
+
+    /**
+     * Plays the matches; those on the clock after a {@linkplain WarmUp warm-up}.
+     *
+     * @return a result for each match
+     * @throws IOException if the server cannot be started
+     */
+    public List<MatchLoadResult> run() throws IOException {
+        if (load.realTime()) {
+            WarmUp.run(() -> true);
+        }
+        double secondsUntilApart = Math.min(SECONDS_UNTIL_APART, load.secondsOfPlay() / 4);
+        List<MatchLoadResult> results = new ArrayList<>();
+        try (Simulator simulator = Simulator.start(settings(), Console.silent())) {
+            List<LoadPlayer> players = connect(simulator.agentPort());
+            LoadPlayer first = players.get(0);
+            Course course = new Course(simulator, first);
+            await(first::isInTheGame, () -> {});
+            for (int match = 1; match <= load.matches(); match++) {
+                course.matchBegins();
+                awaitEnd(first, course, match);
+                MatchLoadResult played = course.result(match);
+                simulator.control().order(new Order.Reset());
+                await(() -> first.isPlaying() && first.playSeconds() > secondsUntilApart, () -> {});
+                simulator.control().order(new Order.Pause());
+                results.add(played.withHeap(heapMegabytes()));
+                simulator.control().order(new Order.Resume());
+            }
+        }
+        return results;
+    }
+
+    private SimulatorSettings settings() {
+        return SimulatorSettings.league()
+                .parameters(SoccerParameters.league()
+                        .with("RuleHalfTime=" + load.secondsOfPlay() / 2)
+                        .with("AutomaticKickOff=true")
+                        .with("WaitBeforeKickOff=" + SECONDS_BEFORE_KICK_OFF))
+                .agentPort(0)
+                .synchronous(!load.realTime())
+                .speed(load.realTime() ? 1 : SimulationControl.AS_FAST_AS_POSSIBLE)
+                .silentAgentSeconds(SILENT_AGENT_SECONDS)
+                .awaitedAgents(load.robots())
+                .seconds(OptionalDouble.empty())
+                .build();
+    }
+
+    private List<LoadPlayer> connect(int port) throws IOException {
+        List<LoadPlayer> players = new ArrayList<>();
+        for (int i = 0; i < load.robots(); i++) {
+            LoadPlayer player = new LoadPlayer(port, i % 2 == 0 ? "Left" : "Right", i / 2 + 1, i == 0);
+            Thread thread = new Thread(player, "player " + (i + 1));
+            thread.setDaemon(true);
+            thread.start();
+            players.add(player);
+        }
+        return players;
+    }
+
+    /** The end is counted by the player, since a short match may begin and end between two looks. */
+    private void awaitEnd(LoadPlayer player, Course course, int match) {
+        double[] told = {0};
+        await(() -> player.endedMatches() >= match, () -> {
+            if (player.isPlaying() && player.playSeconds() >= told[0] + PROGRESS_SECONDS) {
+                told[0] = player.playSeconds();
+                progress.println(String.format(
+                        Locale.ROOT,
+                        "match %d: %.0f s played, %d cycles missed",
+                        match,
+                        told[0],
+                        course.missedCycles()));
+            }
+        });
+    }
+
+    private static void await(BooleanSupplier condition, Runnable meanwhile) {
+        while (!condition.getAsBoolean()) {
+            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(LOOKING_MILLISECONDS));
+            meanwhile.run();
+        }
+    }
+
+    /** What is really in use: a single collection may leave dead objects where moving the living ones is not worth the time. */
+    private static double heapMegabytes() {
+        return IntStream.range(0, COLLECTIONS)
+                .mapToDouble(i -> heapMegabytesAfterCollection())
+                .min()
+                .orElseThrow();
+    }
+
+    /** The pieces that threads have reserved for new objects since the collection do not count. */
+    private static double heapMegabytesAfterCollection() {
+        ManagementFactory.getMemoryMXBean().gc();
+        return ManagementFactory.getMemoryPoolMXBeans().stream()
+                .filter(pool -> pool.getType() == MemoryType.HEAP && pool.getCollectionUsage() != null)
+                .mapToDouble(pool -> pool.getCollectionUsage().getUsed() / 1e6)
+                .sum();
+    }
+
+    /** Takes the times at the beginning and the end of a match. */
+    private static final class Course {
+
+        private final Simulator simulator;
+        private final LoadPlayer player;
+        private double beganSeconds;
+        private long beganMissed;
+        private double beganServer;
+        private double beganProcess;
+
+        Course(Simulator simulator, LoadPlayer player) {
+            this.simulator = simulator;
+            this.player = player;
+        }
+
+        long missedCycles() {
+            return simulator.missedCycles() - beganMissed;
+        }
+
+        void matchBegins() {
+            player.arrivals().restart();
+            beganSeconds = simulator.cycles() * Cycle.SECONDS;
+            beganMissed = simulator.missedCycles();
+            beganServer = simulator.processorSeconds();
+            beganProcess = processSeconds();
+        }
+
+        MatchLoadResult result(int match) {
+            long cycles = Math.round(simulator.cycles() - beganSeconds / Cycle.SECONDS);
+            double server = simulator.processorSeconds() - beganServer;
+            double process = processSeconds() - beganProcess;
+            return new MatchLoadResult(
+                    match,
+                    cycles,
+                    player.playSeconds(),
+                    missedCycles(),
+                    1000 * server / cycles,
+                    1000 * process / cycles,
+                    1000 * player.arrivals().deviationSeconds(0.99),
+                    1000 * player.arrivals().deviationSeconds(1),
+                    Double.NaN);
+        }
+
+        private static double processSeconds() {
+            return ManagementFactory.getOperatingSystemMXBean()
+                            instanceof com.sun.management.OperatingSystemMXBean system
+                    ? system.getProcessCpuTime() / 1e9
+                    : Double.NaN;
+        }
+    }
+}

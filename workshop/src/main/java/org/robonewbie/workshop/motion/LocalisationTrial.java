@@ -1,0 +1,197 @@
+package org.robonewbie.workshop.motion;
+
+import java.util.Arrays;
+import java.util.Random;
+import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.localisation.SelfLocalisation;
+import org.robonewbie.agent.walk.WalkStyle;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.nao.kinematics.ForwardKinematics;
+import org.robonewbie.nao.kinematics.Pose;
+import org.robonewbie.nao.kinematics.Rotation;
+import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.simulator.soccer.SoccerParameters;
+import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
+
+/**
+ * A robot that walks about on the league's pitch for a minute, with noise, and is thrown over twice; how far its belief is from
+ * the truth, while it lies and gets up too. The first three seconds, in which it looks around, do not count.
+ *
+ * @param metres distance between believed and true place in each cycle, in ascending order
+ * @param degrees difference between believed and true heading in each cycle, in ascending order
+ * @param cameraMetres difference between believed and true height of the camera in each cycle, in ascending order
+ * @param tiltDegrees angle between the ways up that robot and world know in each cycle, in ascending order
+ */
+@SuppressWarnings("ArrayRecordComponent")
+public record LocalisationTrial(double[] metres, double[] degrees, double[] cameraMetres, double[] tiltDegrees) {
+
+    private static final double SECONDS = 60;
+    private static final double BEGIN = 3;
+    private static final double[] FALLS = {20, 40};
+    private static final double PUSH_SECONDS = 0.3;
+    private static final double PUSH_NEWTONS = 60;
+    private static final Vector3 UP = new Vector3(0, 0, 1);
+
+    /**
+     * Carries out a trial.
+     *
+     * @param seed chooses the place, the ways, the falls and the noise
+     * @param type how the robot is built
+     * @param style how it walks
+     * @return what it believed
+     */
+    public static LocalisationTrial run(long seed, RobotType type, WalkStyle style) {
+        Random random = new Random(29 * seed + 5);
+        random.nextLong();
+        Place place =
+                new Place(-10 + 8 * random.nextDouble(), -6 + 12 * random.nextDouble(), 360 * random.nextDouble());
+        Vector3[] pushes = {push(random), push(random)};
+        Scene scene = Scene.of(RobotStart.at(place).withType(type).after("stand"))
+                .withParameters(SoccerParameters.league())
+                .withBall(new Vector3(0, -9, 0));
+        Wanderer wanderer = new Wanderer(random, style);
+        try (Trial trial = Trial.served(scene, seed, Performer.ofAgent(wanderer))) {
+            trial.with(during -> throwOver(during, pushes));
+            return watched(trial, wanderer.self);
+        }
+    }
+
+    private static Vector3 push(Random random) {
+        double direction = 2 * Math.PI * random.nextDouble();
+        return new Vector3(Math.cos(direction), Math.sin(direction), 0).times(PUSH_NEWTONS);
+    }
+
+    /** Throws the robot over, twice in a trial. */
+    private static void throwOver(Trial trial, Vector3[] pushes) {
+        for (int i = 0; i < FALLS.length; i++) {
+            double since = trial.seconds() - FALLS[i];
+            if (since >= 0 && since < PUSH_SECONDS) {
+                trial.robot(0).push(pushes[i]);
+            }
+        }
+    }
+
+    /**
+     * Returns the middle of a row of errors.
+     *
+     * @param sorted one of the rows
+     * @return its median
+     */
+    public static double median(double[] sorted) {
+        return sorted[sorted.length / 2];
+    }
+
+    /**
+     * Returns what is kept most of the time.
+     *
+     * @param sorted one of the rows
+     * @return what 95 % of it do not exceed
+     */
+    public static double most(double[] sorted) {
+        return sorted[sorted.length * 95 / 100];
+    }
+
+    private static LocalisationTrial watched(Trial trial, SelfLocalisation self) {
+        int cycles = (int) Math.round((SECONDS - BEGIN) * 50);
+        double[][] errors = new double[4][cycles];
+        while (trial.seconds() < BEGIN) {
+            trial.step();
+        }
+        for (int i = 0; i < cycles; i++) {
+            BodyState truth = trial.now().robot();
+            trial.step();
+            Pose2d belief = self.pose();
+            Pose torso = believed(self);
+            errors[0][i] = Math.hypot(
+                    truth.position().x() - belief.x(), truth.position().y() - belief.y());
+            errors[1][i] = Math.abs(Math.IEEEremainder(belief.headingDegrees() - truth.headingDegrees(), 360));
+            errors[2][i] = Math.abs(
+                    camera(torso, truth).z() - camera(truth.torso(), truth).z());
+            errors[3][i] = angle(up(torso), up(truth.torso()));
+        }
+        for (double[] row : errors) {
+            Arrays.sort(row);
+        }
+        return new LocalisationTrial(errors[0], errors[1], errors[2], errors[3]);
+    }
+
+    private static Pose believed(SelfLocalisation self) {
+        Pose2d place = self.pose();
+        return new Pose(
+                new Vector3(place.x(), place.y(), self.heightMetres()),
+                Rotation.ofYawPitchRoll(place.headingDegrees(), self.leanDegrees(), self.rollDegrees()));
+    }
+
+    private static Vector3 camera(Pose torso, BodyState robot) {
+        ForwardKinematics kinematics = ForwardKinematics.of(robot.type());
+        return torso.transform(kinematics
+                .camera(robot.degrees(Joint.NECK_YAW), robot.degrees(Joint.NECK_PITCH))
+                .position());
+    }
+
+    /** The way up, as seen from a torso. */
+    private static Vector3 up(Pose torso) {
+        return torso.rotation().inverse().apply(UP);
+    }
+
+    private static double angle(Vector3 one, Vector3 other) {
+        return Math.toDegrees(Math.atan2(one.cross(other).length(), one.dot(other)));
+    }
+
+    /** Walks somewhere else every few seconds, inwards near the border, and gets up when it has fallen. */
+    private static final class Wanderer extends Agent {
+
+        private static final double BORDER = 3;
+
+        private final SelfLocalisation self = new SelfLocalisation();
+        private final Random random;
+        private final WalkStyle style;
+        private double until;
+        private double forward;
+        private double turn;
+
+        Wanderer(Random random, WalkStyle style) {
+            this.random = random;
+            this.style = style;
+            walk.setStyle(style);
+        }
+
+        @Override
+        protected void think() {
+            self.update(nao, fieldView);
+            lookAround.look();
+            if (nao.isFallen() && motions.isFinished()) {
+                motions.startGetUp();
+            } else if (motions.isFinished() && nao.getTime() > 1) {
+                stroll();
+            }
+        }
+
+        private void stroll() {
+            if (nao.getTime() > until) {
+                until = nao.getTime() + 1 + 3 * random.nextDouble();
+                forward = (0.3 + 0.7 * random.nextDouble()) * style.most().forward();
+                turn = style.most().turn() * random.nextGaussian() / 3;
+            }
+            walk.towards(forward, 0, isNearBorder() ? turnInwards() : turn);
+        }
+
+        private boolean isNearBorder() {
+            Pose2d pose = self.pose();
+            return Math.abs(pose.x()) > self.field().length() / 2 - BORDER
+                    || Math.abs(pose.y()) > self.field().width() / 2 - BORDER;
+        }
+
+        private double turnInwards() {
+            Vector3 centre = self.pose().fromFrame(Vector3.ZERO);
+            return Math.toDegrees(Math.atan2(centre.y(), centre.x()));
+        }
+    }
+}

@@ -1,0 +1,64 @@
+package org.robonewbie.workshop.motion;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.robonewbie.nao.motion.file.MotionFiles;
+
+/**
+ * Writes into the head of each motion file how well the motion works.
+ *
+ * <pre>{@code
+ * java org.robonewbie.workshop.motion.MeasuredHeaders core/nao/src/main/resources/motions
+ * }</pre>
+ */
+public final class MeasuredHeaders {
+
+    private static final int SEEDS = 20;
+
+    private MeasuredHeaders() {}
+
+    /**
+     * Measures all shipped motions and writes the results into their files.
+     *
+     * @param arguments the directory of the files
+     * @throws IOException if a file cannot be read or written
+     */
+    public static void main(String[] arguments) throws IOException {
+        if (arguments.length != 1) {
+            System.err.println("Give the directory of the motion files.");
+            System.exit(2);
+        }
+        write(new MotionMeasurement(SEEDS, System.out).run(Optional.empty()), Path.of(arguments[0]));
+    }
+
+    /**
+     * Writes results into files.
+     *
+     * @param results what was measured; what has no file is left out
+     * @param directory where the files {@code NAME.txt} are
+     * @throws IOException if a file cannot be read or written
+     */
+    public static void write(List<CheckResult> results, Path directory) throws IOException {
+        for (CheckResult result : results) {
+            Path path = directory.resolve(result.check().name() + ".txt");
+            if (Files.exists(path)) {
+                MotionFiles.save(MotionFiles.load(path).withProperty("measured", text(result)), path);
+            }
+        }
+    }
+
+    private static String text(CheckResult result) {
+        return String.format(
+                Locale.ROOT,
+                "%d of %d trials, mean %.3f %s; success: %s",
+                result.successes(),
+                result.outcomes().size(),
+                result.mean(),
+                result.check().unit(),
+                result.check().rule());
+    }
+}

@@ -1,0 +1,180 @@
+package org.robonewbie.workshop.speed;
+
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.lang.management.MemoryPoolMXBean;
+import java.lang.management.MemoryType;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
+import java.util.function.Consumer;
+import org.robonewbie.nao.Cycle;
+
+/**
+ * Measures the speed of a server, with agents that answer every message.
+ *
+ * <p>Our own server and its agents take turns on one thread, or on some, so that nothing but the work itself is measured; its
+ * processor time is counted without that of the agents.
+ *
+ * <pre>{@code
+ * BenchmarkReport report = new Benchmark(plan).run(run -> print(BenchmarkReport.line(run)), sample -> print(sample.toLine()));
+ * }</pre>
+ */
+public final class Benchmark {
+
+    private static final Duration PATIENCE = Duration.ofSeconds(20);
+
+    private static final int ROBOTS_TO_WARM_UP = 2;
+
+    private final BenchmarkPlan plan;
+    private final Duration patience;
+
+    /**
+     * Prepares a benchmark.
+     *
+     * @param plan what is measured
+     */
+    public Benchmark(BenchmarkPlan plan) {
+        this(plan, PATIENCE);
+    }
+
+    Benchmark(BenchmarkPlan plan, Duration patience) {
+        this.plan = plan;
+        this.patience = patience;
+    }
+
+    /**
+     * Measures every number of robots in every scene.
+     *
+     * @param progress receives each result at once
+     * @param heap receives each memory sample at once
+     * @return all results
+     * @throws IOException if a server cannot be reached, does not admit a robot, closes a connection or stops; the message says what to do
+     */
+    public BenchmarkReport run(Consumer<BenchmarkRun> progress, Consumer<HeapSample> heap) throws IOException {
+        if (plan.other().isEmpty()) {
+            warmUp();
+        }
+        List<BenchmarkRun> runs = new ArrayList<>();
+        for (CrowdScene scene : plan.scenes()) {
+            for (int robots : plan.robots()) {
+                BenchmarkRun run = measure(robots, scene, plan.seconds(), heap);
+                runs.add(run);
+                progress.accept(run);
+            }
+        }
+        return new BenchmarkReport(runs);
+    }
+
+    /** Lets Java compile what all runs use, so that the first of them is not slower than the others. */
+    private void warmUp() throws IOException {
+        for (CrowdScene scene : plan.scenes()) {
+            measure(ROBOTS_TO_WARM_UP, scene, Math.min(plan.seconds(), plan.warmUpSeconds()), sample -> {});
+        }
+    }
+
+    private BenchmarkRun measure(int robots, CrowdScene scene, double seconds, Consumer<HeapSample> heap)
+            throws IOException {
+        try (BenchmarkServer server = openServer();
+                AgentThreads threads = new AgentThreads(plan.threads())) {
+            List<BenchmarkAgent> agents = server.gather(robots);
+            server.playOn();
+            int warmUp = cycles(plan.warmUpSeconds());
+            int measured = cycles(seconds);
+            play(server, threads, agents, scene, 0, warmUp);
+            resetPeakMemory();
+            OptionalLong cpuBefore = server.cpuNanoseconds();
+            OptionalLong bytesBefore = server.allocatedBytes();
+            long start = System.nanoTime();
+            List<HeapSample> samples = measured(server, threads, agents, scene, warmUp, measured, heap);
+            double realSeconds = (System.nanoTime() - start) * 1e-9;
+            OptionalDouble cpu = perCycle(cpuBefore, server.cpuNanoseconds(), 1e6 * measured);
+            OptionalDouble bytes = perCycle(bytesBefore, server.allocatedBytes(), measured);
+            agents.forEach(BenchmarkAgent::leave);
+            return new BenchmarkRun(
+                    robots,
+                    scene,
+                    plan.other().isPresent() ? 0 : plan.threads(),
+                    measured,
+                    measured * Cycle.SECONDS / realSeconds,
+                    cpu,
+                    bytes,
+                    peakMemory(),
+                    samples);
+        }
+    }
+
+    private BenchmarkServer openServer() throws IOException {
+        return plan.other().isPresent()
+                ? new OtherServer(plan.other().get(), patience)
+                : new EmbeddedServer(plan.threads());
+    }
+
+    private static int cycles(double seconds) {
+        return (int) Math.max(1, Math.round(seconds / Cycle.SECONDS));
+    }
+
+    private static void play(
+            BenchmarkServer server,
+            AgentThreads threads,
+            List<BenchmarkAgent> agents,
+            CrowdScene scene,
+            int from,
+            int to)
+            throws IOException {
+        for (int cycle = from; cycle < to; cycle++) {
+            if (scene.placesAgain(cycle)) {
+                for (int robot = 0; robot < agents.size(); robot++) {
+                    server.place(robot, scene.place(robot));
+                }
+            }
+            threads.act(agents, scene, cycle);
+            server.cycle();
+        }
+    }
+
+    /** Plays all cycles, with looks at the memory in between if they are wanted. */
+    private List<HeapSample> measured(
+            BenchmarkServer server,
+            AgentThreads threads,
+            List<BenchmarkAgent> agents,
+            CrowdScene scene,
+            int from,
+            int measured,
+            Consumer<HeapSample> heap)
+            throws IOException {
+        int part = plan.heapEverySeconds().isPresent()
+                ? cycles(plan.heapEverySeconds().getAsDouble())
+                : measured;
+        List<HeapSample> samples = new ArrayList<>();
+        for (int done = 0; done < measured; done += part) {
+            int next = Math.min(measured, done + part);
+            play(server, threads, agents, scene, from + done, from + next);
+            if (plan.heapEverySeconds().isPresent()) {
+                HeapSample sample = HeapSample.at(next * Cycle.SECONDS);
+                samples.add(sample);
+                heap.accept(sample);
+            }
+        }
+        return samples;
+    }
+
+    private static OptionalDouble perCycle(OptionalLong before, OptionalLong after, double divisor) {
+        return before.isPresent() && after.isPresent()
+                ? OptionalDouble.of((after.getAsLong() - before.getAsLong()) / divisor)
+                : OptionalDouble.empty();
+    }
+
+    private static void resetPeakMemory() {
+        ManagementFactory.getMemoryPoolMXBeans().forEach(MemoryPoolMXBean::resetPeakUsage);
+    }
+
+    private static long peakMemory() {
+        return ManagementFactory.getMemoryPoolMXBeans().stream()
+                .filter(pool -> pool.getType() == MemoryType.HEAP)
+                .mapToLong(pool -> pool.getPeakUsage().getUsed())
+                .sum();
+    }
+}

@@ -1,0 +1,71 @@
+package org.robonewbie.workshop;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import picocli.CommandLine;
+
+class BenchTest {
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter errors = new StringWriter();
+
+    static Set<String> subjects() {
+        return Bench.commandLine().getSubcommands().keySet();
+    }
+
+    @ParameterizedTest
+    @MethodSource("subjects")
+    void eachSubjectHasItsHelp(String subject) {
+        assertThat(bench(subject, "--help")).isZero();
+        assertThat(out.toString()).startsWith("Usage: bench " + subject).contains("Example");
+    }
+
+    @Test
+    void helpListsAllSubjects() {
+        assertThat(bench("--help")).isZero();
+        assertThat(out.toString())
+                .contains("  motions", "  agents", "  team", "  server", "  speed", "  fidelity", "  record");
+    }
+
+    @Test
+    void helpOfSpeedExplainsHowToMeasureARealServer() {
+        bench("speed", "--help");
+
+        assertThat(out.toString()).contains("$agentSyncMode = true", "pidof rcssserver3d");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "agents --seeds 0 | --seeds 0: give a number of trials of at least 1.",
+                "motions --type 5 | --type 5: give the number of a robot type, 0 to 4.",
+                "team --players 12 | --players 12: a team has 1 to 11 players.",
+                "team --against Agent_Nobody | --against Agent_Nobody: write Agent_BetterSoccer or Agent_Team.",
+                "server --robots 1 | --robots 1: give a number from 2 to 22.",
+                "speed --robots 1,23 | --robots 23 is not possible. Two teams have 1 to 22 robots.",
+                "speed --seconds 0 | --seconds 0.0 is not possible. Give simulated seconds above 0, such as 20.",
+                "speed --host localhost --port 70000 | --port 70000 does not exist. Ports are 1 to 65535.",
+                "speed --json no/such/folder/figures.json | The results cannot be written to the folder",
+                "record --type 7 | --type 7: give a number from 0 to 4.",
+                "fidelity nowhere | nowhere is not a folder"
+            })
+    void refusesWhatCannotBeMeasured(String command, String message) {
+        assertThat(bench(command.split(" "))).isEqualTo(CommandLine.ExitCode.USAGE);
+        assertThat(errors.toString()).contains(message);
+    }
+
+    private int bench(String... arguments) {
+        return Bench.commandLine()
+                .setOut(new PrintWriter(out, true))
+                .setErr(new PrintWriter(errors, true))
+                .execute(arguments);
+    }
+}
