@@ -144,10 +144,11 @@ class FormerFilesTest {
 
     @Tag("slow")
     @Test
-    void trainingGoesOn() throws Exception {
-        ends(0, List.of("learn Stand --generations 3 --pairs 2 --hidden 4 --out stand.policy --resume"));
+    void trainingIsRefusedInOneSentence() throws Exception {
+        assertThat(ends(2, List.of("learn Stand stand.policy --generations 3 --pairs 2 --hidden 4")))
+                .contains("belongs to another search, \"Stand --seed 1 --pairs 2 --spread 0.05 --rate 0.01 --hidden 4\"");
 
-        assertThat(folder.resolve("stand.policy.csv")).content().hasLineCount(4);
+        assertThat(folder.resolve("stand.policy.csv")).content().hasLineCount(3);
     }
 
     @Tag("slow")

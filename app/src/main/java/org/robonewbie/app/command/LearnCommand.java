@@ -45,6 +45,9 @@ import picocli.CommandLine.Parameters;
         })
 final class LearnCommand implements Callable<Integer> {
 
+    private static final String SHIPPED = "shipped";
+    private static final String NONE = "none";
+
     @Mixin
     final HelpOption help = new HelpOption();
 
@@ -104,7 +107,7 @@ final class LearnCommand implements Callable<Integer> {
             names = "--evaluate",
             paramLabel = "EPISODES",
             description = "Evaluate the policy in so many episodes instead of learning.")
-    private int evaluate;
+    private @Nullable Integer evaluate;
 
     @Override
     public Integer call() throws IOException {
@@ -112,10 +115,12 @@ final class LearnCommand implements Callable<Integer> {
             EnvironmentSpec spec = new EnvironmentSpec(task, options);
             PolicyModel model = new PolicyModel(spec, inputs, hidden, AgentFinder.loaderOf(classPath.folders()));
             String policy = file == null ? task + ".policy" : file;
-            if (evaluate > 0) {
+            if (evaluate == null) {
+                learn(model, policy);
+            } else if (evaluate > 0) {
                 System.out.println(policy + ": " + PolicySearch.evaluate(model, evaluate, policy(model, policy)));
             } else {
-                learn(model, Path.of(policy));
+                throw new CalledWronglyException("--evaluate " + evaluate + ": give a number from 1.");
             }
             return ExitCode.OK;
         } catch (IllegalArgumentException | UncheckedIOException wrong) {
@@ -123,17 +128,21 @@ final class LearnCommand implements Callable<Integer> {
         }
     }
 
-    private void learn(PolicyModel model, Path output) throws IOException {
+    private void learn(PolicyModel model, String name) throws IOException {
+        if (SHIPPED.equals(name) || NONE.equals(name)) {
+            throw new CalledWronglyException("\"" + name + "\" cannot be written. Add --evaluate EPISODES to evaluate it.");
+        }
+        Path output = Path.of(name);
         EvolutionStrategy strategy = new EvolutionStrategy(seed, pairs, sigma, learningRate);
         PolicySearch search = new PolicySearch(model, strategy, output);
-        search.run(generations, Optional.ofNullable(start).map(name -> policy(model, name)), System.out::println);
+        search.run(generations, Optional.ofNullable(start).map(from -> policy(model, from)), System.out::println);
         System.out.println("Written to " + output + "; its curve is " + search.curve() + ".");
     }
 
     private static Policy policy(PolicyModel model, String name) {
         return switch (name) {
-            case "shipped" -> PolicyFile.shipped(shippedName(model.task()));
-            case "none" -> model.policy(List.of(), model.initial(0));
+            case SHIPPED -> PolicyFile.shipped(shippedName(model.task()));
+            case NONE -> model.policy(List.of(), model.initial(0));
             default -> PolicyFile.read(Path.of(name));
         };
     }

@@ -105,7 +105,10 @@ public final class PolicyText {
                     "A layer has 1 to " + WIDEST_LAYER + " inputs and outputs, and tanh or cut: \"layer 12 6 tanh\".");
         }
         layers.add(new Layer(
-                from, to, Layer.Activation.valueOf(rest[1].toUpperCase(Locale.ROOT)), new double[Layer.size(from, to)]));
+                from,
+                to,
+                Layer.Activation.valueOf(rest[1].toUpperCase(Locale.ROOT)),
+                new double[Layer.size(from, to)]));
         weights = new double[0];
         missing = to;
     }

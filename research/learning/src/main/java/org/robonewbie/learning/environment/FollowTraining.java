@@ -56,9 +56,12 @@ class FollowTraining extends CommandedTraining {
     @Override
     public List<ObservedQuantity> extraQuantities() {
         return List.of(
-                new ObservedQuantity("command.forward", "m/s", -DomainRandomization.MAX_SPEED, DomainRandomization.MAX_SPEED),
-                new ObservedQuantity("command.left", "m/s", -DomainRandomization.MAX_SPEED, DomainRandomization.MAX_SPEED),
-                new ObservedQuantity("command.turn", "degrees/s", -DomainRandomization.MAX_TURN, DomainRandomization.MAX_TURN));
+                new ObservedQuantity(
+                        "command.forward", "m/s", -DomainRandomization.MAX_SPEED, DomainRandomization.MAX_SPEED),
+                new ObservedQuantity(
+                        "command.left", "m/s", -DomainRandomization.MAX_SPEED, DomainRandomization.MAX_SPEED),
+                new ObservedQuantity(
+                        "command.turn", "degrees/s", -DomainRandomization.MAX_TURN, DomainRandomization.MAX_TURN));
     }
 
     @Override
@@ -71,8 +74,11 @@ class FollowTraining extends CommandedTraining {
         places.addLast(now.place(robot()));
         if (places.size() > WINDOW) {
             possible += Cycle.SECONDS;
-            earned += Cycle.SECONDS * (1 - VelocityError.between(places.removeFirst(), places.getLast(), WINDOW * Cycle.SECONDS, velocity())
-                    .cost(toleratedMetresPerSecond, DEGREES_PER_SECOND));
+            earned += Cycle.SECONDS
+                    * (1
+                            - VelocityError.between(
+                                            places.removeFirst(), places.getLast(), WINDOW * Cycle.SECONDS, velocity())
+                                    .cost(toleratedMetresPerSecond, DEGREES_PER_SECOND));
         }
     }
 

@@ -27,6 +27,7 @@ import org.robonewbie.trial.measure.Pushes;
 final class GaitTraining extends EngineTraining {
 
     private static final double BACKWARD = 0.3;
+    private static final int CYCLE_MILLIS = 20;
     private static final int WINDOW = 20;
     private static final int CYCLES_TO_SETTLE = 60;
     private static final double TOLERATED_DEGREES_PER_SECOND = 30;
@@ -79,8 +80,7 @@ final class GaitTraining extends EngineTraining {
     /** Walks into any direction, forward with up to 0.8 m/s. */
     static GaitTraining walking() {
         WalkVelocity max = new WalkVelocity(0.8, 0.2, 90);
-        return new GaitTraining(
-                GaitTraining::anywhere, max, 0.3, 200, 0, 0.3, LEAN_PENALTY, Double.POSITIVE_INFINITY);
+        return new GaitTraining(GaitTraining::anywhere, max, 0.3, 200, 0, 0.3, LEAN_PENALTY, Double.POSITIVE_INFINITY);
     }
 
     /** Jogs ahead with 0.66 to 1.1 m/s, straight or in bends, slower or not at all as a player needs it. Turns cost little speed. */
@@ -102,6 +102,9 @@ final class GaitTraining extends EngineTraining {
             minShare = speed.low() / speed.high();
         });
         stepMillis = (int) options.of(Name.STEP, stepMillis);
+        if (stepMillis % CYCLE_MILLIS != 0) {
+            throw new IllegalArgumentException("The option step=" + stepMillis + " is not a multiple of 20.");
+        }
         slowShare = options.of(Name.SLOW, slowShare);
         toleratedMetresPerSecond = options.of(Name.TOLERANCE, toleratedMetresPerSecond);
         constantShare = options.of(Name.CONSTANT, constantShare);
@@ -244,17 +247,16 @@ final class GaitTraining extends EngineTraining {
     }
 
     private void endWindow(Moment now) {
-        before.ifPresent(place -> addWindow(VelocityError.between(
-                place, now.place(), WINDOW * Cycle.SECONDS, followed), now.robot().tiltDegrees()));
+        before.ifPresent(place -> addWindow(
+                VelocityError.between(place, now.place(), WINDOW * Cycle.SECONDS, followed),
+                now.robot().tiltDegrees()));
         before = Optional.of(now.place());
     }
 
     private void addWindow(VelocityError error, double tiltDegrees) {
         boolean settled = (cycle() - 1) % CYCLES_PER_COMMAND >= CYCLES_TO_SETTLE + WINDOW - 1;
         double leanPenalty = settled && followed.isZero() ? restLeanPenalty : LEAN_PENALTY;
-        earned += 1
-                - error.cost(toleratedMetresPerSecond, TOLERATED_DEGREES_PER_SECOND)
-                - leanPenalty * tiltDegrees;
+        earned += 1 - error.cost(toleratedMetresPerSecond, TOLERATED_DEGREES_PER_SECOND) - leanPenalty * tiltDegrees;
         if (settled) {
             settledError = settledError.plus(error);
         }

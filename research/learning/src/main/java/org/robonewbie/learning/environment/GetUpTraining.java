@@ -63,9 +63,7 @@ class GetUpTraining extends TrainingTask {
     public void begin(Trial trial) {
         trial.robot(0)
                 .push(new Vector3(
-                        chance().between(-MAX_NEWTONS, MAX_NEWTONS),
-                        chance().between(-MAX_NEWTONS, MAX_NEWTONS),
-                        0));
+                        chance().between(-MAX_NEWTONS, MAX_NEWTONS), chance().between(-MAX_NEWTONS, MAX_NEWTONS), 0));
     }
 
     @Override

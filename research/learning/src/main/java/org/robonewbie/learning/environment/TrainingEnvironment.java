@@ -127,8 +127,7 @@ public final class TrainingEnvironment implements AutoCloseable {
             task.act(world);
         });
         now = trial.now();
-        runners.forEach(
-                runner -> runner.begin(now, trial.readings(runner.task().robot()), sample, seed));
+        runners.forEach(runner -> runner.begin(now, trial.readings(runner.task().robot()), sample, seed));
         audience.cycleEnded(trial);
     }
 

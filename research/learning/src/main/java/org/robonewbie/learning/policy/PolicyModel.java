@@ -84,10 +84,11 @@ public final class PolicyModel {
             throw new IllegalArgumentException("In " + task() + " several robots learn; choose a task for one.");
         }
         int outputs = task.outputs().size();
-        layers = hidden == 0
-                ? new int[] {this.inputs.size(), outputs}
-                : new int[] {this.inputs.size(), hidden, outputs};
-        gait = task.learnsGait() ? task.walk().orElseThrow().numbers(PolicyWalk.GAIT, FastWalk.PARAMETERS) : new double[0];
+        layers =
+                hidden == 0 ? new int[] {this.inputs.size(), outputs} : new int[] {this.inputs.size(), hidden, outputs};
+        gait = task.learnsGait()
+                ? task.walk().orElseThrow().numbers(PolicyWalk.GAIT, FastWalk.PARAMETERS)
+                : new double[0];
     }
 
     /** {@return the name of the task} */
@@ -158,7 +159,8 @@ public final class PolicyModel {
                     + " numbers where " + Network.size(layers) + " are needed. Was it learned in another way?");
         }
         double[] former = gait.length > 0 ? policy.numbers(PolicyWalk.GAIT, gait.length) : gait;
-        return DoubleStream.concat(DoubleStream.of(former), DoubleStream.of(weights)).toArray();
+        return DoubleStream.concat(DoubleStream.of(former), DoubleStream.of(weights))
+                .toArray();
     }
 
     /** {@return the scale of each number; a weight of the first layer has the smaller scale the larger its input typically is} */
@@ -202,7 +204,9 @@ public final class PolicyModel {
                 new TreeMap<>(task.walk().map(Policy::numbers).orElse(Map.of()));
         others.put(RANGE, List.of(task.rangeDegrees()));
         if (gait.length > 0) {
-            others.put(PolicyWalk.GAIT, Arrays.stream(numbers).limit(gait.length).boxed().toList());
+            others.put(
+                    PolicyWalk.GAIT,
+                    Arrays.stream(numbers).limit(gait.length).boxed().toList());
         }
         int cycles = spec.randomization().cycles();
         if (cycles > 1) {

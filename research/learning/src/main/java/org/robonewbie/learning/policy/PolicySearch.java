@@ -77,8 +77,7 @@ public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path o
     public Policy run(int generations, Optional<Policy> start, Consumer<String> progress) throws IOException {
         boolean resumes = Files.exists(checkpoint());
         EvolutionStrategy.State state = resumes ? resumed() : begin(start);
-        List<String> history =
-                resumes ? former() : start.map(Policy::about).orElse(List.of());
+        List<String> history = resumes ? former() : start.map(Policy::about).orElse(List.of());
         beginCurve(state.generation());
         try (RolloutWorkers workers = new RolloutWorkers(model)) {
             while (state.generation() < generations) {
@@ -156,8 +155,8 @@ public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path o
         List<String> lines = Files.readAllLines(checkpoint(), StandardCharsets.UTF_8);
         String before = lines.isEmpty() ? "(empty file)" : lines.get(0);
         if (!before.equals(question())) {
-            throw new IllegalArgumentException("The checkpoint " + checkpoint() + " belongs to another search, \"" + before
-                    + "\", and not to \"" + question() + "\": choose another file, or delete it.");
+            throw new IllegalArgumentException("The checkpoint " + checkpoint() + " belongs to another search, \""
+                    + before + "\", and not to \"" + question() + "\": choose another file, or delete it.");
         }
         try {
             return state(lines);

@@ -80,8 +80,8 @@ class EnvironmentServerTest {
 
         assertThat(text(make("Fly", 1)))
                 .startsWith(
-                        "\1There is no task \"Fly\". There are: EngineFollow, EngineRun, Follow, GetUp, KeeperAgainstAttacker, Kick, KickTo, Match11v11, Match1v1, Match2v2, QuickGetUp,"
-                                + " Reach, Run, Stand, Walk. A class of your own must extend");
+                        "\1There is no task \"Fly\". There are: EngineFollow, EngineRun, Follow, GetUp, JogGait, KeeperAgainstAttacker, Kick, KickTo, Match11v11, Match1v1, Match2v2, QuickGetUp,"
+                                + " Reach, Run, RunGait, Stand, Walk, WalkGait. A class of your own must extend");
         assertThat(text(make("Walk\nforward=0.5", 1)))
                 .isEqualTo(
                         "\1This task follows no command. Leave out forward, left and turn, or choose the task Follow.");
@@ -99,10 +99,10 @@ class EnvironmentServerTest {
         assertThat(answer.getDouble(answer.limit() - 9 - Double.BYTES * PrivilegedState.NAMES.size()))
                 .isNegative();
         assertThat(text(make("Reach\nreward=joy", 1))).startsWith("\1There is no measure \"joy\". There are: ");
-        assertThat(text(make("Reach\nspeed=9", 1)))
+        assertThat(text(make("Reach\nvelocity=9", 1)))
                 .isEqualTo(
-                        "\1There is no option \"speed\". There are: reward, x, y, heading, ball_x, ball_y, push, delay, cycles, noise, friction, mass,"
-                                + " forward, left, turn, distance.");
+                        "\1There is no option \"velocity\". There are: reward, x, y, heading, ball_x, ball_y, push, delay, cycles, noise, friction, mass,"
+                                + " forward, left, turn, distance, speed, step, slow, tolerance, constant, type, seconds.");
     }
 
     @Test

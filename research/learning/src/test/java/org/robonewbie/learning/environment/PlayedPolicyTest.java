@@ -103,8 +103,8 @@ class PlayedPolicyTest {
     }
 
     private static Posture learnedToMarch(Policy policy) {
-        try (TrainingEnvironment learned = new TrainingEnvironment(
-                () -> List.of(new EpisodeRunner(new Marching())), DomainRandomization.NONE)) {
+        try (TrainingEnvironment learned =
+                new TrainingEnvironment(() -> List.of(new EpisodeRunner(new Marching())), DomainRandomization.NONE)) {
             learned.reset(1);
             for (int i = 0; i < CYCLES_OF_WALK; i++) {
                 learned.step(policy.network().apply(learned.observation()));
@@ -139,7 +139,8 @@ class PlayedPolicyTest {
 
     private static void movesAsTheLearnerDid(Supplier<TrainingTask> tasks, int cyclesPerAction, double leastDegrees) {
         DomainRandomization options = DomainRandomization.NONE.with("cycles", String.valueOf(cyclesPerAction));
-        try (TrainingEnvironment learned = new TrainingEnvironment(() -> List.of(new EpisodeRunner(tasks.get())), options)) {
+        try (TrainingEnvironment learned =
+                new TrainingEnvironment(() -> List.of(new EpisodeRunner(tasks.get())), options)) {
             Policy policy = policy(learned, cyclesPerAction);
             learned.reset(1);
             Posture first = learned.now().robot().joints();

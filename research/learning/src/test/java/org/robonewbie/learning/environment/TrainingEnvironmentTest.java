@@ -88,8 +88,8 @@ class TrainingEnvironmentTest {
 
     @Test
     void ballInTheCameraStaysUntilTheNextPicture() {
-        TrainingEnvironment far = new TrainingEnvironment(
-                () -> List.of(new EpisodeRunner(new FarBall())), DomainRandomization.NONE);
+        TrainingEnvironment far =
+                new TrainingEnvironment(() -> List.of(new EpisodeRunner(new FarBall())), DomainRandomization.NONE);
         far.step(NOTHING);
         double[] first = far.observation();
         far.step(NOTHING);

@@ -96,8 +96,8 @@ class PolicyModelTest {
         PolicyModel stand = model("Stand");
         EvolutionStrategy strategy = new EvolutionStrategy(1, 4, 0.5, 0.5);
 
-        Policy learned = new PolicySearch(slow, strategy, folder.resolve("slow.policy"))
-                .run(1, Optional.empty(), line -> {});
+        Policy learned =
+                new PolicySearch(slow, strategy, folder.resolve("slow.policy")).run(1, Optional.empty(), line -> {});
 
         assertThat(learned.cyclesPerAction()).isEqualTo(5);
         assertThat(PolicySearch.evaluate(stand, 4, learned)).isEqualTo(PolicySearch.evaluate(slow, 4, learned));
@@ -109,8 +109,7 @@ class PolicyModelTest {
                 .hasMessage("In Match1v1 several robots learn; choose a task for one.");
         assertThatThrownBy(() -> model("Stnd"))
                 .hasMessageStartingWith("There is no task \"Stnd\". Did you mean Stand? There are: ");
-        assertThatThrownBy(() -> model("Stand", "speed=1"))
-                .hasMessageStartingWith("This task has no option speed. ");
+        assertThatThrownBy(() -> model("Stand", "speed=1")).hasMessageStartingWith("This task has no option speed. ");
         assertThatThrownBy(() -> model("Stand", "wing.*", 16))
                 .hasMessage("Nothing that is observed in Stand has a name like wing.*.");
         assertThatThrownBy(() -> model("Stand").initial(PolicyFile.shipped("walk")))
@@ -144,11 +143,7 @@ class PolicyModelTest {
     @Test
     void shippedGetUpStandsUpMoreOftenThanTheMotionAloneWhereFeetHoldLessOrMore() {
         PolicyModel getUp = model(
-                "QuickGetUp",
-                "motion.*|gyro.left|accelerometer.(forward|up)",
-                0,
-                "friction=0.5..2",
-                "mass=0.9..1.1");
+                "QuickGetUp", "motion.*|gyro.left|accelerometer.(forward|up)", 0, "friction=0.5..2", "mass=0.9..1.1");
 
         RolloutStatistics learned = PolicySearch.evaluate(getUp, 40, PolicyFile.shipped("get-up"));
         RolloutStatistics alone = PolicySearch.evaluate(getUp, 40, getUp.policy(List.of(), getUp.initial(1)));

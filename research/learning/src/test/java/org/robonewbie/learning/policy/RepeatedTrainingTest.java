@@ -22,8 +22,8 @@ class RepeatedTrainingTest {
 
     @Test
     void lastRoundOfTheRunBeginsAsItDid() throws IOException {
-        PolicyModel run = model(
-                "RunGait", "speed=1.2..1.6", "slow=0.1", "tolerance=0.6", "step=140", "push=3", "seconds=6");
+        PolicyModel run =
+                model("RunGait", "speed=1.2..1.6", "slow=0.1", "tolerance=0.6", "step=140", "push=3", "seconds=6");
         Policy start = kept("run-before-the-last-round.policy");
 
         String line = firstLine(run, new EvolutionStrategy(6, 20, 0.02, 0.008), Optional.of(start));
@@ -69,10 +69,7 @@ class RepeatedTrainingTest {
     @Test
     void getUpIsTrainedAsBefore() throws IOException {
         PolicyModel getUp = modelWithInputs(
-                "QuickGetUp",
-                "motion.*|gyro.left|accelerometer.(forward|up)",
-                "friction=0.5..2",
-                "mass=0.9..1.1");
+                "QuickGetUp", "motion.*|gyro.left|accelerometer.(forward|up)", "friction=0.5..2", "mass=0.9..1.1");
 
         assertThat(firstLine(getUp, new EvolutionStrategy(1, 24, 0.03, 0.015), Optional.empty()))
                 .isEqualTo("1,48,9600,1.8093,48,,,26");

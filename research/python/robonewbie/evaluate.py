@@ -1,7 +1,7 @@
-"""Examines policies on episodes that nobody has learned from, beside doing nothing.
+"""Evaluates policies on episodes that no training has seen, beside doing nothing.
 
-    python -m robonewbie.exam Stand Stand.policy                  128 episodes each
-    python -m robonewbie.exam QuickGetUp QuickGetUp.policy --option friction=2 --episodes 256
+    python -m robonewbie.evaluate Stand Stand.policy                  128 episodes each
+    python -m robonewbie.evaluate QuickGetUp QuickGetUp.policy --option friction=2 --n-eval-episodes 256
 """
 
 import argparse
@@ -37,26 +37,26 @@ class PlayedPolicy:
     def act(self, observation):
         """Gives a row of numbers from -1 to 1 for each row that is observed."""
         values = observation.astype(float)
-        for weights, bias, bend in self._layers:
+        for weights, bias, activation in self._layers:
             values = values @ weights + bias
-            values = np.tanh(values) if bend == "tanh" else np.clip(values, -1, 1)
+            values = np.tanh(values) if activation == "tanh" else np.clip(values, -1, 1)
         return values
 
 
 @dataclass(frozen=True)
 class Result:
-    """What came of the episodes: rewards, lengths in actions, and whether each was a success."""
+    """Result of the episodes: returns, lengths in actions, and whether each was a success."""
 
-    rewards: np.ndarray
+    returns: np.ndarray
     actions: np.ndarray
     successes: np.ndarray
 
     def __str__(self):
-        error = np.std(self.rewards) / np.sqrt(len(self.rewards))
-        return f"reward {np.mean(self.rewards):.3f} ± {error:.3f}, success {np.sum(self.successes)} of {len(self.successes)}"
+        error = np.std(self.returns) / np.sqrt(len(self.returns))
+        return f"return {np.mean(self.returns):.3f} ± {error:.3f}, success {np.sum(self.successes)} of {len(self.successes)}"
 
 
-def examine(task, policy=None, episodes=128, first_seed=FIRST_SEED, options=None):
+def evaluate(task, policy=None, episodes=128, first_seed=FIRST_SEED, options=None):
     """Plays each episode once, all at the same time; without a policy all actions are zero. Gives a Result.
 
     An action lasts as long as while the policy was learned, unless the option cycles says something else.
@@ -69,25 +69,25 @@ def examine(task, policy=None, episodes=128, first_seed=FIRST_SEED, options=None
     seeds.begin(range(first_seed, first_seed + episodes))
     running = np.ones(episodes, dtype=bool)
     observation, _, _ = robots.act(RESET, seeds.draw(running), 0)
-    rewards, actions, successes = np.zeros(episodes), np.zeros(episodes, dtype=int), np.zeros(episodes, dtype=bool)
+    returns, actions, successes = np.zeros(episodes), np.zeros(episodes, dtype=int), np.zeros(episodes, dtype=bool)
     success = robots.truth_names.index("is_success")
     while running.any():
         action = policy.act(observation[:, places]) if policy else 0
         observation, reward, _ = robots.act(np.where(running, STEP, SKIP), 0, action)
-        rewards[running] += reward[running]
+        returns[running] += reward[running]
         actions += running
         successes[running] = robots.truth[running, success] > 0
         running &= robots.state == 0
     robots.close()
-    return Result(rewards, actions, successes)
+    return Result(returns, actions, successes)
 
 
 def main(words=None):
-    """Examines what the command line names."""
-    parser = argparse.ArgumentParser(prog="python -m robonewbie.exam", description="Examines a policy beside doing nothing.")
+    """Evaluates what the command line names."""
+    parser = argparse.ArgumentParser(prog="python -m robonewbie.evaluate", description="Evaluates a policy beside doing nothing.")
     parser.add_argument("task", help="Stand, EngineFollow, EngineRun, KickTo, GetUp, QuickGetUp, another task, or the name of a Java class of yours")
-    parser.add_argument("policy", nargs="?", type=Path, help="file of the policy; without it only doing nothing is examined")
-    parser.add_argument("--episodes", type=int, default=128, help="how many (128)")
+    parser.add_argument("policy", nargs="?", type=Path, help="file of the policy; without it only doing nothing is evaluated")
+    parser.add_argument("--n-eval-episodes", type=int, default=128, help="how many (128)")
     parser.add_argument("--first-seed", type=int, default=FIRST_SEED, help=f"chooses the episodes ({FIRST_SEED})")
     parser.add_argument("--option", action="append", default=[], metavar="NAME=VALUE", help="changes the episodes, such as cycles=2")
     wanted = parser.parse_args(words)
@@ -95,7 +95,7 @@ def main(words=None):
     if wanted.policy:
         both = {str(wanted.policy): PlayedPolicy(wanted.policy.read_text(encoding="utf-8")), **both}
     for name, policy in both.items():
-        print(f"{name}: {examine(wanted.task, policy, wanted.episodes, wanted.first_seed, options_of(wanted.option))}")
+        print(f"{name}: {evaluate(wanted.task, policy, wanted.n_eval_episodes, wanted.first_seed, options_of(wanted.option))}")
 
 
 if __name__ == "__main__":
