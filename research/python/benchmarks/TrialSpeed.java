@@ -2,7 +2,7 @@ import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.util.Locale;
 import org.robonewbie.nao.Joint;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
@@ -30,9 +30,9 @@ public class TrialSpeed {
         }
     }
 
-    private static Performer swaying() {
+    private static Controller swaying() {
         int[] cycle = {0};
-        return Performer.ofPolicy(readings -> {
+        return Controller.ofPolicy(readings -> {
             double[] speeds = new double[Joint.COUNT];
             cycle[0]++;
             for (int i = 0; i < speeds.length; i++) {

@@ -1,6 +1,6 @@
 import org.robonewbie.learning.environment.TrainingTask;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.RandomSource;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 
@@ -10,7 +10,7 @@ public final class Squat extends TrainingTask {
     private double deepest;
 
     @Override
-    public Scene scene(Chance chance) {
+    public Scene scene(RandomSource chance) {
         return Scene.of(RobotStart.at(0, 0).after("stand")).withBall(3, 0);
     }
 
@@ -20,7 +20,7 @@ public final class Squat extends TrainingTask {
     }
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         double sunk = first.robot().position().z() - now.robot().position().z();
         deepest = Math.max(deepest, sunk);
     }

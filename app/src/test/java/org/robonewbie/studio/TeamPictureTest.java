@@ -35,13 +35,13 @@ import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.team.Agent_Team;
 import org.robonewbie.team.talk.TeamMessage;
-import org.robonewbie.trial.Audience;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.SensorReadings;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.TrialListener;
 
 /**
  * Takes the picture of a pass in {@code docs/team/passing.md}, from a real match that stops when the ball begins to roll to its receiver: to
@@ -148,7 +148,7 @@ class TeamPictureTest {
     }
 
     /** A match that a studio shows while a test plays it cycle by cycle. */
-    private static final class MatchOnShow implements SimulationControl, Audience {
+    private static final class MatchOnShow implements SimulationControl, TrialListener {
 
         private final List<SimulationObserver> observers = new CopyOnWriteArrayList<>();
 
@@ -173,7 +173,7 @@ class TeamPictureTest {
                     RecordingTarget.NONE,
                     start -> start.team().equals("Team")
                             ? new ShownPlayer(new Agent_Team(start.number()), viewer)
-                            : Performer.ofAgent(new Agent_BetterSoccer()));
+                            : Controller.ofAgent(new Agent_BetterSoccer()));
             trial.allowBeams();
             trial.order(new Order.SetTime(0));
             trial.order(new Order.ChangePlayMode(PlayMode.BEFORE_KICK_OFF));
@@ -207,7 +207,7 @@ class TeamPictureTest {
     }
 
     /** A player whose drawings can be seen. */
-    private static final class ShownPlayer implements Performer {
+    private static final class ShownPlayer implements Controller {
 
         private final AgentDriver driver;
 

@@ -4,17 +4,17 @@ import java.util.List;
 import java.util.Optional;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.protocol.effector.EffectorCommand;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.SensorReadings;
 import org.robonewbie.trial.guest.AbsentProgramException;
 import org.robonewbie.trial.guest.GuestDoor;
 
 /** A robot of a student's process, which is called when it is known who it is. */
-final class CalledRobot implements Performer {
+final class CalledRobot implements Controller {
 
     private final Student student;
     private final GuestDoor door;
-    private Optional<Performer> guest = Optional.empty();
+    private Optional<Controller> guest = Optional.empty();
 
     CalledRobot(Student student, GuestDoor door) {
         this.student = student;
@@ -39,6 +39,6 @@ final class CalledRobot implements Performer {
 
     @Override
     public void close() {
-        guest.ifPresent(Performer::close);
+        guest.ifPresent(Controller::close);
     }
 }

@@ -24,7 +24,7 @@ import org.robonewbie.exercises.Grade;
 import org.robonewbie.exercises.Performance;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.nao.file.AtomicFile;
-import org.robonewbie.trial.Audience;
+import org.robonewbie.trial.TrialListener;
 import org.robonewbie.trial.guest.GuestDoor;
 
 /**
@@ -136,7 +136,7 @@ public final class GradingProcess {
                     seed,
                     () -> new CalledRobot(student, door),
                     seed == 1 ? conditions.recording() : Optional.empty(),
-                    Audience.NOBODY);
+                    TrialListener.NONE);
             Optional<Score> reason = score.passed() ? Optional.empty() : student.reason(door.port());
             stuck |= reason.filter(told -> told.finding().startsWith(Performance.ENDLESS))
                     .isPresent();

@@ -14,7 +14,7 @@ import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.studio.course.Attempt;
 import org.robonewbie.studio.course.Attempt.State;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.guest.GuestDoor;
 import org.robonewbie.trial.watch.WatchedTrial;
 
@@ -35,7 +35,7 @@ final class CourseAttempt implements AutoCloseable {
     private final Consumer<SimulationControl> screen;
     private final Consumer<Attempt> complete;
     private final List<Attempt.Judged> judged = new ArrayList<>();
-    private final List<Performer> guests = new ArrayList<>();
+    private final List<Controller> guests = new ArrayList<>();
     private final List<GuestProcess> processes = new ArrayList<>();
     private State state = State.WAITING;
     private WatchedTrial trial = new WatchedTrial();
@@ -121,9 +121,9 @@ final class CourseAttempt implements AutoCloseable {
         return true;
     }
 
-    private Performer nextRobot() {
+    private Controller nextRobot() {
         Optional<GuestProcess> process = program.isEmpty() ? Optional.empty() : Optional.of(startProcess());
-        Performer guest = door.await(
+        Controller guest = door.await(
                 () -> !isClosed() && process.map(GuestProcess::isRunning).orElse(true));
         return arrived(guest);
     }
@@ -134,7 +134,7 @@ final class CourseAttempt implements AutoCloseable {
         return process;
     }
 
-    private synchronized Performer arrived(Performer guest) {
+    private synchronized Controller arrived(Controller guest) {
         guests.add(guest);
         state = State.RUNNING;
         return guest;
@@ -176,7 +176,7 @@ final class CourseAttempt implements AutoCloseable {
     }
 
     private void sendAway() {
-        guests.forEach(Performer::close);
+        guests.forEach(Controller::close);
         guests.clear();
         processes.forEach(GuestProcess::close);
     }

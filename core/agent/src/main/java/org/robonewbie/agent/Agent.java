@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
-import org.robonewbie.agent.cycle.Clockwork;
 import org.robonewbie.agent.cycle.CycleWatch;
+import org.robonewbie.agent.cycle.RobotRuntime;
 import org.robonewbie.agent.cycle.Session;
 import org.robonewbie.agent.cycle.SingleMessagePort;
 import org.robonewbie.agent.log.Failure;
@@ -37,31 +37,31 @@ import org.robonewbie.agent.walk.Walk;
  */
 public abstract class Agent {
 
-    private static final int MOST_CALLS = 8;
+    private static final int MAX_CALLS = 8;
     private static final String CLASS_THAT_FAILED_BEFORE = "Could not initialize class";
 
-    private final Clockwork clockwork = new Clockwork(nameOf(getClass()));
-    private final TunableNumbers numbers = TunableNumbers.of(nameOf(getClass()), clockwork.mistakes());
+    private final RobotRuntime runtime = new RobotRuntime(nameOf(getClass()));
+    private final TunableNumbers numbers = TunableNumbers.of(nameOf(getClass()), runtime.diagnostics());
 
     /** What the robot logs; printed when the run is over. */
-    protected final Logger log = clockwork.log();
+    protected final Logger log = runtime.log();
 
     /** Sensors and motors. */
-    protected final Robot nao = new Robot(clockwork);
+    protected final Robot nao = new Robot(runtime);
 
     /** Motions by name. */
-    protected final Motions motions = clockwork.motions();
+    protected final Motions motions = runtime.motions();
 
     /** A walk into any direction, faster than motions of keyframes. */
-    protected final Walk walk = clockwork.walk();
+    protected final Walk walk = runtime.walk();
 
     /** What the robot remembers of the field. */
-    protected final LocalFieldView fieldView = clockwork.fieldView();
+    protected final LocalFieldView fieldView = runtime.fieldView();
 
     /** The head's movement to see more; moves only in cycles in which {@code lookAround.look()} is called. */
-    protected final LookAround lookAround = clockwork.lookAround();
+    protected final LookAround lookAround = runtime.lookAround();
 
-    private Session session = new Session(clockwork, new SingleMessagePort(), OptionalDouble.empty(), CycleWatch.NONE);
+    private Session session = new Session(runtime, new SingleMessagePort(), OptionalDouble.empty(), CycleWatch.NONE);
     private Options options = Options.none();
     private boolean failed;
 
@@ -140,7 +140,7 @@ public abstract class Agent {
     final void run(Session game) {
         session = game;
         while (session.next()) {
-            numbers.follow(this, clockwork.telemetry());
+            numbers.follow(this, runtime.telemetry());
             try {
                 sense();
                 think();
@@ -175,7 +175,7 @@ public abstract class Agent {
     /** Reports a misspelt {@code think()} and numbers in the program's file that it does not have. */
     final void reportWhatIsMissing() {
         ThinkSpelling.wrongIn(getClass(), Agent.class, nameOf(getClass()))
-                .ifPresent(sentence -> clockwork.mistakes().reportAt("", sentence, () -> sentence));
+                .ifPresent(sentence -> runtime.diagnostics().reportAt("", sentence, () -> sentence));
         numbers.reportUnknown();
     }
 
@@ -183,8 +183,8 @@ public abstract class Agent {
         options = wanted;
     }
 
-    final Clockwork clockwork() {
-        return clockwork;
+    final RobotRuntime runtime() {
+        return runtime;
     }
 
     final TunableNumbers numbers() {
@@ -202,7 +202,7 @@ public abstract class Agent {
         Throwable mistake = Failure.rootOf(thrown);
         String step = failedStep(thrown.getStackTrace());
         if (!reportedBefore) {
-            clockwork.mistakes().reportAt(Failure.place(mistake), step + mistake.getClass(), () -> {
+            runtime.diagnostics().reportAt(Failure.place(mistake), step + mistake.getClass(), () -> {
                 log.error("%s failed: %s%s", step, mistake, stack(mistake));
                 return step + " failed with " + mistake + "; the robot goes on with the next step.";
             });
@@ -214,7 +214,7 @@ public abstract class Agent {
     private void reportExhausted(OutOfMemoryError exhausted) {
         failed = true;
         String step = failedStep(exhausted.getStackTrace());
-        clockwork.mistakes().reportAt(Failure.place(exhausted), "memory", () -> step + " " + Failure.MEMORY);
+        runtime.diagnostics().reportAt(Failure.place(exhausted), "memory", () -> step + " " + Failure.MEMORY);
     }
 
     /** The method that {@link #run} has called: the last call before it. */
@@ -234,7 +234,7 @@ public abstract class Agent {
     /** The calls that led to an exception, one below the other, without those of the framework. */
     private static String stack(Throwable mistake) {
         return Arrays.stream(mistake.getStackTrace())
-                .limit(MOST_CALLS)
+                .limit(MAX_CALLS)
                 .takeWhile(call -> !call.getClassName().equals(Agent.class.getName()))
                 .map(call -> "\n                      at " + call)
                 .distinct()

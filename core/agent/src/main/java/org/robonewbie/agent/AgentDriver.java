@@ -42,7 +42,7 @@ public final class AgentDriver {
      */
     public AgentDriver(Agent agent) {
         this.agent = agent;
-        this.session = new Session(agent.clockwork(), port, OptionalDouble.empty(), CycleWatch.NONE);
+        this.session = new Session(agent.runtime(), port, OptionalDouble.empty(), CycleWatch.NONE);
     }
 
     /**
@@ -53,8 +53,8 @@ public final class AgentDriver {
      */
     public void introduce(Options who, TeamSide side) {
         agent.begin(who);
-        agent.clockwork().senses().setType(who.robotType());
-        agent.clockwork().senses().introduce(who.team(), who.number(), side);
+        agent.runtime().sensors().setType(who.robotType());
+        agent.runtime().sensors().introduce(who.team(), who.number(), side);
     }
 
     /**
@@ -66,8 +66,8 @@ public final class AgentDriver {
     public Watchdog watch(Consumer<Slowness> listener) {
         agent.reportWhatIsMissing();
         Watchdog watchdog =
-                Watchdog.start(CycleOwner.FRAMEWORK, agent.clockwork().mistakes(), Optional.empty(), listener);
-        session = new Session(agent.clockwork(), port, OptionalDouble.empty(), watchdog);
+                Watchdog.start(CycleOwner.FRAMEWORK, agent.runtime().diagnostics(), Optional.empty(), listener);
+        session = new Session(agent.runtime(), port, OptionalDouble.empty(), watchdog);
         return watchdog;
     }
 
@@ -107,9 +107,9 @@ public final class AgentDriver {
     public void join(AgentLink link, Options options) throws IOException {
         agent.begin(options);
         link.offerState(new AgentState(agent));
-        LinkPort wire = new LinkPort(link, agent.clockwork().senses().buffer());
-        new StartDialogue(wire, agent.clockwork(), options).run(() -> {}, () -> {});
-        session = new Session(agent.clockwork(), wire, options.seconds(), CycleWatch.NONE);
+        LinkPort wire = new LinkPort(link, agent.runtime().sensors().buffer());
+        new StartDialogue(wire, agent.runtime(), options).run(() -> {}, () -> {});
+        session = new Session(agent.runtime(), wire, options.seconds(), CycleWatch.NONE);
     }
 
     /**
@@ -126,7 +126,7 @@ public final class AgentDriver {
      * @param viewer receives it from now on
      */
     public void publishTo(TelemetrySink viewer) {
-        agent.clockwork().telemetry().publishTo(viewer);
+        agent.runtime().telemetry().publishTo(viewer);
     }
 
     /** {@return who the agent is and where it starts unless the user says otherwise} */

@@ -7,16 +7,16 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
-import org.robonewbie.agent.cycle.Clockwork;
 import org.robonewbie.agent.cycle.CycleWatch;
 import org.robonewbie.agent.cycle.LinkPort;
+import org.robonewbie.agent.cycle.RobotRuntime;
 import org.robonewbie.agent.cycle.Session;
+import org.robonewbie.agent.running.ConnectTimeoutHint;
 import org.robonewbie.agent.running.CycleOwner;
+import org.robonewbie.agent.running.DeadlineMonitor;
 import org.robonewbie.agent.running.JoinTurn;
 import org.robonewbie.agent.running.LogPrinter;
-import org.robonewbie.agent.running.PunctualPort;
 import org.robonewbie.agent.running.RobotThreads;
-import org.robonewbie.agent.running.SilenceNotice;
 import org.robonewbie.agent.running.SimulatorConnection;
 import org.robonewbie.agent.running.Watchdog;
 import org.robonewbie.protocol.frame.AgentLink;
@@ -71,7 +71,7 @@ final class AgentRunner {
 
     /** Brings a robot into the game, to its first place. */
     static Session join(
-            Clockwork robot,
+            RobotRuntime robot,
             SimulatorConnection simulator,
             AgentLink link,
             Options options,
@@ -79,12 +79,12 @@ final class AgentRunner {
             JoinTurn turn)
             throws IOException {
         robot.telemetry().publishTo(simulator.telemetry());
-        LinkPort port = new LinkPort(link, robot.senses().buffer());
-        try (SilenceNotice notice = SilenceNotice.of(simulator.place())) {
+        LinkPort port = new LinkPort(link, robot.sensors().buffer());
+        try (ConnectTimeoutHint notice = ConnectTimeoutHint.of(simulator.place())) {
             new StartDialogue(port, robot, options).run(both(notice::close, turn::answered), turn::end);
         }
         OptionalDouble life = simulator.endsByItself() ? OptionalDouble.empty() : options.seconds();
-        return new Session(robot, new PunctualPort(port, robot, watch::slowPlace, System::nanoTime), life, watch);
+        return new Session(robot, new DeadlineMonitor(port, robot, watch::slowPlace, System::nanoTime), life, watch);
     }
 
     private static Runnable both(Runnable first, Runnable second) {
@@ -151,17 +151,17 @@ final class AgentRunner {
         agent.begin(options);
         agent.reportWhatIsMissing();
         link.offerState(new AgentState(agent));
-        try (LogPrinter printer = new LogPrinter(agent.clockwork().log(), System.out, simulator::close);
+        try (LogPrinter printer = new LogPrinter(agent.runtime().log(), System.out, simulator::close);
                 link;
                 Watchdog watchdog = Watchdog.start(
-                        CycleOwner.FRAMEWORK, agent.clockwork().mistakes(), giveUp(options), slowness -> {});
-                Session session = join(agent.clockwork(), simulator, link, options, watchdog, turn)) {
+                        CycleOwner.FRAMEWORK, agent.runtime().diagnostics(), giveUp(options), slowness -> {});
+                Session session = join(agent.runtime(), simulator, link, options, watchdog, turn)) {
             agent.run(session);
             if (options.isHeadless()) {
-                sayWhatHappened(agent.clockwork());
+                sayWhatHappened(agent.runtime());
             }
             boolean failed = agent.hasFailed() || session.isBroken();
-            code = failed || agent.clockwork().mistakes().isSerious() ? 1 : 0;
+            code = failed || agent.runtime().diagnostics().isSerious() ? 1 : 0;
         } catch (OutOfMemoryError reported) {
             code = 1;
         } catch (StartUpException refused) {
@@ -184,12 +184,12 @@ final class AgentRunner {
     }
 
     /** A run without pictures and without a log would end without a word. */
-    private static void sayWhatHappened(Clockwork robot) {
-        if (robot.log().lines().isEmpty() && robot.mistakes().reported().isEmpty()) {
+    private static void sayWhatHappened(RobotRuntime robot) {
+        if (robot.log().lines().isEmpty() && robot.diagnostics().reported().isEmpty()) {
             System.out.printf(
                     Locale.ROOT,
                     "The robot has played until %.1f s, without a mistake. log.info(\"...\") in think() shows what it thinks.%n",
-                    robot.senses().seconds());
+                    robot.sensors().seconds());
         }
     }
 

@@ -23,7 +23,7 @@ final class AgentState implements Restorable {
     /** Motions, walk and view of the field start over; the agent's own fields are restored. */
     @Override
     public void restore(StateReader in) {
-        agent.clockwork().startOver();
+        agent.runtime().startOver();
         if (agent instanceof Restorable own) {
             own.restore(in);
         }

@@ -2,7 +2,7 @@ package org.robonewbie.agent;
 
 import java.io.IOException;
 import java.util.Optional;
-import org.robonewbie.agent.cycle.Clockwork;
+import org.robonewbie.agent.cycle.RobotRuntime;
 import org.robonewbie.agent.cycle.Session;
 import org.robonewbie.agent.motion.LookAround;
 import org.robonewbie.agent.motion.Motions;
@@ -38,8 +38,8 @@ public final class Nao extends Robot implements AutoCloseable {
     private final Runnable farewell;
 
     /** Puts a robot into a session that has begun; its farewell follows when it has left. */
-    Nao(Clockwork clockwork, Session session, SimulatorConnection simulator, Runnable farewell) {
-        super(clockwork);
+    Nao(RobotRuntime runtime, Session session, SimulatorConnection simulator, Runnable farewell) {
+        super(runtime);
         this.session = session;
         this.simulator = simulator;
         this.farewell = farewell;
@@ -81,18 +81,18 @@ public final class Nao extends Robot implements AutoCloseable {
 
     /** Brings a robot into the game of a simulator that belongs to this robot alone. */
     static Nao join(Options options, SimulatorConnection simulator) {
-        Clockwork clockwork = new Clockwork("the robot");
-        Watchdog watchdog = Watchdog.start(CycleOwner.PROGRAM, clockwork.mistakes(), Optional.empty(), slowness -> {});
+        RobotRuntime runtime = new RobotRuntime("the robot");
+        Watchdog watchdog = Watchdog.start(CycleOwner.PROGRAM, runtime.diagnostics(), Optional.empty(), slowness -> {});
         try {
             Session session =
-                    AgentRunner.join(clockwork, simulator, simulator.connect(), options, watchdog, new JoinTurn());
-            LogPrinter printer = new LogPrinter(clockwork.log(), System.out, simulator::close);
-            RobotsOfProcess.enter(clockwork.mistakes());
+                    AgentRunner.join(runtime, simulator, simulator.connect(), options, watchdog, new JoinTurn());
+            LogPrinter printer = new LogPrinter(runtime.log(), System.out, simulator::close);
+            RobotsOfProcess.enter(runtime.diagnostics());
             watchdog.thinkBegins();
-            return new Nao(clockwork, session, simulator, () -> {
+            return new Nao(runtime, session, simulator, () -> {
                 watchdog.close();
                 printer.close();
-                RobotsOfProcess.leave(clockwork.mistakes());
+                RobotsOfProcess.leave(runtime.diagnostics());
             });
         } catch (IOException lost) {
             watchdog.close();
@@ -137,22 +137,22 @@ public final class Nao extends Robot implements AutoCloseable {
 
     /** {@return the motions, which play while the program goes on with its cycle} */
     public Motions motions() {
-        return clockwork().motions();
+        return runtime().motions();
     }
 
     /** {@return the walk into any direction, while the program goes on with its cycle} */
     public Walk walk() {
-        return clockwork().walk();
+        return runtime().walk();
     }
 
     /** {@return the head's movement to see more; moves only in cycles in which {@code lookAround().look()} is called} */
     public LookAround lookAround() {
-        return clockwork().lookAround();
+        return runtime().lookAround();
     }
 
     /** {@return what the robot remembers of the field, renewed by each {@link #sense}} */
     public LocalFieldView fieldView() {
-        return clockwork().fieldView();
+        return runtime().fieldView();
     }
 
     /** Leaves the game, prints the log and ends the simulator if it belongs to this program. */

@@ -1,9 +1,9 @@
 package org.robonewbie.agent;
 
 import java.io.IOException;
-import org.robonewbie.agent.cycle.Clockwork;
 import org.robonewbie.agent.cycle.CycleWatch;
 import org.robonewbie.agent.cycle.LinkPort;
+import org.robonewbie.agent.cycle.RobotRuntime;
 import org.robonewbie.agent.cycle.Session;
 import org.robonewbie.agent.running.SimulatorConnection;
 import org.robonewbie.protocol.frame.AgentLink;
@@ -18,9 +18,9 @@ public final class NaoDriver {
     private final Session session;
     private final Nao nao;
 
-    private NaoDriver(Clockwork clockwork, Session session, AgentLink link) {
+    private NaoDriver(RobotRuntime runtime, Session session, AgentLink link) {
         this.session = session;
-        nao = new Nao(clockwork, session, SimulatorConnection.of(link), () -> {});
+        nao = new Nao(runtime, session, SimulatorConnection.of(link), () -> {});
     }
 
     /**
@@ -34,11 +34,11 @@ public final class NaoDriver {
      * @throws StartUpException if the simulator does not let the robot in
      */
     public static NaoDriver enter(AgentLink link, Options options, TelemetrySink viewer) throws IOException {
-        Clockwork clockwork = new Clockwork("the robot");
-        clockwork.telemetry().publishTo(viewer);
-        LinkPort port = new LinkPort(link, clockwork.senses().buffer());
-        new StartDialogue(port, clockwork, options).run(() -> {}, () -> {});
-        return new NaoDriver(clockwork, new Session(clockwork, port, options.seconds(), CycleWatch.NONE), link);
+        RobotRuntime runtime = new RobotRuntime("the robot");
+        runtime.telemetry().publishTo(viewer);
+        LinkPort port = new LinkPort(link, runtime.sensors().buffer());
+        new StartDialogue(port, runtime, options).run(() -> {}, () -> {});
+        return new NaoDriver(runtime, new Session(runtime, port, options.seconds(), CycleWatch.NONE), link);
     }
 
     /** {@return the robot} */

@@ -27,8 +27,8 @@ import org.robonewbie.nao.model.RobotType;
 public final class Options {
 
     private static final String DEFAULT_TEAM = "RoboNewbie";
-    private static final int MOST_X = 20;
-    private static final int MOST_Y = 15;
+    private static final int MAX_X = 20;
+    private static final int MAX_Y = 15;
 
     private final Map<Option, OptionSource.Value> values;
     private final List<String> arguments;
@@ -297,9 +297,9 @@ public final class Options {
     private static StartPose parsePose(String text) {
         double[] numbers =
                 Arrays.stream(text.split(",")).mapToDouble(Double::parseDouble).toArray();
-        if (Math.abs(numbers[0]) > MOST_X || Math.abs(numbers[1]) > MOST_Y) {
-            throw new StartUpException("--pose " + text + " is far outside of every pitch: x is at most " + MOST_X
-                    + " m from the centre, y " + MOST_Y + " m; your own half has negative x, such as --pose -2,1,90.");
+        if (Math.abs(numbers[0]) > MAX_X || Math.abs(numbers[1]) > MAX_Y) {
+            throw new StartUpException("--pose " + text + " is far outside of every pitch: x is at most " + MAX_X
+                    + " m from the centre, y " + MAX_Y + " m; your own half has negative x, such as --pose -2,1,90.");
         }
         return new StartPose(numbers[0], numbers[1], numbers[2]);
     }

@@ -2,9 +2,9 @@ package org.robonewbie.agent;
 
 import java.util.List;
 import java.util.Optional;
-import org.robonewbie.agent.cycle.Clockwork;
 import org.robonewbie.agent.cycle.Commands;
-import org.robonewbie.agent.cycle.Senses;
+import org.robonewbie.agent.cycle.RobotRuntime;
+import org.robonewbie.agent.cycle.SensorState;
 import org.robonewbie.agent.log.Logger;
 import org.robonewbie.agent.perception.BodyPosition;
 import org.robonewbie.agent.perception.CameraPicture;
@@ -32,32 +32,32 @@ import org.robonewbie.protocol.telemetry.Drawing;
  */
 public class Robot {
 
-    private final Clockwork clockwork;
+    private final RobotRuntime runtime;
 
-    Robot(Clockwork clockwork) {
-        this.clockwork = clockwork;
+    Robot(RobotRuntime runtime) {
+        this.runtime = runtime;
     }
 
-    final Clockwork clockwork() {
-        return clockwork;
+    final RobotRuntime runtime() {
+        return runtime;
     }
 
-    private Senses senses() {
-        return clockwork.senses();
+    private SensorState sensors() {
+        return runtime.sensors();
     }
 
     private Commands commands() {
-        return clockwork.commands();
+        return runtime.commands();
     }
 
     /** {@return the log, printed when the run is over} */
     public final Logger log() {
-        return clockwork.log();
+        return runtime.log();
     }
 
     /** {@return simulated seconds since the simulator was started; grows by 0.02 in each cycle} */
     public final double getTime() {
-        return senses().seconds();
+        return sensors().seconds();
     }
 
     /**
@@ -67,7 +67,7 @@ public class Robot {
      * @return its angle in degrees, normally within the joint's range; each cycle
      */
     public final double getJointAngle(Joint joint) {
-        return senses().joints().degrees(joint);
+        return sensors().joints().degrees(joint);
     }
 
     /**
@@ -77,7 +77,7 @@ public class Robot {
      *     forward, z while it turns left; each cycle
      */
     public final Vector3 getGyro() {
-        return senses().torso().gyro();
+        return sensors().torso().gyro();
     }
 
     /**
@@ -87,17 +87,17 @@ public class Robot {
      *     updated in each cycle
      */
     public final Vector3 getAcceleration() {
-        return senses().torso().acceleration();
+        return sensors().torso().acceleration();
     }
 
     /** {@return where and how strongly the ground presses on the left sole; no force in the air; each cycle} */
     public final FootPressure getLeftFootPressure() {
-        return senses().leftFoot();
+        return sensors().leftFoot();
     }
 
     /** {@return where and how strongly the ground presses on the right sole; no force in the air; each cycle} */
     public final FootPressure getRightFootPressure() {
-        return senses().rightFoot();
+        return sensors().rightFoot();
     }
 
     /**
@@ -106,52 +106,52 @@ public class Robot {
      * @return what the camera recognises, relative to the head as it is turned now; empty in two of three cycles
      */
     public final Optional<CameraPicture> getVision() {
-        return senses().picture();
+        return sensors().picture();
     }
 
     /** {@return messages from other robots; usually empty. Your own messages are not included} */
     public final List<HeardMessage> getHeard() {
-        return senses().heard();
+        return sensors().heard();
     }
 
     /** {@return the referee's play mode; the last one that this framework knows} */
     public final PlayMode getPlayMode() {
-        return senses().playMode();
+        return sensors().playMode();
     }
 
     /** {@return seconds of play; does not grow before the kick-off} */
     public final double getPlayTime() {
-        return senses().playSeconds();
+        return sensors().playSeconds();
     }
 
     /** {@return the half that this team defends; left until the referee has said something else} */
     public final TeamSide getTeamSide() {
-        return senses().side();
+        return sensors().side();
     }
 
     /** {@return the name of the robot's team} */
     public final String getTeam() {
-        return senses().team();
+        return sensors().team();
     }
 
     /** {@return the number on the robot's shirt, 1 to 11; 0 before it has joined a game} */
     public final int getNumber() {
-        return senses().number();
+        return sensors().number();
     }
 
     /** {@return how the robot is built: as the option {@code --type} wants it, else the standard type 0} */
     public final RobotType getType() {
-        return senses().type();
+        return sensors().type();
     }
 
     /** {@return the goals of this team} */
     public final int getOwnScore() {
-        return senses().score(senses().side());
+        return sensors().score(sensors().side());
     }
 
     /** {@return the goals of the other team} */
     public final int getOpponentScore() {
-        return senses().score(senses().side().opponent());
+        return sensors().score(sensors().side().opponent());
     }
 
     /**
@@ -165,12 +165,12 @@ public class Robot {
 
     /** {@return upright, or the side on which the robot lies, by the smoothed accelerometer} */
     public final BodyPosition getBodyPosition() {
-        return senses().bodyPosition();
+        return sensors().bodyPosition();
     }
 
     /** {@return the last message as the simulator sent it, an S-expression; empty if the robot has no connection} */
     public final String getRawMessage() {
-        return senses().buffer().toString();
+        return sensors().buffer().toString();
     }
 
     /**
@@ -237,7 +237,7 @@ public class Robot {
 
     /** {@return whether beaming is allowed: before a kick-off or after a goal} */
     public final boolean isBeamAllowed() {
-        return senses().isBeamAllowed();
+        return sensors().isBeamAllowed();
     }
 
     /**
@@ -257,7 +257,7 @@ public class Robot {
      * @param colour name or code
      */
     public final void drawPoint(Vector3 place, String colour) {
-        clockwork.telemetry().draw(new Drawing.Point(place, colour));
+        runtime.telemetry().draw(new Drawing.Point(place, colour));
     }
 
     /**
@@ -268,7 +268,7 @@ public class Robot {
      * @param colour name or code
      */
     public final void drawLine(Vector3 from, Vector3 to, String colour) {
-        clockwork.telemetry().draw(new Drawing.Line(from, to, colour));
+        runtime.telemetry().draw(new Drawing.Line(from, to, colour));
     }
 
     /**
@@ -279,7 +279,7 @@ public class Robot {
      * @param colour name or code
      */
     public final void drawCircle(Vector3 centre, double radius, String colour) {
-        clockwork.telemetry().draw(new Drawing.Circle(centre, radius, colour));
+        runtime.telemetry().draw(new Drawing.Circle(centre, radius, colour));
     }
 
     /**
@@ -290,7 +290,7 @@ public class Robot {
      * @param colour name or code
      */
     public final void drawText(Vector3 place, String text, String colour) {
-        clockwork.telemetry().draw(new Drawing.Text(place, text, colour));
+        runtime.telemetry().draw(new Drawing.Text(place, text, colour));
     }
 
     /**
@@ -300,7 +300,7 @@ public class Robot {
      * @param value the value in this cycle, in a unit of your choice
      */
     public final void plot(String curve, double value) {
-        clockwork.telemetry().plot(curve, value);
+        runtime.telemetry().plot(curve, value);
     }
 
     /**
@@ -311,6 +311,6 @@ public class Robot {
      * @param headingDegrees heading of the torso; 0 is towards the opponents' goal, positive is left
      */
     public final void tellPose(double x, double y, double headingDegrees) {
-        clockwork.telemetry().locate(new BelievedPose(x, y, headingDegrees));
+        runtime.telemetry().locate(new BelievedPose(x, y, headingDegrees));
     }
 }

@@ -11,7 +11,7 @@ import org.robonewbie.protocol.embedded.SimulatorRequest;
 final class SimulatorChoice {
 
     private static final String THIS_COMPUTER = "127.0.0.1";
-    private static final int USUAL_PORT = 3100;
+    private static final int DEFAULT_PORT = 3100;
     private static final List<Option> ONLY_OWN_SIMULATOR =
             List.of(Option.SEED, Option.FAST, Option.REPORT, Option.RECORD, Option.WAIT_FOR, Option.SCENE);
 
@@ -31,7 +31,7 @@ final class SimulatorChoice {
     /** Chooses the simulator; one of the program's own holds its clock until all robots are in. */
     static WantedSimulator of(Options options, int robots, String agent) {
         WantedSimulator.Kind kind = kind(options);
-        int usualPort = kind == WantedSimulator.Kind.OWN ? 0 : USUAL_PORT;
+        int usualPort = kind == WantedSimulator.Kind.OWN ? 0 : DEFAULT_PORT;
         int port = options.port().orElse(usualPort);
         String host = kind == WantedSimulator.Kind.SERVER ? options.host().orElse(THIS_COMPUTER) : THIS_COMPUTER;
         return new WantedSimulator(kind, host, port, request(options, port, robots, agent));

@@ -3,8 +3,8 @@ package org.robonewbie.agent;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
-import org.robonewbie.agent.cycle.Clockwork;
 import org.robonewbie.agent.cycle.MessagePort;
+import org.robonewbie.agent.cycle.RobotRuntime;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.effector.EffectorCommand.Beam;
 import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
@@ -23,10 +23,10 @@ final class StartDialogue {
     private static final int MESSAGES_TO_SETTLE = 15;
 
     private final MessagePort port;
-    private final Clockwork robot;
+    private final RobotRuntime robot;
     private final Options options;
 
-    StartDialogue(MessagePort port, Clockwork robot, Options options) {
+    StartDialogue(MessagePort port, RobotRuntime robot, Options options) {
         this.port = port;
         this.robot = robot;
         this.options = options;
@@ -39,15 +39,15 @@ final class StartDialogue {
      * @param inPlace what to do when the robot has answered the message after its beam
      */
     void run(Runnable atFirstMessage, Runnable inPlace) throws IOException {
-        robot.senses().setTeam(options.team());
-        robot.senses().setType(options.robotType());
+        robot.sensors().setTeam(options.team());
+        robot.sensors().setType(options.robotType());
         answer(Optional.of(createRobot()));
         receive();
         atFirstMessage.run();
         answer(Optional.of(new JoinTeam(options.number(), options.team())));
         waitForNumber();
-        StartPose pose =
-                options.pose().orElseGet(() -> StartPose.ofNumber(robot.senses().number()));
+        StartPose pose = options.pose()
+                .orElseGet(() -> StartPose.ofNumber(robot.sensors().number()));
         answer(Optional.of(new Beam(pose.x(), pose.y(), pose.degrees())));
         for (int i = 0; i < MESSAGES_TO_SETTLE; i++) {
             receive();
@@ -56,7 +56,7 @@ final class StartDialogue {
                 inPlace.run();
             }
         }
-        robot.senses().falls().reset();
+        robot.sensors().falls().reset();
     }
 
     private CreateRobot createRobot() {
@@ -68,7 +68,7 @@ final class StartDialogue {
     private void waitForNumber() throws IOException {
         for (int i = 0; i < PATIENCE_MESSAGES; i++) {
             receive();
-            if (robot.senses().isJoined()) {
+            if (robot.sensors().isJoined()) {
                 return;
             }
             answer(Optional.empty());

@@ -10,8 +10,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 import org.robonewbie.agent.cycle.TelemetryPublisher;
-import org.robonewbie.agent.log.Mistakes;
-import org.robonewbie.agent.running.MadeOnceMore;
+import org.robonewbie.agent.log.Diagnostics;
+import org.robonewbie.agent.running.PrototypeProbe;
 import org.robonewbie.agent.running.Surroundings;
 import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.protocol.telemetry.TelemetryItem.DeclaredNumber;
@@ -32,16 +32,16 @@ public final class TunableNumbers {
     private static final int CYCLES_UNTIL_PUBLISHED_AGAIN = 50;
 
     private final String file;
-    private final Mistakes mistakes;
+    private final Diagnostics diagnostics;
     private Optional<Map<String, Double>> wanted;
     private final Map<String, TunableNumber> declared = new LinkedHashMap<>();
     private Set<String> declaredAtFirst = Set.of();
     private boolean followed;
     private int cyclesUntilPublished;
 
-    private TunableNumbers(String file, Mistakes mistakes, Optional<Map<String, Double>> wanted) {
+    private TunableNumbers(String file, Diagnostics diagnostics, Optional<Map<String, Double>> wanted) {
         this.file = file;
-        this.mistakes = mistakes;
+        this.diagnostics = diagnostics;
         this.wanted = wanted;
     }
 
@@ -73,8 +73,8 @@ public final class TunableNumbers {
         }
     }
 
-    static TunableNumbers of(String type, Mistakes mistakes) {
-        return new TunableNumbers(fileName(type), mistakes, TRIED.get());
+    static TunableNumbers of(String type, Diagnostics diagnostics) {
+        return new TunableNumbers(fileName(type), diagnostics, TRIED.get());
     }
 
     double declare(String name, double usual, double least, double most) {
@@ -134,10 +134,10 @@ public final class TunableNumbers {
         if (!inFields) {
             return;
         }
-        Optional<Agent> old = with(before, () -> MadeOnceMore.of(robot));
-        Optional<Agent> fresh = with(now, () -> MadeOnceMore.of(robot));
-        if (old.isEmpty() || fresh.isEmpty() || !MadeOnceMore.copyDifferences(old.get(), fresh.get(), robot)) {
-            mistakes.reportAt(
+        Optional<Agent> old = with(before, () -> PrototypeProbe.of(robot));
+        Optional<Agent> fresh = with(now, () -> PrototypeProbe.of(robot));
+        if (old.isEmpty() || fresh.isEmpty() || !PrototypeProbe.copyDifferences(old.get(), fresh.get(), robot)) {
+            diagnostics.reportAt(
                     "",
                     "sliders",
                     () ->
@@ -169,7 +169,7 @@ public final class TunableNumbers {
     void reportUnknown() {
         for (String name : wanted().keySet()) {
             if (!declared.containsKey(name)) {
-                mistakes.reportAt(
+                diagnostics.reportAt(
                         "",
                         "number " + name,
                         () -> file + " has a number \"" + name + "\", but the program declares none of this name."
@@ -180,7 +180,7 @@ public final class TunableNumbers {
 
     /** The file is read when the first number is declared, so a program without numbers needs none. */
     private Map<String, Double> wanted() {
-        Map<String, Double> values = wanted.orElseGet(() -> read(file, mistakes));
+        Map<String, Double> values = wanted.orElseGet(() -> read(file, diagnostics));
         wanted = Optional.of(values);
         return values;
     }
@@ -188,7 +188,7 @@ public final class TunableNumbers {
     private double within(String name, double value, double usual, double least, double most) {
         double taken = Double.isNaN(value) ? usual : Math.max(least, Math.min(most, value));
         if (taken != value) {
-            mistakes.reportAt(
+            diagnostics.reportAt(
                     "",
                     "number " + name,
                     () -> name + " = " + value + " in " + file + " is not between " + least + " and " + most + "; "
@@ -197,20 +197,20 @@ public final class TunableNumbers {
         return taken;
     }
 
-    private static Map<String, Double> read(String file, Mistakes mistakes) {
+    private static Map<String, Double> read(String file, Diagnostics diagnostics) {
         Map<String, Double> values = new HashMap<>();
         try {
             Surroundings.properties(file)
                     .forEach((name, text) -> number(text)
                             .ifPresentOrElse(
                                     value -> values.put(name, value),
-                                    () -> mistakes.reportAt(
+                                    () -> diagnostics.reportAt(
                                             "",
                                             "number " + name,
                                             () -> name + " = " + text + " in " + file
                                                     + " is no number; the usual one is taken.")));
         } catch (IOException unreadable) {
-            mistakes.reportAt("", "numbers", () -> unreadable.getMessage() + " The usual numbers are taken.");
+            diagnostics.reportAt("", "numbers", () -> unreadable.getMessage() + " The usual numbers are taken.");
         }
         return values;
     }

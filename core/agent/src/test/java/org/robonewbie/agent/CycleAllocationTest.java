@@ -7,9 +7,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
-import org.robonewbie.agent.cycle.Clockwork;
 import org.robonewbie.agent.cycle.CycleWatch;
 import org.robonewbie.agent.cycle.MessagePort;
+import org.robonewbie.agent.cycle.RobotRuntime;
 import org.robonewbie.agent.cycle.Session;
 import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.nao.BodyPart;
@@ -30,22 +30,22 @@ class CycleAllocationTest {
     private static final int ROUNDS = 200;
     private static final int CYCLES = 2000;
 
-    private static final double MOST_BYTES = 4096;
+    private static final double MAX_BYTES = 4096;
 
-    private final Clockwork robot = new Clockwork("test");
+    private final RobotRuntime robot = new RobotRuntime("test");
     private final Session session = new Session(robot, new Replay(), OptionalDouble.empty(), CycleWatch.NONE);
 
     @Test
     void singleJointAllocatesLittle() {
         assertThat(bytesPerCycle(() -> robot.commands().setJointSpeed(Joint.NECK_YAW, 30)))
-                .isLessThan(MOST_BYTES);
+                .isLessThan(MAX_BYTES);
     }
 
     @Test
     void repeatedMotionAllocatesLittle() {
         robot.motions().loop("walk-forward");
 
-        assertThat(bytesPerCycle(() -> {})).isLessThan(MOST_BYTES);
+        assertThat(bytesPerCycle(() -> {})).isLessThan(MAX_BYTES);
         assertThat(robot.motions().current()).contains("walk-forward");
     }
 
@@ -57,7 +57,7 @@ class CycleAllocationTest {
                     forward[0] = 0.4 - forward[0];
                     robot.walk().towards(forward[0], 0.01, 5);
                 }))
-                .isLessThan(MOST_BYTES);
+                .isLessThan(MAX_BYTES);
         assertThat(robot.walk().isWalking()).isTrue();
     }
 
@@ -66,7 +66,7 @@ class CycleAllocationTest {
         com.sun.management.ThreadMXBean threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
         long self = Thread.currentThread().getId();
         double least = Double.POSITIVE_INFINITY;
-        for (int round = 0; round < ROUNDS && least >= MOST_BYTES; round++) {
+        for (int round = 0; round < ROUNDS && least >= MAX_BYTES; round++) {
             long before = threads.getThreadAllocatedBytes(self);
             cycles(CYCLES, think);
             least = Math.min(least, (threads.getThreadAllocatedBytes(self) - before) / (double) CYCLES);

@@ -28,7 +28,7 @@ import org.robonewbie.agent.walk.Walk;
  */
 class FrontDoorTest {
 
-    private static final int MOST_TYPES = 12;
+    private static final int MAX_TYPES = 12;
     private static final Path SOURCES = Path.of("src/main/java");
     private static final Pattern PACKAGE = Pattern.compile("(?:[a-z]\\w*\\.)+(?=[A-Z])");
 
@@ -60,7 +60,7 @@ class FrontDoorTest {
 
     @Test
     void rootPackageHasFewPublicTypes() throws Exception {
-        assertThat(publicTypesOfTheRoot()).contains("Agent", "Nao", "Robot").hasSizeLessThanOrEqualTo(MOST_TYPES);
+        assertThat(publicTypesOfTheRoot()).contains("Agent", "Nao", "Robot").hasSizeLessThanOrEqualTo(MAX_TYPES);
     }
 
     private static boolean isInside(String signature) {

@@ -7,26 +7,26 @@ import java.io.IOException;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
-import org.robonewbie.agent.cycle.Clockwork;
 import org.robonewbie.agent.cycle.LinkPort;
+import org.robonewbie.agent.cycle.RobotRuntime;
 import org.robonewbie.agent.log.LogLine;
-import org.robonewbie.agent.running.PunctualPort;
+import org.robonewbie.agent.running.DeadlineMonitor;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.perceptor.PerceptorMessageWriter;
 
 class PunctualityTest {
 
-    private final Clockwork robot = new Clockwork("test");
+    private final RobotRuntime robot = new RobotRuntime("test");
     private final Server server = new Server();
-    private final PunctualPort port = new PunctualPort(
+    private final DeadlineMonitor port = new DeadlineMonitor(
             new LinkPort(server, new MessageBuffer()), robot, () -> "Slow.java:7", () -> server.nanoseconds);
 
     @Test
     void reportsACycleForWhichAServerInRealTimeDidNotWait() throws IOException {
         cycle(1.5, 30);
 
-        assertThat(robot.mistakes().reported())
+        assertThat(robot.diagnostics().reported())
                 .singleElement()
                 .asString()
                 .contains("Cycle 1 took 30 ms, but the simulator waits only 20 ms and has gone on; compute less in a"
@@ -39,7 +39,7 @@ class PunctualityTest {
     void keepsQuietWhileJavaWarmsUp() throws IOException {
         cycle(0.5, 30);
 
-        assertThat(robot.mistakes().reported()).isEmpty();
+        assertThat(robot.diagnostics().reported()).isEmpty();
         assertThat(robot.log().lines()).extracting(LogLine::text).contains("cycle 1 came late: it took 30 ms");
     }
 
@@ -49,7 +49,7 @@ class PunctualityTest {
             cycle(seconds, 30);
         }
 
-        assertThat(robot.mistakes().reported()).hasSize(2).allMatch(line -> line.contains("Late cycles so far: "));
+        assertThat(robot.diagnostics().reported()).hasSize(2).allMatch(line -> line.contains("Late cycles so far: "));
     }
 
     @Test
@@ -58,14 +58,14 @@ class PunctualityTest {
 
         cycle(1.5, 30);
 
-        assertThat(robot.mistakes().reported()).isEmpty();
+        assertThat(robot.diagnostics().reported()).isEmpty();
     }
 
     @Test
     void neverCallsAnAgentLateThatAnswersInTime() throws IOException {
         cycle(1.5, 19);
 
-        assertThat(robot.mistakes().reported()).isEmpty();
+        assertThat(robot.diagnostics().reported()).isEmpty();
     }
 
     @Test
@@ -73,7 +73,7 @@ class PunctualityTest {
         thinkTooLong(1500);
 
         assertThat(port.message().seconds().orElseThrow()).isEqualTo(3.5, within(1e-9));
-        assertThat(robot.mistakes().reported())
+        assertThat(robot.diagnostics().reported())
                 .singleElement()
                 .asString()
                 .contains("The robot lived 1.5 s in the past")
@@ -85,7 +85,7 @@ class PunctualityTest {
         thinkTooLong(100);
 
         assertThat(port.message().seconds().orElseThrow()).isEqualTo(2.02, within(1e-9));
-        assertThat(robot.mistakes().reported()).isEmpty();
+        assertThat(robot.diagnostics().reported()).isEmpty();
     }
 
     /** At 2 s thinks for so long, while the server goes on, and receives the next message. */

@@ -132,11 +132,11 @@ class StartDialogueTest {
                 Nao nao = Nao.connect(options(server))) {
             nao.sense();
             nao.act();
-            assertThat(nao.clockwork().mistakes().reported()).isEmpty();
+            assertThat(nao.runtime().diagnostics().reported()).isEmpty();
 
             nao.act();
 
-            assertThat(nao.clockwork().mistakes().reported())
+            assertThat(nao.runtime().diagnostics().reported())
                     .singleElement()
                     .asString()
                     .contains(
@@ -154,7 +154,7 @@ class StartDialogueTest {
             boolean running = nao.sense();
 
             assertThat(running).isFalse();
-            assertThat(nao.clockwork().mistakes().reported())
+            assertThat(nao.runtime().diagnostics().reported())
                     .singleElement()
                     .asString()
                     .contains("The robot has left the game: sense() was called after close().");

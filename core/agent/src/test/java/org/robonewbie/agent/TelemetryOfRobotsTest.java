@@ -118,7 +118,7 @@ class TelemetryOfRobotsTest {
         AgentDriver driver = new AgentDriver(artist);
 
         driver.respond(Messages.standing().build());
-        artist.clockwork().telemetry().publishTo(this::take);
+        artist.runtime().telemetry().publishTo(this::take);
         driver.respond(Messages.standing().build());
 
         assertThat(told).hasSize(1);
@@ -154,7 +154,7 @@ class TelemetryOfRobotsTest {
     }
 
     private AgentDriver watched(Agent agent) {
-        agent.clockwork().telemetry().publishTo(this::take);
+        agent.runtime().telemetry().publishTo(this::take);
         return new AgentDriver(agent);
     }
 

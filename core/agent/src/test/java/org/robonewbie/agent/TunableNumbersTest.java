@@ -12,7 +12,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.agent.log.Diagnostics;
 
 class TunableNumbersTest {
 
@@ -20,7 +20,7 @@ class TunableNumbersTest {
     private Path folder;
 
     private final ByteArrayOutputStream told = new ByteArrayOutputStream();
-    private final Mistakes mistakes = new Mistakes(new PrintStream(told, true, StandardCharsets.UTF_8));
+    private final Diagnostics diagnostics = new Diagnostics(new PrintStream(told, true, StandardCharsets.UTF_8));
 
     @Test
     void numberHasItsUsualValue() {
@@ -82,7 +82,7 @@ class TunableNumbersTest {
 
     @Test
     void rangeWithoutTheUsualValueIsRefused() {
-        TunableNumbers numbers = TunableNumbers.of(folder.resolve("Nobody").toString(), mistakes);
+        TunableNumbers numbers = TunableNumbers.of(folder.resolve("Nobody").toString(), diagnostics);
 
         assertThatThrownBy(() -> numbers.declare("stride", 1, 2, 3))
                 .isInstanceOf(IllegalArgumentException.class)
@@ -94,7 +94,7 @@ class TunableNumbersTest {
 
     private TunableNumbers ofFile(String text) throws IOException {
         Files.writeString(folder.resolve("Walker.numbers"), text);
-        return TunableNumbers.of(folder.resolve("Walker").toString(), mistakes);
+        return TunableNumbers.of(folder.resolve("Walker").toString(), diagnostics);
     }
 
     private String told() {

@@ -10,19 +10,19 @@ import org.robonewbie.simulator.recording.RecordingTarget;
  *
  * <pre>{@code
  * Challenge challenge = new KickTask();
- * challenge.play(12, seed, RobotStart.TEAM, () -> Performer.ofAgent(new MyKick()), Audience.NOBODY, RecordingTarget.NONE);
+ * challenge.play(12, seed, RobotStart.TEAM, () -> Controller.ofAgent(new MyKick()), TrialListener.NONE, RecordingTarget.NONE);
  * double points = challenge.value();
  * }</pre>
  */
-public interface Challenge extends Measure, Script {
+public interface Challenge extends Measure, TrialHook {
 
     /**
      * Sets the scene. Robots of the team {@link RobotStart#TEAM} are moved by the program that is challenged, others hold still.
      *
-     * @param chance what differs from seed to seed
+     * @param random what differs from seed to seed
      * @return the scene
      */
-    Scene scene(Chance chance);
+    Scene scene(RandomSource random);
 
     /**
      * Completes the scene when the robots have taken their first postures.
@@ -45,8 +45,8 @@ public interface Challenge extends Measure, Script {
      * @param seconds simulated time of the trial
      * @param seed what is left to chance
      * @param team name of those who are challenged
-     * @param contender makes the performer of each challenged robot when it enters
-     * @param audience sees each cycle
+     * @param contender makes the controller of each challenged robot when it enters
+     * @param listener sees each cycle
      * @param recording where a recording of the trial goes
      * @return simulated seconds after which it was over
      */
@@ -54,10 +54,10 @@ public interface Challenge extends Measure, Script {
             double seconds,
             long seed,
             String team,
-            Supplier<? extends Performer> contender,
-            Audience audience,
+            Supplier<? extends Controller> contender,
+            TrialListener listener,
             RecordingTarget recording) {
-        try (ChallengeTrial played = new ChallengeTrial(this, seconds, seed, team, contender, audience, recording)) {
+        try (ChallengeTrial played = new ChallengeTrial(this, seconds, seed, team, contender, listener, recording)) {
             while (!played.isOver()) {
                 played.step();
             }

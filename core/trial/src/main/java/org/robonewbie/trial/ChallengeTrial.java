@@ -10,7 +10,7 @@ import org.robonewbie.simulator.recording.RecordingTarget;
  * neither thread nor clock.
  *
  * <pre>{@code
- * try (ChallengeTrial trial = new ChallengeTrial(challenge, 12, seed, RobotStart.TEAM, contender, Audience.NOBODY, RecordingTarget.NONE)) {
+ * try (ChallengeTrial trial = new ChallengeTrial(challenge, 12, seed, RobotStart.TEAM, contender, TrialListener.NONE, RecordingTarget.NONE)) {
  *     while (!trial.isOver()) {
  *         trial.step();
  *     }
@@ -30,8 +30,8 @@ public final class ChallengeTrial implements AutoCloseable {
      * @param mostSeconds simulated time of the trial
      * @param seed what is left to chance
      * @param team name of those who are challenged
-     * @param contender makes the performer of each challenged robot when it enters
-     * @param audience sees each cycle
+     * @param contender makes the controller of each challenged robot when it enters
+     * @param listener sees each cycle
      * @param recording where a recording of the trial goes
      */
     public ChallengeTrial(
@@ -39,16 +39,16 @@ public final class ChallengeTrial implements AutoCloseable {
             double mostSeconds,
             long seed,
             String team,
-            Supplier<? extends Performer> contender,
-            Audience audience,
+            Supplier<? extends Controller> contender,
+            TrialListener listener,
             RecordingTarget recording) {
         this.challenge = challenge;
         this.mostSeconds = mostSeconds;
-        Scene scene = challenge.scene(new Chance(seed));
+        Scene scene = challenge.scene(new RandomSource(seed));
         Iterator<RobotStart> robots = scene.robots().iterator();
-        Function<RobotStart, Performer> cast =
-                robot -> robots.next().team().equals(RobotStart.TEAM) ? contender.get() : Performer.ofSpeeds();
-        trial = Trial.observed(scene.withTeam(team), seed, audience, recording, cast);
+        Function<RobotStart, Controller> cast =
+                robot -> robots.next().team().equals(RobotStart.TEAM) ? contender.get() : Controller.ofSpeeds();
+        trial = Trial.observed(scene.withTeam(team), seed, listener, recording, cast);
         try {
             challenge.begin(trial);
             trial.with(challenge);

@@ -19,7 +19,7 @@ import org.robonewbie.simulator.world.Robot;
 
 /**
  * Readings taken from the world itself. Single values are rounded as messages round them; the whole message is written and read
- * as on its way to an agent, but only if a performer asks for it.
+ * as on its way to an agent, but only if a controller asks for it.
  */
 final class DirectReadings implements SensorReadings {
 

@@ -43,7 +43,7 @@ final class DirectWorld implements World {
         for (TrialBody body : bodies) {
             body.commands().forEach(command -> execute(body.robot(), command));
             body.setReadings(
-                    new DirectReadings(body.robot(), this, body.performer().readsMessages()));
+                    new DirectReadings(body.robot(), this, body.controller().readsMessages()));
         }
         simulator.world().step();
         cycles++;

@@ -7,7 +7,7 @@ package org.robonewbie.trial;
  * <pre>{@code
  * public final class Height implements Measure {
  *     private double metres;
- *     public void see(Moment moment) { metres = Math.max(metres, moment.robot().position().z()); }
+ *     public void see(WorldState moment) { metres = Math.max(metres, moment.robot().position().z()); }
  *     public double value() { return metres; }
  * }
  * }</pre>
@@ -19,9 +19,9 @@ public interface Measure {
     /**
      * Looks at the truth after a cycle; the first moment is the beginning of the trial.
      *
-     * @param moment what is true now
+     * @param state what is true now
      */
-    void see(Moment moment);
+    void see(WorldState state);
 
     /** {@return what has been measured so far, in the measure's unit; always a number} */
     double value();

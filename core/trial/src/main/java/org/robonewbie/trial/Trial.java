@@ -23,11 +23,11 @@ import org.robonewbie.simulator.world.Ball;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * Robots that try something: a {@link Scene}, a {@link Performer} for each of its robots, and a seed. Equal trials run equally,
- * to the bit; the world waits for every performer.
+ * Robots that try something: a {@link Scene}, a {@link Controller} for each of its robots, and a seed. Equal trials run equally,
+ * to the bit; the world waits for every controller.
  *
  * <pre>{@code
- * try (Trial trial = Trial.direct(Scene.of(RobotStart.at(-3, 0)), 1, Performer.ofMotion(kick))) {
+ * try (Trial trial = Trial.direct(Scene.of(RobotStart.at(-3, 0)), 1, Controller.ofMotion(kick))) {
  *     Measure kick = new KickDistance();
  *     trial.run(10, kick);
  *     double metres = kick.value();
@@ -53,16 +53,16 @@ public final class Trial implements AutoCloseable {
 
     private final Scene scene;
     private final SteppedSimulator simulator;
-    private final Audience audience;
+    private final TrialListener listener;
     private final List<TrialBody> bodies = new ArrayList<>();
     private World world;
     private List<SensorReadings> firstReadings = List.of();
-    private Script script = trial -> {};
+    private TrialHook hook = trial -> {};
     private long cycles;
 
-    private Trial(Scene scene, long seed, Audience audience, RecordingTarget recording) {
+    private Trial(Scene scene, long seed, TrialListener listener, RecordingTarget recording) {
         this.scene = scene;
-        this.audience = audience;
+        this.listener = listener;
         WorldSettings settings = WorldSettings.beginner()
                 .withParameters(scene.parameters())
                 .withNoise(scene.noise())
@@ -77,12 +77,12 @@ public final class Trial implements AutoCloseable {
      *
      * @param scene where it begins
      * @param seed chooses all noise
-     * @param performers who moves each robot of the scene
+     * @param controllers who moves each robot of the scene
      * @return the trial at its beginning
      */
-    public static Trial served(Scene scene, long seed, Performer... performers) {
-        Iterator<Performer> all = each(scene, performers);
-        return observed(scene, seed, Audience.NOBODY, RecordingTarget.NONE, start -> all.next());
+    public static Trial served(Scene scene, long seed, Controller... controllers) {
+        Iterator<Controller> all = each(scene, controllers);
+        return observed(scene, seed, TrialListener.NONE, RecordingTarget.NONE, start -> all.next());
     }
 
     /**
@@ -90,7 +90,7 @@ public final class Trial implements AutoCloseable {
      *
      * @param scene where it begins
      * @param seed chooses all noise
-     * @param audience sees each cycle
+     * @param listener sees each cycle
      * @param recording where a recording of the trial goes
      * @param cast chooses who moves a robot when it enters
      * @return the trial at its beginning
@@ -98,10 +98,10 @@ public final class Trial implements AutoCloseable {
     public static Trial observed(
             Scene scene,
             long seed,
-            Audience audience,
+            TrialListener listener,
             RecordingTarget recording,
-            Function<RobotStart, ? extends Performer> cast) {
-        Trial trial = new Trial(scene, seed, audience, recording);
+            Function<RobotStart, ? extends Controller> cast) {
+        Trial trial = new Trial(scene, seed, listener, recording);
         trial.begin(cast, trial.world);
         return trial;
     }
@@ -111,25 +111,25 @@ public final class Trial implements AutoCloseable {
      *
      * @param scene where it begins
      * @param seed chooses all noise
-     * @param performers who moves each robot of the scene
+     * @param controllers who moves each robot of the scene
      * @return the trial at its beginning
      */
-    public static Trial direct(Scene scene, long seed, Performer... performers) {
-        Iterator<Performer> all = each(scene, performers);
-        Trial trial = new Trial(scene, seed, Audience.NOBODY, RecordingTarget.NONE);
+    public static Trial direct(Scene scene, long seed, Controller... controllers) {
+        Iterator<Controller> all = each(scene, controllers);
+        Trial trial = new Trial(scene, seed, TrialListener.NONE, RecordingTarget.NONE);
         trial.begin(start -> all.next(), new DirectWorld(trial.simulator, scene.noise(), seed));
         return trial;
     }
 
-    private static Iterator<Performer> each(Scene scene, Performer... performers) {
-        if (performers.length != scene.robots().size()) {
-            throw new IllegalArgumentException(performers.length + " performers for "
-                    + scene.robots().size() + " robots. Give one performer for each robot of the scene.");
+    private static Iterator<Controller> each(Scene scene, Controller... controllers) {
+        if (controllers.length != scene.robots().size()) {
+            throw new IllegalArgumentException(controllers.length + " controllers for "
+                    + scene.robots().size() + " robots. Give one controller for each robot of the scene.");
         }
-        return List.of(performers).iterator();
+        return List.of(controllers).iterator();
     }
 
-    private void begin(Function<RobotStart, ? extends Performer> cast, World played) {
+    private void begin(Function<RobotStart, ? extends Controller> cast, World played) {
         try {
             for (RobotStart start : scene.robots()) {
                 enter(start, cast.apply(start));
@@ -145,14 +145,14 @@ public final class Trial implements AutoCloseable {
     }
 
     /** Admits a robot and moves it to its place, where it settles with all joints at 0. */
-    private void enter(RobotStart start, Performer performer) {
+    private void enter(RobotStart start, Controller controller) {
         AgentLink link = simulator.connect();
         TrialBody.create(link, start.type());
         for (int i = 0; i < CYCLES_TO_APPEAR; i++) {
             exchange();
         }
-        TrialBody body =
-                new TrialBody(link, start, simulator.world().robots().get(bodies.size()), introduced(start, performer));
+        TrialBody body = new TrialBody(
+                link, start, simulator.world().robots().get(bodies.size()), introduced(start, controller));
         bodies.add(body);
         body.join();
         exchange();
@@ -160,25 +160,25 @@ public final class Trial implements AutoCloseable {
         move(body, start.place());
         for (int i = 0; i < CYCLES_TO_SETTLE; i++) {
             if (i < CYCLES_TO_JOIN || i >= CYCLES_TO_SETTLE - CYCLES_TO_WAKE) {
-                performer.awake(body.readings());
+                controller.awake(body.readings());
             }
             exchange();
         }
     }
 
-    private Performer introduced(RobotStart start, Performer performer) {
+    private Controller introduced(RobotStart start, Controller controller) {
         boolean first = start.team().equals(scene.robots().get(0).team());
-        performer.embody(start.type());
-        performer.introduce(start.team(), start.number(), first ? TeamSide.LEFT : TeamSide.RIGHT);
-        return performer;
+        controller.embody(start.type());
+        controller.introduce(start.team(), start.number(), first ? TeamSide.LEFT : TeamSide.RIGHT);
+        return controller;
     }
 
     /** Plays the first motions of one robot while the others hold still. */
     private void playPrelude(TrialBody body) {
-        Performer own = body.performer();
+        Controller own = body.controller();
         for (Motion motion : body.start().prelude()) {
-            Performer player = Performer.ofMotion(motion);
-            body.setPerformer(player);
+            Controller player = Controller.ofMotion(motion);
+            body.setController(player);
             do {
                 perform(body);
             } while (!player.isFinished());
@@ -186,7 +186,7 @@ public final class Trial implements AutoCloseable {
                 perform(body);
             }
         }
-        body.setPerformer(own);
+        body.setController(own);
     }
 
     private void perform(TrialBody only) {
@@ -202,7 +202,7 @@ public final class Trial implements AutoCloseable {
 
     private void cycle() {
         world.cycle(bodies);
-        audience.cycleEnded(this);
+        listener.cycleEnded(this);
     }
 
     /**
@@ -214,15 +214,15 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
-     * Runs all performers and the world for one cycle.
+     * Runs all controllers and the world for one cycle.
      *
      * @return the true state afterwards
      */
-    public Moment step() {
+    public WorldState step() {
         bodies.forEach(TrialBody::perform);
         cycles++;
         cycle();
-        script.act(this);
+        hook.act(this);
         return now();
     }
 
@@ -238,30 +238,30 @@ public final class Trial implements AutoCloseable {
      * do this.
      *
      * @param seed chooses all noise from now on
-     * @param performers who moves each robot from now on
+     * @param controllers who moves each robot from now on
      */
-    public void reset(long seed, Performer... performers) {
-        Iterator<Performer> all = each(scene, performers);
+    public void reset(long seed, Controller... controllers) {
+        Iterator<Controller> all = each(scene, controllers);
         world.reset(seed);
         setGrip(1);
         bodies.forEach(body -> body.robot().setMassFactor(1));
-        script = trial -> {};
+        hook = trial -> {};
         cycles = 0;
         for (int i = 0; i < bodies.size(); i++) {
             TrialBody body = bodies.get(i);
-            body.setPerformer(introduced(body.start(), all.next()));
+            body.setController(introduced(body.start(), all.next()));
             body.setReadings(firstReadings.get(i));
         }
     }
 
     /**
-     * Adds a script for what no performer does, such as pushes or a shot.
+     * Adds a hook for what no controller does, such as pushes or a shot.
      *
-     * @param newScript acts after each cycle from now on
+     * @param newHook acts after each cycle from now on
      * @return this trial
      */
-    public Trial with(Script newScript) {
-        script = newScript;
+    public Trial with(TrialHook newHook) {
+        hook = newHook;
         return this;
     }
 
@@ -282,18 +282,18 @@ public final class Trial implements AutoCloseable {
      */
     public void run(double seconds, Measure... measures) {
         List<Measure> all = List.of(measures);
-        Moment beginning = now();
+        WorldState beginning = now();
         all.forEach(measure -> measure.see(beginning));
         while (seconds() < seconds && all.stream().noneMatch(Measure::isDecided)) {
-            Moment moment = step();
-            all.forEach(measure -> measure.see(moment));
+            WorldState state = step();
+            all.forEach(measure -> measure.see(state));
         }
     }
 
     /** {@return what is true now} */
-    public Moment now() {
+    public WorldState now() {
         MatchState game = simulator.match().state();
-        return new Moment(
+        return new WorldState(
                 seconds(),
                 bodies.stream().map(body -> body.robot().body()).toList(),
                 ball().position(),
@@ -334,7 +334,7 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
-     * Returns what a robot senses, which its performer will answer in the next cycle.
+     * Returns what a robot senses, which its controller will answer in the next cycle.
      *
      * @param index its index in the scene
      * @return the readings, valid until the next cycle

@@ -22,17 +22,17 @@ final class TrialBody {
     private final MessageBuffer answer = new MessageBuffer();
     private final EffectorMessageWriter writer = new EffectorMessageWriter(answer);
     private final Robot robot;
-    private Performer performer;
+    private Controller controller;
     private SensorReadings readings = new TextReadings(received);
     private List<EffectorCommand> commands = List.of();
     private boolean mayBeam;
 
     /** Takes over a connection whose robot has just appeared. */
-    TrialBody(AgentLink link, RobotStart start, Robot robot, Performer performer) {
+    TrialBody(AgentLink link, RobotStart start, Robot robot, Controller controller) {
         this.link = link;
         this.start = start;
         this.robot = robot;
-        this.performer = performer;
+        this.controller = controller;
         receive();
     }
 
@@ -57,12 +57,12 @@ final class TrialBody {
         return robot;
     }
 
-    Performer performer() {
-        return performer;
+    Controller controller() {
+        return controller;
     }
 
-    void setPerformer(Performer other) {
-        performer = other;
+    void setController(Controller other) {
+        controller = other;
     }
 
     SensorReadings readings() {
@@ -73,7 +73,7 @@ final class TrialBody {
         readings = others;
     }
 
-    /** What the performer has commanded in this cycle. */
+    /** What the controller has commanded in this cycle. */
     List<EffectorCommand> commands() {
         return commands;
     }
@@ -83,9 +83,9 @@ final class TrialBody {
         mayBeam = true;
     }
 
-    /** Sends the performer's answer to the last readings; beams are ignored unless the trial allows them. */
+    /** Sends the controller's answer to the last readings; beams are ignored unless the trial allows them. */
     void perform() {
-        commands = performer.respond(readings).stream()
+        commands = controller.respond(readings).stream()
                 .filter(command -> !(command instanceof EffectorCommand.Synchronise))
                 .filter(command -> mayBeam || !(command instanceof EffectorCommand.Beam))
                 .toList();
@@ -120,7 +120,7 @@ final class TrialBody {
 
     void close() {
         link.close();
-        performer.close();
+        controller.close();
     }
 
     private static void send(AgentLink link, MessageBuffer message) {

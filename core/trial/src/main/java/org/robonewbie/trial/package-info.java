@@ -4,7 +4,7 @@
  *
  * <pre>{@code
  * Scene scene = Scene.of(RobotStart.at(-3, 0).after(stand)).withBall(-2.8, 0.04);
- * try (Trial trial = Trial.direct(scene, seed, Performer.ofMotion(motion))) {
+ * try (Trial trial = Trial.direct(scene, seed, Controller.ofMotion(motion))) {
  *     Measure kick = new KickDistance();
  *     trial.run(10, kick, new Upright());
  *     return kick.value();

@@ -16,7 +16,7 @@ class BeamTest {
 
     @Test
     void robotStaysWhereTheSceneSaysUntilBeamsAreAllowed() {
-        Performer beaming = readings -> List.of(new EffectorCommand.Beam(-3, 1, 0));
+        Controller beaming = readings -> List.of(new EffectorCommand.Beam(-3, 1, 0));
         try (Trial trial = Trial.served(Scene.of(RobotStart.at(-2, 0)), 1, beaming)) {
             trial.order(new Order.ChangePlayMode(PlayMode.BEFORE_KICK_OFF));
             double before = xAfterSomeCycles(trial);

@@ -164,21 +164,21 @@ class MeasuresTest {
         assertThat(measure).isInstanceOf(Turn.class);
     }
 
-    private double value(String name, Moment... moments) {
+    private double value(String name, WorldState... states) {
         Measure measure = Measures.named(name, getClass().getClassLoader()).get();
-        List.of(moments).forEach(measure::see);
+        List.of(states).forEach(measure::see);
         return measure.value();
     }
 
-    private static Moment at(double seconds, double x, double y, double tiltDegrees) {
+    private static WorldState at(double seconds, double x, double y, double tiltDegrees) {
         return moment(seconds, pose(x, y, 0.38, 0, tiltDegrees), ASIDE, Vector3.ZERO, 0);
     }
 
-    private static Moment lifted(double metres) {
+    private static WorldState lifted(double metres) {
         return moment(0, pose(0, 0, 0.38 + metres, 0, 0), ASIDE, Vector3.ZERO, 0);
     }
 
-    private static Moment ball(double seconds, Vector3 place, Vector3 velocity, int goals) {
+    private static WorldState ball(double seconds, Vector3 place, Vector3 velocity, int goals) {
         return moment(seconds, pose(0, 0, 0.38, 0, 0), place, velocity, goals);
     }
 
@@ -186,8 +186,8 @@ class MeasuresTest {
         return new Pose(new Vector3(x, y, height), Rotation.ofYawPitchRoll(headingDegrees, tiltDegrees, 0));
     }
 
-    private static Moment moment(double seconds, Pose torso, Vector3 ball, Vector3 velocity, int goals) {
+    private static WorldState moment(double seconds, Pose torso, Vector3 ball, Vector3 velocity, int goals) {
         BodyState body = BodyState.of(RobotType.TYPE_0, torso, Posture.ZERO);
-        return new Moment(seconds, List.of(body), ball, velocity, PlayMode.PLAY_ON, goals, 0);
+        return new WorldState(seconds, List.of(body), ball, velocity, PlayMode.PLAY_ON, goals, 0);
     }
 }

@@ -33,7 +33,7 @@ class OneMotionPlayerTest {
 
     private static Trial trial() {
         Scene scene = Scene.of(RobotStart.at(0, 0)).withBall(-5, -3.5).withoutNoise();
-        return Trial.direct(scene, 1, Performer.ofSpeeds());
+        return Trial.direct(scene, 1, Controller.ofSpeeds());
     }
 
     static Stream<String> shippedMotions() {
@@ -64,9 +64,9 @@ class OneMotionPlayerTest {
     }
 
     private void assertPlayedAlike(Motion motion) {
-        Performer player = Performer.ofMotion(motion);
+        Controller player = Controller.ofMotion(motion);
         alone.reset(1, player);
-        agents.reset(1, Performer.ofAgent(quiet(motion)));
+        agents.reset(1, Controller.ofAgent(quiet(motion)));
         for (int cycles = CYCLES_AFTERWARDS; cycles > 0; cycles -= player.isFinished() ? 1 : 0) {
             alone.step();
             agents.step();

@@ -26,7 +26,7 @@ class ResetTest {
     @Test
     void resetTrialIsAtItsBeginning() {
         try (Trial trial = Trial.direct(scene, 1, kick())) {
-            Moment beginning = trial.now();
+            WorldState beginning = trial.now();
             trial.run(2);
 
             trial.reset(1, kick());
@@ -41,11 +41,11 @@ class ResetTest {
     void resetReturnsToTheMomentThatWasKept() {
         try (Trial trial = Trial.direct(scene, 1, kick())) {
             trial.run(2);
-            Moment kept = trial.now();
+            WorldState kept = trial.now();
             trial.keep();
             trial.run(1);
 
-            trial.reset(1, Performer.ofSpeeds());
+            trial.reset(1, Controller.ofSpeeds());
 
             assertThat(trial.seconds()).isZero();
             assertThat(trial.now().ball()).isEqualTo(kept.ball());
@@ -53,31 +53,31 @@ class ResetTest {
         }
     }
 
-    private static Performer kick() {
-        return Performer.ofMotion(ShippedMotions.motion("kick-left"));
+    private static Controller kick() {
+        return Controller.ofMotion(ShippedMotions.motion("kick-left"));
     }
 
     private static List<String> run(Trial trial) {
         List<String> states = new ArrayList<>();
         while (trial.seconds() < 3) {
-            Moment moment = trial.step();
-            states.add(moment.ball() + " " + moment.robot().torso());
+            WorldState state = trial.step();
+            states.add(state.ball() + " " + state.robot().torso());
         }
         return states;
     }
 
     @Test
     void gripAndMassChangeUntilTheTrialIsReset() {
-        try (Trial trial = Trial.direct(Scene.of(RobotStart.at(0, 0)), 1, Performer.ofSpeeds())) {
+        try (Trial trial = Trial.direct(Scene.of(RobotStart.at(0, 0)), 1, Controller.ofSpeeds())) {
             double usual = slide(trial);
 
-            trial.reset(1, Performer.ofSpeeds());
+            trial.reset(1, Controller.ofSpeeds());
             trial.setGrip(0.1);
             double slippery = slide(trial);
-            trial.reset(1, Performer.ofSpeeds());
+            trial.reset(1, Controller.ofSpeeds());
             trial.robot(0).setMassFactor(2);
             double heavy = slide(trial);
-            trial.reset(1, Performer.ofSpeeds());
+            trial.reset(1, Controller.ofSpeeds());
 
             assertThat(slippery).isGreaterThan(2 * usual);
             assertThat(heavy).isNotEqualTo(usual);

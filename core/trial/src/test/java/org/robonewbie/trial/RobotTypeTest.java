@@ -16,7 +16,7 @@ class RobotTypeTest {
     void agentKnowsHowItIsBuilt(RobotType type) {
         Curious agent = new Curious();
 
-        try (Trial trial = Trial.served(Scene.of(RobotStart.at(0, 0).withType(type)), 1, Performer.ofAgent(agent))) {
+        try (Trial trial = Trial.served(Scene.of(RobotStart.at(0, 0).withType(type)), 1, Controller.ofAgent(agent))) {
             trial.run(0.1);
         }
 

@@ -22,19 +22,19 @@ class SameRobotTest {
 
     private static final double SECONDS = 60;
 
-    static Stream<Arguments> performers() {
+    static Stream<Arguments> controllers() {
         return Stream.of(
-                Arguments.of("a motion", (Supplier<Performer>) () -> Performer.ofMotion(longWalk())),
-                Arguments.of("a walk", (Supplier<Performer>) () -> Performer.ofWalk(0.2, 0.02, 30)),
-                Arguments.of("joint speeds", (Supplier<Performer>) SameRobotTest::swing));
+                Arguments.of("a motion", (Supplier<Controller>) () -> Controller.ofMotion(longWalk())),
+                Arguments.of("a walk", (Supplier<Controller>) () -> Controller.ofWalk(0.2, 0.02, 30)),
+                Arguments.of("joint speeds", (Supplier<Controller>) SameRobotTest::swing));
     }
 
     @ParameterizedTest(name = "{0}")
-    @MethodSource("performers")
-    void directAndServedWorldGiveTheSameRobot(String name, Supplier<Performer> performer) {
+    @MethodSource("controllers")
+    void directAndServedWorldGiveTheSameRobot(String name, Supplier<Controller> controller) {
         Scene scene = scene();
-        try (Trial direct = Trial.direct(scene, 1, performer.get());
-                Trial served = Trial.served(scene, 1, performer.get())) {
+        try (Trial direct = Trial.direct(scene, 1, controller.get());
+                Trial served = Trial.served(scene, 1, controller.get())) {
             while (direct.seconds() < SECONDS) {
                 direct.step();
                 served.step();
@@ -52,8 +52,8 @@ class SameRobotTest {
         List<List<Double>> direct = new ArrayList<>();
         List<List<Double>> served = new ArrayList<>();
 
-        try (Trial one = Trial.direct(scene(), 1, Performer.ofAgent(new Feeling(direct)));
-                Trial other = Trial.served(scene(), 1, Performer.ofAgent(new Feeling(served)))) {
+        try (Trial one = Trial.direct(scene(), 1, Controller.ofAgent(new Feeling(direct)));
+                Trial other = Trial.served(scene(), 1, Controller.ofAgent(new Feeling(served)))) {
             one.run(5);
             other.run(5);
         }
@@ -96,9 +96,9 @@ class SameRobotTest {
         return new Motion("long walk", keyframes);
     }
 
-    private static Performer swing() {
+    private static Controller swing() {
         double[] cycle = {0};
-        return Performer.ofPolicy(readings -> {
+        return Controller.ofPolicy(readings -> {
             double[] speeds = new double[Joint.COUNT];
             for (Joint joint : Joint.values()) {
                 speeds[joint.ordinal()] = 200 * Math.sin(cycle[0] / 7 + joint.ordinal())

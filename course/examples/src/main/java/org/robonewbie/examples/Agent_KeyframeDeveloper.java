@@ -20,7 +20,7 @@ import org.robonewbie.nao.motion.file.ShippedMotions;
 public final class Agent_KeyframeDeveloper extends Agent {
 
     private static final double PAUSE_SECONDS = 2;
-    private static final String USUAL_NAME = "my-motion";
+    private static final String DEFAULT_NAME = "my-motion";
 
     private FileTime played = FileTime.fromMillis(0);
     private double restSince;
@@ -60,7 +60,7 @@ public final class Agent_KeyframeDeveloper extends Agent {
 
     private String name() {
         return options().arguments().isEmpty()
-                ? USUAL_NAME
+                ? DEFAULT_NAME
                 : options().arguments().get(0).replaceFirst("\\.txt$", "");
     }
 

@@ -15,7 +15,7 @@ import org.robonewbie.agent.perception.HeardMessage;
  */
 public final class Agent_SoccerTeam extends Agent_SimpleSoccer {
 
-    private static final String USUAL_PLAYERS = "3";
+    private static final String DEFAULT_PLAYERS = "3";
     private static final double KEEPER_LEAVES_GOAL_METRES = 2;
     private static final double FACING_DEGREES = 15;
     private static final double MEMORY_SECONDS = 2;
@@ -46,7 +46,7 @@ public final class Agent_SoccerTeam extends Agent_SimpleSoccer {
     }
 
     private static int players(String[] args) {
-        String players = args.length > 0 && !args[0].startsWith("-") ? args[0] : USUAL_PLAYERS;
+        String players = args.length > 0 && !args[0].startsWith("-") ? args[0] : DEFAULT_PLAYERS;
         if (!players.matches("[1-9]|1[01]")) {
             System.err.println("A team has 1 to 11 players, not \"" + players + "\".");
             System.exit(2);

@@ -5,12 +5,12 @@ import java.util.Locale;
 import java.util.stream.IntStream;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Raise the arm on whose side another robot stands; that robot stands somewhere else every three seconds.
@@ -24,14 +24,14 @@ final class ArmBySideTask implements Task {
     private static final double DOWN_DEGREES = 20;
 
     private List<Integer> sides = List.of(1, -1, 0, 1, -1, 0);
-    private Chance places = new Chance(0);
+    private RandomSource places = new RandomSource(0);
     private final boolean[] wrong = new boolean[6];
     private int phase = -1;
 
     @Override
-    public Scene scene(Chance chance) {
-        places = chance;
-        sides = chance.shuffled(sides);
+    public Scene scene(RandomSource random) {
+        places = random;
+        sides = random.shuffled(sides);
         return Scene.of(RobotStart.at(STUDENT), RobotStart.at(-5, 2).withTeam("Others", 2));
     }
 
@@ -49,11 +49,11 @@ final class ArmBySideTask implements Task {
     }
 
     @Override
-    public void see(Moment moment) {
-        int now = phase(moment.seconds());
-        if (moment.seconds() - now * PHASE_SECONDS > JUDGED_FROM_SECONDS) {
-            double left = moment.robot().degrees(Joint.LEFT_SHOULDER_PITCH);
-            double right = moment.robot().degrees(Joint.RIGHT_SHOULDER_PITCH);
+    public void see(WorldState state) {
+        int now = phase(state.seconds());
+        if (state.seconds() - now * PHASE_SECONDS > JUDGED_FROM_SECONDS) {
+            double left = state.robot().degrees(Joint.LEFT_SHOULDER_PITCH);
+            double right = state.robot().degrees(Joint.RIGHT_SHOULDER_PITCH);
             wrong[now] |= isWrong(left, sides.get(now) > 0) || isWrong(right, sides.get(now) < 0);
         }
     }

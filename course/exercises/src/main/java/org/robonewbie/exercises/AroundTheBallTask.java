@@ -3,11 +3,11 @@ package org.robonewbie.exercises;
 import java.util.Locale;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Walk once around the ball, without touching it and without losing it.
@@ -27,25 +27,25 @@ final class AroundTheBallTask implements Task {
     private double seconds;
 
     @Override
-    public Scene scene(Chance chance) {
+    public Scene scene(RandomSource random) {
         return Scene.of(RobotStart.at(STUDENT).after("stand"))
-                .withBall(STUDENT.point(chance.between(1, 1.6), chance.side() * chance.between(20, 45), 0));
+                .withBall(STUDENT.point(random.between(1, 1.6), random.side() * random.between(20, 45), 0));
     }
 
     @Override
-    public void see(Moment moment) {
-        double direction = direction(moment);
-        if (moment.seconds() == 0) {
-            ballStart = moment.ball();
+    public void see(WorldState state) {
+        double direction = direction(state);
+        if (state.seconds() == 0) {
+            ballStart = state.ball();
             directionBefore = direction;
         }
-        if (moment.place().distance(moment.ball()) <= NEAR_METRES) {
+        if (state.place().distance(state.ball()) <= NEAR_METRES) {
             turned += PortableMath.IEEEremainder(direction - directionBefore, 360);
         }
         directionBefore = direction;
-        moved = Math.max(moved, moment.ball().distanceTo(ballStart));
-        farthest = Math.max(farthest, moment.place().distance(ballStart));
-        seconds = moment.seconds();
+        moved = Math.max(moved, state.ball().distanceTo(ballStart));
+        farthest = Math.max(farthest, state.place().distance(ballStart));
+        seconds = state.seconds();
     }
 
     @Override
@@ -80,9 +80,9 @@ final class AroundTheBallTask implements Task {
                                 + " three at once.");
     }
 
-    private static double direction(Moment moment) {
-        Place here = moment.place();
-        Vector3 ball = moment.ball();
+    private static double direction(WorldState state) {
+        Place here = state.place();
+        Vector3 ball = state.ball();
         return PortableMath.toDegrees(PortableMath.atan2(here.y() - ball.y(), here.x() - ball.x()));
     }
 }

@@ -14,12 +14,12 @@ import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.nao.motion.file.ShippedMotions;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Report where the ball is while the head turns and the body leans: neither the simple sum of neck and camera angles is exact
@@ -47,11 +47,11 @@ final class BallDirectionTask implements Task {
     private int words;
 
     @Override
-    public Scene scene(Chance chance) {
-        double lean = chance.between(14, 20);
-        double bearing = chance.side() * chance.between(20, 40);
+    public Scene scene(RandomSource random) {
+        double lean = random.between(14, 20);
+        double bearing = random.side() * random.between(20, 40);
         return Scene.of(RobotStart.at(STUDENT).after(ShippedMotions.motion("stand"), leaning(lean)))
-                .withBall(STUDENT.point(chance.between(1, 2), bearing, 0));
+                .withBall(STUDENT.point(random.between(1, 2), bearing, 0));
     }
 
     /** Bends the robot forward in the hips; the ankles take the weight back over the feet. */
@@ -76,23 +76,23 @@ final class BallDirectionTask implements Task {
     }
 
     @Override
-    public void see(Moment moment) {
-        BodyState robot = moment.robot();
+    public void see(WorldState state) {
+        BodyState robot = state.robot();
         lowYaw = Math.min(lowYaw, robot.degrees(Joint.NECK_YAW));
         highYaw = Math.max(highYaw, robot.degrees(Joint.NECK_YAW));
         lowPitch = Math.min(lowPitch, robot.degrees(Joint.NECK_PITCH));
         highPitch = Math.max(highPitch, robot.degrees(Joint.NECK_PITCH));
         said.map(WORDS::matcher).filter(Matcher::matches).ifPresent(match -> {
             words++;
-            sumOfErrors += Math.abs(Double.parseDouble(match.group(1)) - bearing(moment));
+            sumOfErrors += Math.abs(Double.parseDouble(match.group(1)) - bearing(state));
         });
     }
 
     /** The ball's direction on the ground from below the head, against the direction in which the torso faces. */
-    private static double bearing(Moment moment) {
-        BodyState robot = moment.robot();
+    private static double bearing(WorldState state) {
+        BodyState robot = state.robot();
         Vector3 head = robot.torso().transform(HEAD);
-        return new Place(head.x(), head.y(), robot.headingDegrees()).bearing(moment.ball());
+        return new Place(head.x(), head.y(), robot.headingDegrees()).bearing(state.ball());
     }
 
     @Override

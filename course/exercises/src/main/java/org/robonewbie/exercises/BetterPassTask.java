@@ -6,12 +6,12 @@ import java.util.List;
 import java.util.Locale;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Number 1 passes to the one of two team mates to whom the way is free. First an opponent stands before the nearer mate, then before
@@ -44,10 +44,10 @@ final class BetterPassTask implements Task {
     }
 
     @Override
-    public Scene scene(Chance chance) {
-        int nearSide = chance.isSeedOdd() ? 1 : -1;
-        Place near = mate(nearSide * chance.between(38, 44), chance.between(1.5, 1.6));
-        Place far = mate(-nearSide * chance.between(38, 44), chance.between(1.8, 1.9));
+    public Scene scene(RandomSource random) {
+        int nearSide = random.isSeedOdd() ? 1 : -1;
+        Place near = mate(nearSide * random.between(38, 44), random.between(1.5, 1.6));
+        Place far = mate(-nearSide * random.between(38, 44), random.between(1.8, 1.9));
         starts.add(List.of(PASSER, near, far, before(near)));
         starts.add(List.of(PASSER, near, far, before(far)));
         return Scene.of(
@@ -86,16 +86,16 @@ final class BetterPassTask implements Task {
     }
 
     @Override
-    public void see(Moment moment) {
+    public void see(WorldState state) {
         List<Place> places = starts.get(pass);
         for (int i = 0; i < places.size() && nearest[pass] > REACHED_METRES; i++) {
             strayed = Math.max(
-                    strayed, places.get(i).distance(moment.robots().get(i).position()));
+                    strayed, places.get(i).distance(state.robots().get(i).position()));
         }
-        stopped |= places.get(OPPONENT).distance(moment.ball()) < STOPPED_METRES;
+        stopped |= places.get(OPPONENT).distance(state.ball()) < STOPPED_METRES;
         if (!stopped) {
             Place free = places.get(freeMate(pass));
-            nearest[pass] = Math.min(nearest[pass], free.distance(moment.ball()));
+            nearest[pass] = Math.min(nearest[pass], free.distance(state.ball()));
         }
     }
 

@@ -10,12 +10,12 @@ import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Dance on the spot to the beat of a ball that swings to and fro: at least three limbs, in the rhythm of the ball, no fall.
@@ -66,9 +66,9 @@ final class DanceTask implements Task {
     }
 
     @Override
-    public Scene scene(Chance chance) {
-        start = new Place(chance.between(-3, -1), chance.between(-2, 2), chance.between(-180, 180));
-        period = 1.6 + 0.5 * Math.floorMod(chance.seed(), 3L) + chance.between(0, 0.1);
+    public Scene scene(RandomSource random) {
+        start = new Place(random.between(-3, -1), random.between(-2, 2), random.between(-180, 180));
+        period = 1.6 + 0.5 * Math.floorMod(random.seed(), 3L) + random.between(0, 0.1);
         return Scene.of(RobotStart.at(start).after("stand")).withBall(start.point(BALL_METRES, 0, 0));
     }
 
@@ -79,14 +79,14 @@ final class DanceTask implements Task {
     }
 
     @Override
-    public void see(Moment moment) {
-        first = moment.seconds() == 0 ? moment.robot().position() : first;
-        travelled = Math.max(travelled, moment.place().distance(first));
-        fallen |= moment.robot().isFallen();
-        if (moment.seconds() > JUDGED_FROM_SECONDS) {
+    public void see(WorldState state) {
+        first = state.seconds() == 0 ? state.robot().position() : first;
+        travelled = Math.max(travelled, state.place().distance(first));
+        fallen |= state.robot().isFallen();
+        if (state.seconds() > JUDGED_FROM_SECONDS) {
             for (Joint joint : Joint.values()) {
                 angles.computeIfAbsent(joint, key -> new ArrayList<>())
-                        .add(moment.robot().degrees(joint));
+                        .add(state.robot().degrees(joint));
             }
         }
     }

@@ -2,11 +2,11 @@ package org.robonewbie.exercises;
 
 import java.util.Locale;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.WorldState;
 
 /** Bring the ball past an opponent on its left, without a kick and without touching it. The straight way goes by on its right. */
 final class DribblePastTask implements Task {
@@ -28,28 +28,28 @@ final class DribblePastTask implements Task {
     private boolean pushed;
 
     @Override
-    public Scene scene(Chance chance) {
-        double y = chance.between(0, 0.3);
-        opponent = new Place(chance.between(-0.5, -0.3), y + chance.between(0.15, 0.3), 180);
+    public Scene scene(RandomSource random) {
+        double y = random.between(0, 0.3);
+        opponent = new Place(random.between(-0.5, -0.3), y + random.between(0.15, 0.3), 180);
         return Scene.of(
-                        RobotStart.at(new Place(-3.2, y, chance.between(-10, 10)))
+                        RobotStart.at(new Place(-3.2, y, random.between(-10, 10)))
                                 .after("stand"),
                         RobotStart.at(opponent).after("stand").withTeam("Others", 2))
                 .withBall(START_X, y);
     }
 
     @Override
-    public void see(Moment moment) {
-        seconds = moment.seconds();
-        Vector3 ball = moment.ball();
+    public void see(WorldState state) {
+        seconds = state.seconds();
+        Vector3 ball = state.ball();
         if (!passed && ball.x() > opponent.x()) {
             passed = true;
             wrongSide = ball.y() - opponent.y() < BESIDE_METRES;
         }
         x = ball.x();
-        farthest = Math.max(farthest, moment.place().distance(ball));
+        farthest = Math.max(farthest, state.place().distance(ball));
         aside = Math.max(aside, Math.abs(ball.y()));
-        pushed |= opponent.distance(moment.robots().get(1).position()) > PUSHED_METRES;
+        pushed |= opponent.distance(state.robots().get(1).position()) > PUSHED_METRES;
     }
 
     @Override

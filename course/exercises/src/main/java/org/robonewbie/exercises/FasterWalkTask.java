@@ -3,11 +3,11 @@ package org.robonewbie.exercises;
 import java.util.Locale;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Walk further in 10 seconds than the framework's walk does with its own numbers. The fast walk, which is given too, does not count.
@@ -28,21 +28,21 @@ final class FasterWalkTask implements Task {
     private boolean fallen;
 
     @Override
-    public Scene scene(Chance chance) {
-        start = new Place(-5, chance.between(-2, 2), chance.between(-15, 15));
+    public Scene scene(RandomSource random) {
+        start = new Place(-5, random.between(-2, 2), random.between(-15, 15));
         return Scene.of(RobotStart.at(start).after("stand")).withBall(5.5, 3.7);
     }
 
     @Override
-    public void see(Moment moment) {
-        Vector3 torso = moment.robot().position();
+    public void see(WorldState state) {
+        Vector3 torso = state.robot().position();
         double direction = PortableMath.toRadians(start.bearing(torso));
         double way = start.distance(torso);
         metres = way * PortableMath.cos(direction);
         aside = Math.max(aside, Math.abs(way * PortableMath.sin(direction)));
-        fallen |= moment.robot().isFallen();
+        fallen |= state.robot().isFallen();
         if (metres > STARTING_METRES) {
-            gait.see(moment.robot());
+            gait.see(state.robot());
         }
     }
 

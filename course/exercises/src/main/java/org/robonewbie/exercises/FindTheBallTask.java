@@ -1,12 +1,12 @@
 package org.robonewbie.exercises;
 
 import java.util.Locale;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
-import org.robonewbie.trial.measure.Held;
+import org.robonewbie.trial.WorldState;
+import org.robonewbie.trial.measure.SustainedCondition;
 
 /**
  * Look for a ball that lies out of sight, and face it for a second.
@@ -19,21 +19,21 @@ final class FindTheBallTask implements Task {
     private static final double LIMIT_SECONDS = 8;
     private static final double QUICK_SECONDS = 5.5;
 
-    private final Held facing =
-            new Held(HELD_SECONDS, moment -> Math.abs(moment.place().bearing(moment.ball())) <= FACING_DEGREES);
+    private final SustainedCondition facing = new SustainedCondition(
+            HELD_SECONDS, state -> Math.abs(state.place().bearing(state.ball())) <= FACING_DEGREES);
     private double bearing;
 
     @Override
-    public Scene scene(Chance chance) {
-        double side = chance.isSeedOdd() ? 1 : -1;
+    public Scene scene(RandomSource random) {
+        double side = random.isSeedOdd() ? 1 : -1;
         return Scene.of(RobotStart.at(STUDENT).after("stand"))
-                .withBall(STUDENT.point(chance.between(1, 2.5), side * chance.between(100, 150), 0));
+                .withBall(STUDENT.point(random.between(1, 2.5), side * random.between(100, 150), 0));
     }
 
     @Override
-    public void see(Moment moment) {
-        bearing = moment.place().bearing(moment.ball());
-        facing.see(moment);
+    public void see(WorldState state) {
+        bearing = state.place().bearing(state.ball());
+        facing.see(state);
     }
 
     @Override

@@ -5,12 +5,12 @@ import java.util.Locale;
 import java.util.function.Predicate;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Three players take places around a ball that nobody touches: one at the ball, one between it and their goal, one free for a pass.
@@ -46,14 +46,14 @@ final class FormationTask implements Task {
     }
 
     @Override
-    public Scene scene(Chance chance) {
-        int side = chance.isSeedOdd() ? 1 : -1;
-        balls[0] = new Vector3(chance.between(-0.8, -0.3), side * chance.between(0.9, 1.3), 0);
-        balls[1] = new Vector3(chance.between(0.9, 1.3), -side * chance.between(1.2, 1.6), 0);
+    public Scene scene(RandomSource random) {
+        int side = random.isSeedOdd() ? 1 : -1;
+        balls[0] = new Vector3(random.between(-0.8, -0.3), side * random.between(0.9, 1.3), 0);
+        balls[1] = new Vector3(random.between(0.9, 1.3), -side * random.between(1.2, 1.6), 0);
         return Scene.of(
-                        player(1, -4, chance.between(-0.3, 0.3)),
-                        player(2, -3.5, chance.between(1.4, 1.8)),
-                        player(3, -3.5, -chance.between(1.4, 1.8)),
+                        player(1, -4, random.between(-0.3, 0.3)),
+                        player(2, -3.5, random.between(1.4, 1.8)),
+                        player(3, -3.5, -random.between(1.4, 1.8)),
                         RobotStart.at(opponent(balls[0])).after("stand").withTeam("Others", 2))
                 .withBall(balls[0]);
     }
@@ -79,21 +79,21 @@ final class FormationTask implements Task {
     }
 
     @Override
-    public void see(Moment moment) {
-        seconds = moment.seconds();
+    public void see(WorldState state) {
+        seconds = state.seconds();
         Vector3 ball = balls[scene];
         boolean settled = seconds - scene * SCENE_SECONDS > 0.5;
-        touched |= settled && level(moment.ball()).distanceTo(ball) > TOUCHED_METRES;
+        touched |= settled && level(state.ball()).distanceTo(ball) > TOUCHED_METRES;
         if (seconds > (scene + 1) * SCENE_SECONDS - JUDGED_SECONDS) {
-            Vector3 opponent = level(moment.robots().get(PLAYERS).position());
-            missed[scene][0] |= nobody(moment, place -> place.distanceTo(ball) <= AT_BALL_METRES);
-            missed[scene][1] |= nobody(moment, place -> isCovering(place, ball));
-            missed[scene][2] |= nobody(moment, place -> isFree(place, ball, opponent));
+            Vector3 opponent = level(state.robots().get(PLAYERS).position());
+            missed[scene][0] |= nobody(state, place -> place.distanceTo(ball) <= AT_BALL_METRES);
+            missed[scene][1] |= nobody(state, place -> isCovering(place, ball));
+            missed[scene][2] |= nobody(state, place -> isFree(place, ball, opponent));
         }
     }
 
-    private static boolean nobody(Moment moment, Predicate<Vector3> question) {
-        return moment.robots().stream()
+    private static boolean nobody(WorldState state, Predicate<Vector3> question) {
+        return state.robots().stream()
                 .limit(PLAYERS)
                 .map(BodyState::position)
                 .map(FormationTask::level)

@@ -3,13 +3,13 @@ package org.robonewbie.exercises;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
-import org.robonewbie.trial.measure.Held;
+import org.robonewbie.trial.WorldState;
+import org.robonewbie.trial.measure.SustainedCondition;
 
 /**
  * Feel how the robot lies, say it, get up and say that, too: it lies on its back with odd seeds and on its front with even ones.
@@ -22,7 +22,8 @@ final class GetUpTask implements Task {
     private static final String UP = "up";
     private static final Set<String> WORDS = Set.of("back", "front", "left", "right", UP);
 
-    private final Held up = new Held(HELD_SECONDS, moment -> moment.robot().isStanding());
+    private final SustainedCondition up =
+            new SustainedCondition(HELD_SECONDS, state -> state.robot().isStanding());
     private boolean onBack;
     private Optional<String> said = Optional.empty();
     private Optional<String> firstWord = Optional.empty();
@@ -30,9 +31,9 @@ final class GetUpTask implements Task {
     private boolean saidUpTooEarly;
 
     @Override
-    public Scene scene(Chance chance) {
-        onBack = chance.isSeedOdd();
-        return Scene.of(RobotStart.at(new Place(-1, 0, chance.between(-180, 180)))
+    public Scene scene(RandomSource random) {
+        onBack = random.isSeedOdd();
+        return Scene.of(RobotStart.at(new Place(-1, 0, random.between(-180, 180)))
                 .after("stand", onBack ? "fall-back" : "fall-forward"));
     }
 
@@ -42,14 +43,14 @@ final class GetUpTask implements Task {
     }
 
     @Override
-    public void see(Moment moment) {
-        up.see(moment);
+    public void see(WorldState state) {
+        up.see(state);
         if (said.isEmpty()) {
             return;
         }
         if (said.get().equals(UP)) {
             saidUp = true;
-            saidUpTooEarly |= !moment.robot().isStanding();
+            saidUpTooEarly |= !state.robot().isStanding();
         } else if (firstWord.isEmpty()) {
             firstWord = said;
         }

@@ -3,12 +3,12 @@ package org.robonewbie.exercises;
 import java.util.Locale;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
-import org.robonewbie.trial.measure.Held;
+import org.robonewbie.trial.WorldState;
+import org.robonewbie.trial.measure.SustainedCondition;
 
 /** Three things in sequence: walk to the ball, stop in front of it, raise the arm. The ball must not be touched. */
 final class GoToTheBallTask implements Task {
@@ -23,28 +23,28 @@ final class GoToTheBallTask implements Task {
     private double nearest = Double.POSITIVE_INFINITY;
     private double moved;
     private boolean fallen;
-    private final Held done = new Held(HELD_SECONDS, GoToTheBallTask::isDone);
+    private final SustainedCondition done = new SustainedCondition(HELD_SECONDS, GoToTheBallTask::isDone);
 
     @Override
-    public Scene scene(Chance chance) {
-        Place start = new Place(-2.5, chance.between(-1, 1), chance.between(-60, 60));
+    public Scene scene(RandomSource random) {
+        Place start = new Place(-2.5, random.between(-1, 1), random.between(-60, 60));
         return Scene.of(RobotStart.at(start).after("stand"))
-                .withBall(start.point(chance.between(1.5, 2.5), chance.between(-50, 50), 0));
+                .withBall(start.point(random.between(1.5, 2.5), random.between(-50, 50), 0));
     }
 
     @Override
-    public void see(Moment moment) {
-        ballStart = moment.seconds() == 0 ? moment.ball() : ballStart;
-        moved = Math.max(moved, moment.ball().distanceTo(ballStart));
-        fallen |= moment.robot().isFallen();
-        nearest = Math.min(nearest, moment.place().distance(moment.ball()));
-        done.see(moment);
+    public void see(WorldState state) {
+        ballStart = state.seconds() == 0 ? state.ball() : ballStart;
+        moved = Math.max(moved, state.ball().distanceTo(ballStart));
+        fallen |= state.robot().isFallen();
+        nearest = Math.min(nearest, state.place().distance(state.ball()));
+        done.see(state);
     }
 
-    private static boolean isDone(Moment moment) {
-        return moment.place().distance(moment.ball()) <= NEAR_METRES
-                && Math.abs(moment.place().bearing(moment.ball())) <= FACING_DEGREES
-                && moment.robot().degrees(Joint.LEFT_SHOULDER_PITCH) >= UP_DEGREES;
+    private static boolean isDone(WorldState state) {
+        return state.place().distance(state.ball()) <= NEAR_METRES
+                && Math.abs(state.place().bearing(state.ball())) <= FACING_DEGREES
+                && state.robot().degrees(Joint.LEFT_SHOULDER_PITCH) >= UP_DEGREES;
     }
 
     @Override

@@ -4,12 +4,12 @@ import java.util.Locale;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Keep two shots out of the goal that would pass the standing robot, one on each side. Between them the robot is carried back to
@@ -33,12 +33,12 @@ final class GoalkeeperTask implements Task {
     private boolean goal;
 
     @Override
-    public Scene scene(Chance chance) {
-        int side = chance.isSeedOdd() ? 1 : -1;
+    public Scene scene(RandomSource random) {
+        int side = random.isSeedOdd() ? 1 : -1;
         for (int i = 0; i < 2; i++) {
-            aside[i] = chance.between(-0.5, 0.5);
-            aims[i] = (i == 0 ? side : -side) * chance.between(0.27, 0.35);
-            shotSeconds[i] = i * SECOND_SCENE_SECONDS + chance.between(2, 3.5);
+            aside[i] = random.between(-0.5, 0.5);
+            aims[i] = (i == 0 ? side : -side) * random.between(0.27, 0.35);
+            shotSeconds[i] = i * SECOND_SCENE_SECONDS + random.between(2, 3.5);
         }
         return Scene.of(RobotStart.at(KEEPER).after("stand")).withBall(-1.75, aside[0]);
     }
@@ -60,10 +60,10 @@ final class GoalkeeperTask implements Task {
     }
 
     @Override
-    public void see(Moment moment) {
-        seconds = moment.seconds();
-        Vector3 ball = moment.ball();
-        goal |= moment.goals(TeamSide.RIGHT) > 0 || (ball.x() < BEHIND_LINE && Math.abs(ball.y()) < HALF_GOAL);
+    public void see(WorldState state) {
+        seconds = state.seconds();
+        Vector3 ball = state.ball();
+        goal |= state.goals(TeamSide.RIGHT) > 0 || (ball.x() < BEHIND_LINE && Math.abs(ball.y()) < HALF_GOAL);
     }
 
     @Override

@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Supplier;
 import org.robonewbie.agent.Agent;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 
 /** One trial of an exercise with one seed. Another thread may check whether it is still running. */
 record GradedTrial(
@@ -17,7 +17,7 @@ record GradedTrial(
         patience.begin();
         try {
             return Performance.of(
-                    exercise, seed, () -> Performer.ofAgent(student.get()), recording, trial -> patience.progress());
+                    exercise, seed, () -> Controller.ofAgent(student.get()), recording, trial -> patience.progress());
         } finally {
             patience.end();
         }

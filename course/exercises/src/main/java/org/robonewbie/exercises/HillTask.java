@@ -4,12 +4,12 @@ import java.util.Locale;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.landscape.Thing;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
-import org.robonewbie.trial.measure.Held;
+import org.robonewbie.trial.WorldState;
+import org.robonewbie.trial.measure.SustainedCondition;
 
 /** Walk up a slope and stand still on the top. */
 final class HillTask implements Task {
@@ -19,41 +19,41 @@ final class HillTask implements Task {
     private static final double STILL_METRES = 0.06;
     private static final double LEAST_TORSO_METRES = 0.25;
 
-    private final Held standing = new Held(HELD_SECONDS, this::isStandingOnTop);
+    private final SustainedCondition standing = new SustainedCondition(HELD_SECONDS, this::isStandingOnTop);
     private Place anchor = new Place(0, 0, 0);
     private double highest;
     private boolean fallen;
 
     @Override
-    public Scene scene(Chance chance) {
-        Place start = new Place(chance.between(-5.1, -4.7), chance.between(-0.8, 0.8), chance.between(-40, 40));
+    public Scene scene(RandomSource random) {
+        Place start = new Place(random.between(-5.1, -4.7), random.between(-0.8, 0.8), random.between(-40, 40));
         return Scene.of(RobotStart.at(start).after("stand"))
                 .withLandscape(Landscape.SLOPE)
-                .withBall(0, chance.between(-1, 1));
+                .withBall(0, random.between(-1, 1));
     }
 
     @Override
-    public void see(Moment moment) {
-        fallen |= moment.robot().isFallen();
-        if (isOverTop(moment)) {
-            highest = Math.max(highest, moment.robot().position().z() - LEAST_TORSO_METRES);
+    public void see(WorldState state) {
+        fallen |= state.robot().isFallen();
+        if (isOverTop(state)) {
+            highest = Math.max(highest, state.robot().position().z() - LEAST_TORSO_METRES);
         }
-        standing.see(moment);
+        standing.see(state);
     }
 
-    private static boolean isOverTop(Moment moment) {
-        Place place = moment.place();
+    private static boolean isOverTop(WorldState state) {
+        Place place = state.place();
         return Math.abs(place.x() - TOP.centre().x()) < TOP.size().x() / 2
                 && Math.abs(place.y() - TOP.centre().y()) < TOP.size().y() / 2;
     }
 
     /** Whether the robot has hardly moved since it was seen at the anchor; whoever walks on takes the anchor along. */
-    private boolean isStandingOnTop(Moment moment) {
-        Place place = moment.place();
+    private boolean isStandingOnTop(WorldState state) {
+        Place place = state.place();
         boolean still = place.distance(new Vector3(anchor.x(), anchor.y(), 0)) <= STILL_METRES;
         anchor = still ? anchor : place;
-        boolean high = moment.robot().position().z() > TOP.size().z() + LEAST_TORSO_METRES;
-        return still && high && isOverTop(moment) && !moment.robot().isFallen();
+        boolean high = state.robot().position().z() > TOP.size().z() + LEAST_TORSO_METRES;
+        return still && high && isOverTop(state) && !state.robot().isFallen();
     }
 
     @Override

@@ -7,12 +7,12 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.motion.file.ShippedMotions;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Kick a ball with a motion of one's own: it lies before the left foot with odd seeds and before the right one with even seeds.
@@ -43,10 +43,10 @@ final class KickTask implements Task {
     private boolean standing;
 
     @Override
-    public Scene scene(Chance chance) {
-        ahead = BALL_AHEAD + chance.between(-ERROR_METRES, ERROR_METRES);
-        left = (chance.isSeedOdd() ? 1 : -1) * BALL_ASIDE + chance.between(-ERROR_METRES, ERROR_METRES);
-        Place place = new Place(chance.between(-4, -1), chance.between(-2, 2), chance.between(-45, 45));
+    public Scene scene(RandomSource random) {
+        ahead = BALL_AHEAD + random.between(-ERROR_METRES, ERROR_METRES);
+        left = (random.isSeedOdd() ? 1 : -1) * BALL_ASIDE + random.between(-ERROR_METRES, ERROR_METRES);
+        Place place = new Place(random.between(-4, -1), random.between(-2, 2), random.between(-45, 45));
         return Scene.of(RobotStart.at(place).after("stand")).withBall(5.5, 3.7);
     }
 
@@ -59,11 +59,11 @@ final class KickTask implements Task {
     }
 
     @Override
-    public void see(Moment moment) {
-        BodyState robot = moment.robot();
+    public void see(WorldState state) {
+        BodyState robot = state.robot();
         given.forEach(motion -> motion.see(robot));
         double direction = PortableMath.toRadians(start.degrees());
-        Vector3 way = moment.ball().minus(ballStart);
+        Vector3 way = state.ball().minus(ballStart);
         metres = Math.max(metres, way.x() * PortableMath.cos(direction) + way.y() * PortableMath.sin(direction));
         walked = Math.max(walked, start.distance(robot.position()));
         if (metres < TOUCHED_METRES) {
@@ -71,7 +71,7 @@ final class KickTask implements Task {
         }
         standing = robot.isStanding();
         if (robot.isFallen() && fall.isEmpty()) {
-            fall = String.format(Locale.ROOT, " and fell %s after %.1f s", side(robot), moment.seconds());
+            fall = String.format(Locale.ROOT, " and fell %s after %.1f s", side(robot), state.seconds());
         }
     }
 

@@ -5,11 +5,11 @@ import java.util.Locale;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.landscape.Thing;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.WorldState;
 
 /** Walk through two gates, each between a wall and a post, to the ball, and move neither of them. */
 final class ObstacleCourseTask implements Task {
@@ -44,26 +44,26 @@ final class ObstacleCourseTask implements Task {
     private double seconds;
 
     @Override
-    public Scene scene(Chance chance) {
-        Place start = new Place(chance.between(-4.9, -4.6), chance.between(-1, 1), chance.between(-30, 30));
+    public Scene scene(RandomSource random) {
+        Place start = new Place(random.between(-4.9, -4.6), random.between(-1, 1), random.between(-30, 30));
         return Scene.of(RobotStart.at(start).after("stand"))
                 .withLandscape(Landscape.OBSTACLES)
-                .withBall(chance.between(-0.6, 0.2), chance.between(-1, 1));
+                .withBall(random.between(-0.6, 0.2), random.between(-1, 1));
     }
 
     @Override
-    public void see(Moment moment) {
-        seconds = moment.seconds();
-        Place now = moment.place();
+    public void see(WorldState state) {
+        seconds = state.seconds();
+        Place now = state.place();
         if (seconds > 0 && passed < GATES.size() && GATES.get(passed).isPassed(before, now)) {
             passed++;
         }
         before = now;
         for (int i = 0; i < THINGS.size(); i++) {
             Vector3 start = THINGS.get(i).centre();
-            moved = Math.max(moved, moment.things().get(i).centre().distanceTo(start));
+            moved = Math.max(moved, state.things().get(i).centre().distanceTo(start));
         }
-        nearest = Math.min(nearest, now.distance(moment.ball()));
+        nearest = Math.min(nearest, now.distance(state.ball()));
     }
 
     @Override

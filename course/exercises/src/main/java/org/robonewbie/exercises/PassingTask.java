@@ -2,12 +2,12 @@ package org.robonewbie.exercises;
 
 import java.util.Locale;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /** Two robots of the student: number 1 plays the ball, number 2 comes to meet it. */
 final class PassingTask implements Task {
@@ -31,9 +31,9 @@ final class PassingTask implements Task {
     private boolean fallen;
 
     @Override
-    public Scene scene(Chance chance) {
-        passer = new Place(chance.between(-3, -2), chance.between(-1.5, 1.5), chance.between(-40, 40));
-        Vector3 place = passer.pointAt(chance.between(2.6, 2.9), chance.between(-0.7, 0.7));
+    public Scene scene(RandomSource random) {
+        passer = new Place(random.between(-3, -2), random.between(-1.5, 1.5), random.between(-40, 40));
+        Vector3 place = passer.pointAt(random.between(2.6, 2.9), random.between(-0.7, 0.7));
         mate = new Place(place.x(), place.y(), passer.degrees() + 180);
         return Scene.of(
                         RobotStart.at(passer).after("stand"),
@@ -48,16 +48,15 @@ final class PassingTask implements Task {
     }
 
     @Override
-    public void see(Moment moment) {
-        metres = Math.max(metres, moment.ball().distanceTo(ballStart));
-        dribbled |= passer.distance(moment.robot().position()) > STAYED_METRES;
-        tooEarly |=
-                metres < ROLLS_METRES && mate.distance(moment.robots().get(1).position()) > STAYED_METRES;
-        came = Math.max(came, mate.distance(moment.robots().get(1).position()));
+    public void see(WorldState state) {
+        metres = Math.max(metres, state.ball().distanceTo(ballStart));
+        dribbled |= passer.distance(state.robot().position()) > STAYED_METRES;
+        tooEarly |= metres < ROLLS_METRES && mate.distance(state.robots().get(1).position()) > STAYED_METRES;
+        came = Math.max(came, mate.distance(state.robots().get(1).position()));
         if (metres >= FEWEST_METRES && came >= CAME_METRES) {
-            nearest = Math.min(nearest, moment.place(1).distance(moment.ball()));
+            nearest = Math.min(nearest, state.place(1).distance(state.ball()));
         }
-        fallen |= moment.robots().get(1).isFallen() || moment.robot().isFallen();
+        fallen |= state.robots().get(1).isFallen() || state.robot().isFallen();
     }
 
     @Override

@@ -5,9 +5,9 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.robonewbie.simulator.file.RecordingFile;
-import org.robonewbie.trial.Audience;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.TrialListener;
 import org.robonewbie.trial.guest.AbsentProgramException;
 
 /**
@@ -35,17 +35,17 @@ public final class Performance {
      * @param seed start of all that is left to chance
      * @param student makes a robot with the student's program; asked once for each robot
      * @param recording file for a recording for the studio; empty for none
-     * @param audience who looks on
+     * @param listener watches the trial
      * @return the score; a program that throws or goes away has none of the points
      */
     public static Score of(
             Exercise exercise,
             long seed,
-            Supplier<? extends Performer> student,
+            Supplier<? extends Controller> student,
             Optional<Path> recording,
-            Audience audience) {
+            TrialListener listener) {
         try {
-            return play(exercise, seed, student, recording, audience);
+            return play(exercise, seed, student, recording, listener);
         } catch (VirtualMachineError exhausted) {
             throw exhausted;
         } catch (AbsentProgramException absent) {
@@ -58,9 +58,9 @@ public final class Performance {
     private static Score play(
             Exercise exercise,
             long seed,
-            Supplier<? extends Performer> student,
+            Supplier<? extends Controller> student,
             Optional<Path> recording,
-            Audience audience)
+            TrialListener listener)
             throws IOException {
         Task task = exercise.task().get();
         task.play(
@@ -68,7 +68,7 @@ public final class Performance {
                 seed,
                 RobotStart.TEAM,
                 student,
-                audience,
+                listener,
                 RecordingFile.openIfWanted(recording, sentence -> {}));
         return task.score();
     }

@@ -3,12 +3,12 @@ package org.robonewbie.exercises;
 import java.util.Arrays;
 import java.util.Optional;
 import org.robonewbie.agent.log.StudentCode;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 
 /** Where in its own code a program is that is being judged. */
 final class ProgramPlace {
 
-    private static final String TRIALS = Performer.class.getName().replace(Performer.class.getSimpleName(), "");
+    private static final String TRIALS = Controller.class.getName().replace(Controller.class.getSimpleName(), "");
 
     private ProgramPlace() {}
 

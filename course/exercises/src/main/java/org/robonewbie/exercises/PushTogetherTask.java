@@ -3,11 +3,11 @@ package org.robonewbie.exercises;
 import java.util.Locale;
 import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.landscape.Thing;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.WorldState;
 
 /** Two robots push a wide box over a line without turning it, though one of them has a longer way to it. */
 final class PushTogetherTask implements Task {
@@ -22,11 +22,11 @@ final class PushTogetherTask implements Task {
     private boolean fallen;
 
     @Override
-    public Scene scene(Chance chance) {
-        double side = chance.side();
-        Place near = new Place(-4, side * APART_METRES, chance.between(-8, 8));
-        Place far = new Place(-4 - chance.between(0.6, 1), -side * APART_METRES, chance.between(-8, 8));
-        boolean firstIsNear = chance.side() > 0;
+    public Scene scene(RandomSource random) {
+        double side = random.side();
+        Place near = new Place(-4, side * APART_METRES, random.between(-8, 8));
+        Place far = new Place(-4 - random.between(0.6, 1), -side * APART_METRES, random.between(-8, 8));
+        boolean firstIsNear = random.side() > 0;
         return Scene.of(
                         RobotStart.at(firstIsNear ? near : far).after("stand"),
                         RobotStart.at(firstIsNear ? far : near).after("stand").withTeam(RobotStart.TEAM, 2))
@@ -35,12 +35,12 @@ final class PushTogetherTask implements Task {
     }
 
     @Override
-    public void see(Moment moment) {
-        Thing box = moment.things().get(0);
+    public void see(WorldState state) {
+        Thing box = state.things().get(0);
         x = box.centre().x();
         turned = Math.max(turned, box.pose().rotation().angleDegrees());
-        seconds = moment.seconds();
-        fallen |= moment.robots().stream().anyMatch(robot -> robot.isFallen());
+        seconds = state.seconds();
+        fallen |= state.robots().stream().anyMatch(robot -> robot.isFallen());
     }
 
     @Override

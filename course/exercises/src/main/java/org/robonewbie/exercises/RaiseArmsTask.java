@@ -3,10 +3,10 @@ package org.robonewbie.exercises;
 import java.util.Locale;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.kinematics.BodyState;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Raise the left arm to 60° and the right arm to 45°; the last half second counts.
@@ -57,15 +57,15 @@ final class RaiseArmsTask implements Task {
     }
 
     @Override
-    public Scene scene(Chance chance) {
+    public Scene scene(RandomSource random) {
         return Scene.of(RobotStart.at(-1, 0));
     }
 
     @Override
-    public void see(Moment moment) {
-        if (moment.seconds() > JUDGED_FROM_SECONDS) {
-            left.see(moment.robot());
-            right.see(moment.robot());
+    public void see(WorldState state) {
+        if (state.seconds() > JUDGED_FROM_SECONDS) {
+            left.see(state.robot());
+            right.see(state.robot());
         }
     }
 

@@ -9,7 +9,7 @@ import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.kinematics.BodyState;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
@@ -46,7 +46,7 @@ final class RecognisedGait {
         Scene scene =
                 Scene.of(RobotStart.at(-5, 0).after("stand")).withBall(5.5, 3.7).withoutNoise();
         List<BodyState> states = new ArrayList<>();
-        try (Trial trial = Trial.direct(scene, 1, Performer.ofAgent(new Straight(style)))) {
+        try (Trial trial = Trial.direct(scene, 1, Controller.ofAgent(new Straight(style)))) {
             while (trial.seconds() < SECONDS) {
                 BodyState robot = trial.step().robot();
                 if (trial.seconds() > STARTING_SECONDS) {

@@ -7,12 +7,12 @@ import java.util.regex.Pattern;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /** Say where a ball is that rolls past and out of sight, once on each side. */
 final class RollingBallTask implements Task {
@@ -37,12 +37,12 @@ final class RollingBallTask implements Task {
     private double headTurned;
 
     @Override
-    public Scene scene(Chance chance) {
-        double side = chance.side();
+    public Scene scene(RandomSource random) {
+        double side = random.side();
         for (int i = 0; i < SHOT_SECONDS.length; i++) {
             double aside = side * (i == 0 ? 1 : -1);
-            starts[i] = STUDENT.pointAt(chance.between(2, 2.4), aside * chance.between(0.5, 0.7));
-            velocities[i] = new Vector3(-chance.between(3.3, 4), aside * chance.between(0, 0.4), 0);
+            starts[i] = STUDENT.pointAt(random.between(2, 2.4), aside * random.between(0.5, 0.7));
+            velocities[i] = new Vector3(-random.between(3.3, 4), aside * random.between(0, 0.4), 0);
         }
         return Scene.of(RobotStart.at(STUDENT).after("stand")).withBall(starts[0]);
     }
@@ -65,17 +65,17 @@ final class RollingBallTask implements Task {
     }
 
     @Override
-    public void see(Moment moment) {
-        headTurned = Math.max(headTurned, Math.abs(moment.robot().degrees(Joint.NECK_YAW)));
-        boolean rolling = shots > 0 && moment.ballVelocity().length() > 0.01;
-        if (rolling && !isLost() && Math.abs(moment.place().bearing(moment.ball())) > UNSEEN_DEGREES) {
-            lostSeconds = moment.seconds();
+    public void see(WorldState state) {
+        headTurned = Math.max(headTurned, Math.abs(state.robot().degrees(Joint.NECK_YAW)));
+        boolean rolling = shots > 0 && state.ballVelocity().length() > 0.01;
+        if (rolling && !isLost() && Math.abs(state.place().bearing(state.ball())) > UNSEEN_DEGREES) {
+            lostSeconds = state.seconds();
         }
-        double unseen = moment.seconds() - lostSeconds;
+        double unseen = state.seconds() - lostSeconds;
         if (unseen >= JUDGED_FROM_SECONDS && unseen <= JUDGED_UNTIL_SECONDS) {
             said.map(WORDS::matcher).filter(Matcher::matches).ifPresent(match -> {
-                double ahead = moment.place().ahead(moment.ball()) - Double.parseDouble(match.group(1));
-                double left = moment.place().left(moment.ball()) - Double.parseDouble(match.group(2));
+                double ahead = state.place().ahead(state.ball()) - Double.parseDouble(match.group(1));
+                double left = state.place().left(state.ball()) - Double.parseDouble(match.group(2));
                 sumsOfErrors[shots - 1] += PortableMath.hypot(ahead, left);
                 words[shots - 1]++;
             });

@@ -1,6 +1,6 @@
 package org.robonewbie.exercises;
 
-import org.robonewbie.agent.log.MinusZero;
+import org.robonewbie.agent.log.NegativeZeroFormat;
 
 /**
  * How one trial of an exercise ended.
@@ -17,7 +17,7 @@ public record Score(boolean passed, int points, String finding, String hint) {
 
     /** Writes a small number that was rounded to minus zero as zero. */
     public Score {
-        finding = MinusZero.removed(finding);
+        finding = NegativeZeroFormat.removed(finding);
     }
 
     /**

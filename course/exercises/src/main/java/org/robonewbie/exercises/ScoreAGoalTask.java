@@ -6,11 +6,11 @@ import java.util.stream.IntStream;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Score a goal as in the competition, but past a wall of three robots that hold still between the ball and the goal; who
@@ -40,9 +40,9 @@ final class ScoreAGoalTask implements Task {
     private boolean pushed;
 
     @Override
-    public Scene scene(Chance chance) {
-        double x = chance.between(2.6, 3.2);
-        double y = (chance.isSeedOdd() ? 1 : -1) * chance.between(0, 0.35);
+    public Scene scene(RandomSource random) {
+        double x = random.between(2.6, 3.2);
+        double y = (random.isSeedOdd() ? 1 : -1) * random.between(0, 0.35);
         return Scene.of(
                         RobotStart.at(STUDENT),
                         defender(2, x, y - WALL_METRES),
@@ -56,15 +56,15 @@ final class ScoreAGoalTask implements Task {
     }
 
     @Override
-    public void see(Moment moment) {
-        Vector3 ball = moment.ball();
+    public void see(WorldState state) {
+        Vector3 ball = state.ball();
         nearest = Math.min(nearest, PortableMath.hypot(GOAL_X - ball.x(), ball.y()));
-        scored |= moment.goals(TeamSide.LEFT) > 0;
-        seconds = moment.seconds();
-        wall = wall.isEmpty() ? wall(moment) : wall;
+        scored |= state.goals(TeamSide.LEFT) > 0;
+        seconds = state.seconds();
+        wall = wall.isEmpty() ? wall(state) : wall;
         pushed |= IntStream.range(0, wall.size())
-                .anyMatch(i -> wall.get(i).distance(moment.robots().get(i + 1).position()) > PUSHED_METRES);
-        Vector3 torso = moment.robot().position();
+                .anyMatch(i -> wall.get(i).distance(state.robots().get(i + 1).position()) > PUSHED_METRES);
+        Vector3 torso = state.robot().position();
         if (ball.distanceTo(lastBall) > STAYED_METRES || torso.distanceTo(lastTorso) > STAYED_METRES) {
             lastBall = ball;
             lastTorso = torso;
@@ -72,10 +72,8 @@ final class ScoreAGoalTask implements Task {
         }
     }
 
-    private static List<Place> wall(Moment moment) {
-        return IntStream.range(1, moment.robots().size())
-                .mapToObj(moment::place)
-                .toList();
+    private static List<Place> wall(WorldState state) {
+        return IntStream.range(1, state.robots().size()).mapToObj(state::place).toList();
     }
 
     @Override

@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.Locale;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Play a motion of the left shoulder through its keyframes, but without sudden changes of speed: linear interpolation
@@ -25,13 +25,13 @@ final class SmoothMotionTask implements Task {
     private final List<Double> angles = new ArrayList<>();
 
     @Override
-    public Scene scene(Chance chance) {
+    public Scene scene(RandomSource random) {
         return Scene.of(RobotStart.at(-1, 0));
     }
 
     @Override
-    public void see(Moment moment) {
-        angles.add(moment.robot().degrees(Joint.LEFT_SHOULDER_PITCH));
+    public void see(WorldState state) {
+        angles.add(state.robot().degrees(Joint.LEFT_SHOULDER_PITCH));
     }
 
     @Override

@@ -6,10 +6,10 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Stop the left shoulder at 30° ± 1°, from a place that is different each time. What was decided shows two cycles
@@ -25,16 +25,16 @@ final class StopAt30Task implements Task {
     private double largestError;
 
     @Override
-    public Scene scene(Chance chance) {
-        Posture low = Posture.ZERO.with(Joint.LEFT_SHOULDER_PITCH, chance.between(-60, 0));
+    public Scene scene(RandomSource random) {
+        Posture low = Posture.ZERO.with(Joint.LEFT_SHOULDER_PITCH, random.between(-60, 0));
         return Scene.of(RobotStart.at(-1, 0).after(new Motion("low", List.of(new Keyframe(600, low)))));
     }
 
     @Override
-    public void see(Moment moment) {
-        double degrees = moment.robot().degrees(Joint.LEFT_SHOULDER_PITCH);
+    public void see(WorldState state) {
+        double degrees = state.robot().degrees(Joint.LEFT_SHOULDER_PITCH);
         highest = Math.max(highest, degrees);
-        if (moment.seconds() > LATEST_SECONDS) {
+        if (state.seconds() > LATEST_SECONDS) {
             largestError = Math.max(largestError, Math.abs(degrees - GOAL_DEGREES));
         }
     }

@@ -3,12 +3,12 @@ package org.robonewbie.exercises;
 import java.util.Locale;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.kinematics.BodyState;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /** Number 2 sees the ball behind number 1 and says so; number 1, who may not look, raises the arm on the ball's side. */
 final class TeamEyesTask implements Task {
@@ -29,10 +29,10 @@ final class TeamEyesTask implements Task {
     private boolean looked;
 
     @Override
-    public Scene scene(Chance chance) {
-        firstSide = chance.side() > 0 ? 1 : -1;
+    public Scene scene(RandomSource random) {
+        firstSide = random.side() > 0 ? 1 : -1;
         for (int i = 0; i < PHASES; i++) {
-            places[i] = chance.between(0.4, 0.9);
+            places[i] = random.between(0.4, 0.9);
         }
         return Scene.of(
                         RobotStart.at(BLIND).after("stand"),
@@ -59,12 +59,12 @@ final class TeamEyesTask implements Task {
     }
 
     @Override
-    public void see(Moment moment) {
-        BodyState blind = moment.robot();
+    public void see(WorldState state) {
+        BodyState blind = state.robot();
         looked |= Math.abs(blind.headingDegrees()) > STILL_DEGREES
                 || Math.abs(blind.degrees(Joint.NECK_YAW)) > STILL_DEGREES;
-        int now = phase(moment.seconds());
-        if (moment.seconds() - now * PHASE_SECONDS > JUDGED_FROM_SECONDS) {
+        int now = phase(state.seconds());
+        if (state.seconds() - now * PHASE_SECONDS > JUDGED_FROM_SECONDS) {
             boolean left = side(now) > 0;
             wrong[now] |= isWrong(blind.degrees(Joint.LEFT_SHOULDER_PITCH), left)
                     || isWrong(blind.degrees(Joint.RIGHT_SHOULDER_PITCH), !left);

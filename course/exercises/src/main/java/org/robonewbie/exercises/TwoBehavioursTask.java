@@ -6,12 +6,12 @@ import java.util.Locale;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Follow a moving ball with the head, and swing the left arm once in two seconds, at the same time.
@@ -32,7 +32,7 @@ final class TwoBehavioursTask implements Task {
     private int atBall;
 
     @Override
-    public Scene scene(Chance chance) {
+    public Scene scene(RandomSource random) {
         return Scene.of(RobotStart.at(STUDENT)).withBall(STUDENT.point(1.5, 0, 0));
     }
 
@@ -42,17 +42,17 @@ final class TwoBehavioursTask implements Task {
     }
 
     @Override
-    public void see(Moment moment) {
-        BodyState robot = moment.robot();
+    public void see(WorldState state) {
+        BodyState robot = state.robot();
         double arm = robot.degrees(Joint.LEFT_SHOULDER_PITCH);
-        if (moment.seconds() > FROM_SECONDS) {
+        if (state.seconds() > FROM_SECONDS) {
             cycles++;
             double gaze = robot.degrees(Joint.NECK_YAW);
-            atBall += Math.abs(moment.place().bearing(moment.ball()) - gaze) < AT_BALL_DEGREES ? 1 : 0;
+            atBall += Math.abs(state.place().bearing(state.ball()) - gaze) < AT_BALL_DEGREES ? 1 : 0;
             lowest = Math.min(lowest, arm);
             highest = Math.max(highest, arm);
             if (angleBefore < 0 && arm >= 0) {
-                upward.add(moment.seconds());
+                upward.add(state.seconds());
             }
         }
         angleBefore = arm;

@@ -6,12 +6,12 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.kinematics.BodyState;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /** Turn away from a ball that lies still, and go on saying where it is. */
 final class UnseenBallTask implements Task {
@@ -33,9 +33,9 @@ final class UnseenBallTask implements Task {
     private boolean fallen;
 
     @Override
-    public Scene scene(Chance chance) {
+    public Scene scene(RandomSource random) {
         return Scene.of(RobotStart.at(STUDENT).after("stand"))
-                .withBall(STUDENT.point(chance.between(1.2, 2.2), chance.side() * chance.between(5, 35), 0));
+                .withBall(STUDENT.point(random.between(1.2, 2.2), random.side() * random.between(5, 35), 0));
     }
 
     @Override
@@ -44,12 +44,12 @@ final class UnseenBallTask implements Task {
     }
 
     @Override
-    public void see(Moment moment) {
-        BodyState robot = moment.robot();
+    public void see(WorldState state) {
+        BodyState robot = state.robot();
         turned = Math.max(turned, Math.abs(robot.headingDegrees() - STUDENT.degrees()));
         headTurned = Math.max(headTurned, Math.abs(robot.degrees(Joint.NECK_YAW)));
         fallen |= robot.isFallen();
-        double bearing = moment.place().bearing(moment.ball());
+        double bearing = state.place().bearing(state.ball());
         if (Math.abs(bearing) > UNSEEN_DEGREES) {
             said.map(WORDS::matcher).filter(Matcher::matches).ifPresent(match -> {
                 words++;

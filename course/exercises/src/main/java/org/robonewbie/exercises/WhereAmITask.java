@@ -7,12 +7,12 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Find out where on the pitch the robot stands; in the middle of the trial it is carried to another place.
@@ -25,14 +25,14 @@ final class WhereAmITask implements Task {
     private static final double GOOD_METRES = 0.3;
 
     private final List<Double> errors = new ArrayList<>();
-    private Chance places = new Chance(0);
+    private RandomSource places = new RandomSource(0);
     private Optional<String> words = Optional.empty();
     private boolean carried;
     private double said = Double.POSITIVE_INFINITY;
 
     @Override
-    public Scene scene(Chance chance) {
-        places = chance;
+    public Scene scene(RandomSource random) {
+        places = random;
         return Scene.of(RobotStart.at(somewhere()));
     }
 
@@ -48,13 +48,13 @@ final class WhereAmITask implements Task {
     }
 
     @Override
-    public void see(Moment moment) {
-        double sinceMoved = moment.seconds() - (carried ? CARRIED_SECONDS : 0);
+    public void see(WorldState state) {
+        double sinceMoved = state.seconds() - (carried ? CARRIED_SECONDS : 0);
         words.map(WORDS::matcher).filter(Matcher::matches).ifPresent(match -> {
             double x = Double.parseDouble(match.group(1));
             double y = Double.parseDouble(match.group(2));
             if (sinceMoved > THINKING_SECONDS) {
-                said = moment.place().distance(new Vector3(x, y, 0));
+                said = state.place().distance(new Vector3(x, y, 0));
             }
         });
     }

@@ -14,8 +14,8 @@ import org.robonewbie.agent.Agent;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.tcp.FrameInput;
 import org.robonewbie.protocol.tcp.FrameOutput;
-import org.robonewbie.trial.Audience;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
+import org.robonewbie.trial.TrialListener;
 import org.robonewbie.trial.guest.GuestDoor;
 
 class GuestDoorTest {
@@ -27,7 +27,7 @@ class GuestDoorTest {
 
         try (GuestDoor door = GuestDoor.open(0, 0)) {
             Score score = Performance.of(
-                    exercise, 4, () -> guest(door, Solutions.of(exercise)), Optional.empty(), Audience.NOBODY);
+                    exercise, 4, () -> guest(door, Solutions.of(exercise)), Optional.empty(), TrialListener.NONE);
 
             assertThat(score.passed()).as(score.toString()).isTrue();
         }
@@ -37,7 +37,7 @@ class GuestDoorTest {
     void programThatNeverComesFailsTheTrial() throws IOException {
         try (GuestDoor door = GuestDoor.open(0, 0)) {
             Score score =
-                    Performance.of(exercise(), 1, () -> door.await(() -> false), Optional.empty(), Audience.NOBODY);
+                    Performance.of(exercise(), 1, () -> door.await(() -> false), Optional.empty(), TrialListener.NONE);
 
             assertThat(score.passed()).isFalse();
             assertThat(score.finding()).isEqualTo("The program ended before it asked for a robot.");
@@ -55,7 +55,7 @@ class GuestDoorTest {
                         return door.await(() -> true);
                     },
                     Optional.empty(),
-                    Audience.NOBODY);
+                    TrialListener.NONE);
 
             assertThat(score.finding()).startsWith("The program has");
         }
@@ -68,7 +68,7 @@ class GuestDoorTest {
             new FrameOutput(silent.getOutputStream()).write(text("(scene rsg/agent/nao/nao.rsg)(syn)"));
 
             Score score =
-                    Performance.of(exercise(), 1, () -> door.await(() -> true), Optional.empty(), Audience.NOBODY);
+                    Performance.of(exercise(), 1, () -> door.await(() -> true), Optional.empty(), TrialListener.NONE);
 
             assertThat(score.finding()).isEqualTo("The program gave no answer for 0.2 s. Is there an endless loop?");
         }
@@ -78,7 +78,7 @@ class GuestDoorTest {
         return Exercises.find("raise-arms").orElseThrow();
     }
 
-    private static Performer guest(GuestDoor door, Supplier<? extends Agent> agents) {
+    private static Controller guest(GuestDoor door, Supplier<? extends Agent> agents) {
         String port = Integer.toString(door.port());
         daemon(() -> agents.get().run("--port", port, "--team", "Students"));
         return door.await(() -> true);

@@ -36,10 +36,10 @@ import org.robonewbie.team.world.WorldModel;
  */
 public class Agent_Team extends Agent {
 
-    private static final String USUAL_PLAYERS = "3";
+    private static final String DEFAULT_PLAYERS = "3";
     private static final String NUMBER = "[1-9]|1[01]";
-    private static final int MOST_OF_ONE_TYPE = 7;
-    private static final int MOST_OF_TWO_TYPES = 9;
+    private static final int MAX_OF_ONE_TYPE = 7;
+    private static final int MAX_OF_TWO_TYPES = 9;
     private static final double STILL_SECONDS = 0.2;
     private static final double BEAM_AGAIN_SECONDS = 1;
     private static final double BEHIND_METRES = 0.45;
@@ -100,10 +100,10 @@ public class Agent_Team extends Agent {
      * @return type 0 for the first seven, then two each of types 2 and 4, whose legs are as long as those of type 0
      */
     public static RobotType type(int number) {
-        if (number <= MOST_OF_ONE_TYPE) {
+        if (number <= MAX_OF_ONE_TYPE) {
             return RobotType.TYPE_0;
         }
-        return number <= MOST_OF_TWO_TYPES ? RobotType.TYPE_2 : RobotType.TYPE_4;
+        return number <= MAX_OF_TWO_TYPES ? RobotType.TYPE_2 : RobotType.TYPE_4;
     }
 
     /** Whatever is no number is refused later, with the other options. */
@@ -113,7 +113,7 @@ public class Agent_Team extends Agent {
     }
 
     private static int players(String... args) {
-        String players = args.length > 0 && !args[0].startsWith("-") ? args[0] : USUAL_PLAYERS;
+        String players = args.length > 0 && !args[0].startsWith("-") ? args[0] : DEFAULT_PLAYERS;
         if (!players.matches(NUMBER)) {
             System.err.println("A team has 1 to 11 players, not \"" + players + "\".");
             System.exit(2);

@@ -12,12 +12,12 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.team.talk.TeamMessage;
-import org.robonewbie.trial.Moment;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /** Three players against three that only stand there. */
 class TeamPlaysTest {
@@ -28,7 +28,7 @@ class TeamPlaysTest {
     @Tag("slow")
     void threePlayersScoreAgainstThreeThatDoNothing() {
         try (Trial trial = match(1)) {
-            Moment last = trial.now();
+            WorldState last = trial.now();
             while (trial.seconds() < 90 && last.leftGoals() == 0) {
                 last = trial.step();
             }
@@ -61,7 +61,7 @@ class TeamPlaysTest {
         }
     }
 
-    private static int nearBall(Moment now) {
+    private static int nearBall(WorldState now) {
         return (int) now.robots().subList(0, PLAYERS).stream()
                 .filter(robot -> robot.position().distanceTo(now.ball()) < 0.8)
                 .count();
@@ -70,7 +70,7 @@ class TeamPlaysTest {
     private static List<Vector3> after(long seed, double seconds) {
         try (Trial trial = match(seed)) {
             trial.run(seconds);
-            Moment end = trial.now();
+            WorldState end = trial.now();
             List<Vector3> places = new ArrayList<>(List.of(end.ball()));
             end.robots().forEach(robot -> places.add(robot.position()));
             return places;
@@ -79,18 +79,18 @@ class TeamPlaysTest {
 
     private static Trial match(long seed) {
         List<RobotStart> robots = new ArrayList<>();
-        List<Performer> performers = new ArrayList<>();
+        List<Controller> controllers = new ArrayList<>();
         for (int number = 1; number <= PLAYERS; number++) {
             Place place = number == 1 ? new Place(-14, 0, 0) : new Place(5.5 + number, 3.0 * number - 7.5, 0);
             robots.add(new RobotStart("Team", number, RobotType.TYPE_0, place, List.of()));
-            performers.add(Performer.ofAgent(new Agent_Team(number)));
+            controllers.add(Controller.ofAgent(new Agent_Team(number)));
         }
         for (int number = 1; number <= PLAYERS; number++) {
             robots.add(new RobotStart(
                     "Others", number, RobotType.TYPE_0, new Place(12, 3.0 * number - 7.5, 180), List.of()));
-            performers.add(Performer.ofSpeeds());
+            controllers.add(Controller.ofSpeeds());
         }
         Scene scene = new Scene(SoccerParameters.league(), true, robots, Optional.of(new Vector3(9, 0, 0)));
-        return Trial.served(scene, seed, performers.toArray(Performer[]::new));
+        return Trial.served(scene, seed, controllers.toArray(Controller[]::new));
     }
 }

@@ -25,7 +25,7 @@ interface EditableWorld extends SteppedWorld, PuppetProvider {
      * Goes on nearly from a state that was seen before.
      *
      * @param before an earlier state, from which the velocities are taken
-     * @param moment the state
+     * @param state the state
      */
     void goOnFrom(WorldSnapshot before, WorldSnapshot moment);
 

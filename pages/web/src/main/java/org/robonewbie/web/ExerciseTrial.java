@@ -12,9 +12,9 @@ import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.recording.RecordingTarget;
-import org.robonewbie.trial.Audience;
+import org.robonewbie.trial.TrialListener;
 import org.robonewbie.trial.ChallengeTrial;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.pagejvm.EndlessLoop;
 import org.robonewbie.pagejvm.ProgramEnd;
@@ -36,10 +36,10 @@ final class ExerciseTrial implements SteppedWorld {
      * @param student makes a robot with the student's program; asked once for each robot
      * @param recording where a recording goes
      */
-    ExerciseTrial(Exercise exercise, long seed, Supplier<? extends Performer> student, RecordingTarget recording) {
+    ExerciseTrial(Exercise exercise, long seed, Supplier<? extends Controller> student, RecordingTarget recording) {
         task = exercise.task().get();
         attempt(() -> played = Optional.of(new ChallengeTrial(
-                task, exercise.seconds(), seed, RobotStart.TEAM, student, Audience.NOBODY, recording)));
+                task, exercise.seconds(), seed, RobotStart.TEAM, student, TrialListener.NONE, recording)));
     }
 
     private void attempt(Runnable command) {

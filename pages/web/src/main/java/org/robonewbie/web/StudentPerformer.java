@@ -9,13 +9,13 @@ import org.robonewbie.agent.Options;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.SensorReadings;
 import org.robonewbie.pagejvm.Machine;
 import org.robonewbie.pagejvm.Program;
 
 /** A robot of a trial that a student's agent moves, with static fields of its own. */
-final class StudentPerformer implements Performer {
+final class StudentPerformer implements Controller {
 
     private final Machine machine;
     private final AgentDriver agent;

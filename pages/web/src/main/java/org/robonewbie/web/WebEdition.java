@@ -137,7 +137,7 @@ public final class WebEdition {
      * Goes on from a moment of a recording.
      *
      * @param recording its bytes, not compressed
-     * @param moment number of the moment, from 0
+     * @param state number of the moment, from 0
      * @return one JSON object; or why that cannot be, as a sentence
      */
     @JSExport

@@ -9,7 +9,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.file.ShippedMotions;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.measure.MeasureFromStart;
 
@@ -101,7 +101,7 @@ final class FallChecks {
         }
 
         @Override
-        protected void see(Moment first, Moment now) {
+        protected void see(WorldState first, WorldState now) {
             passed |= place.ahead(now.ball()) < BEHIND;
         }
 

@@ -7,7 +7,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.ShippedMotions;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.KickDistance;
 import org.robonewbie.trial.measure.MeasureFromStart;
 
@@ -120,7 +120,7 @@ final class KickChecks {
         private double seconds = Double.POSITIVE_INFINITY;
 
         @Override
-        protected void see(Moment first, Moment now) {
+        protected void see(WorldState first, WorldState now) {
             if (now.ballVelocity().length() > ROLLING_METRES_PER_SECOND) {
                 seconds = Math.min(seconds, now.seconds() - first.seconds());
             }

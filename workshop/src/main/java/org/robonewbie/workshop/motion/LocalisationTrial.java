@@ -14,7 +14,7 @@ import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.soccer.SoccerParameters;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -57,7 +57,7 @@ public record LocalisationTrial(double[] metres, double[] degrees, double[] came
                 .withParameters(SoccerParameters.league())
                 .withBall(new Vector3(0, -9, 0));
         Wanderer wanderer = new Wanderer(random, style);
-        try (Trial trial = Trial.served(scene, seed, Performer.ofAgent(wanderer))) {
+        try (Trial trial = Trial.served(scene, seed, Controller.ofAgent(wanderer))) {
             trial.with(during -> throwOver(during, pushes));
             return watched(trial, wanderer.self);
         }

@@ -5,7 +5,7 @@ import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.learning.motion.ScriptedRobot;
 import org.robonewbie.nao.motion.Motion;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 
 /** A scripted agent, with all that lies between an agent and its motors. */
 class ScriptedAgent extends Agent implements ScriptedRobot {
@@ -15,8 +15,8 @@ class ScriptedAgent extends Agent implements ScriptedRobot {
     }
 
     @Override
-    public Performer performer() {
-        return Performer.ofAgent(this);
+    public Controller controller() {
+        return Controller.ofAgent(this);
     }
 
     @Override

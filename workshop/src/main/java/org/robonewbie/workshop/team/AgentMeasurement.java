@@ -19,14 +19,14 @@ import org.robonewbie.examples.Agent_BetterSoccer;
 import org.robonewbie.examples.Agent_SimpleSoccer;
 import org.robonewbie.examples.Agent_SimpleWalkToBall;
 import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.Measure;
-import org.robonewbie.trial.Moment;
-import org.robonewbie.trial.Performer;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
-import org.robonewbie.trial.measure.Held;
+import org.robonewbie.trial.WorldState;
+import org.robonewbie.trial.measure.SustainedCondition;
 import org.robonewbie.trial.measure.TimeToScore;
 
 /** Plays many games of the example agents, each with another seed, and reports how well they do. */
@@ -56,7 +56,7 @@ public final class AgentMeasurement {
         OptionalDouble play(long seed) {
             Scene scene = Scene.of(RobotStart.at(start.apply(new Random(seed))));
             Measure needed = measure.get();
-            try (Trial trial = Trial.served(scene, seed, Performer.ofAgent(agent.get()))) {
+            try (Trial trial = Trial.served(scene, seed, Controller.ofAgent(agent.get()))) {
                 trial.run(seconds, needed);
             }
             return needed.isDecided() ? OptionalDouble.of(needed.value()) : OptionalDouble.empty();
@@ -139,7 +139,7 @@ public final class AgentMeasurement {
                         Agent_SimpleWalkToBall::new,
                         180,
                         AgentMeasurement::anywhere,
-                        () -> new Held(NEAR_SECONDS, AgentMeasurement::isAtBall)),
+                        () -> new SustainedCondition(NEAR_SECONDS, AgentMeasurement::isAtBall)),
                 new Task(
                         "Agent_SimpleSoccer",
                         "scores from the usual start within 20 minutes",
@@ -156,8 +156,8 @@ public final class AgentMeasurement {
                         TimeToScore::new));
     }
 
-    private static boolean isAtBall(Moment moment) {
-        return moment.robot().isStanding() && moment.place().distance(moment.ball()) < NEAR_METRES;
+    private static boolean isAtBall(WorldState state) {
+        return state.robot().isStanding() && state.place().distance(state.ball()) < NEAR_METRES;
     }
 
     private Result measure(Task task) {

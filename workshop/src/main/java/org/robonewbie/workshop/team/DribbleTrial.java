@@ -3,8 +3,8 @@ package org.robonewbie.workshop.team;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.team.skill.CloseDribbleNumbers;
-import org.robonewbie.trial.Moment;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.WorldState;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.Trial;
 
 /**
@@ -26,7 +26,7 @@ record DribbleTrial(double seconds, double farthest) {
     /** Dribbles with a whole simulator. */
     static DribbleTrial served(RobotType type, CloseDribbleNumbers numbers, long seed) {
         try (Trial trial = Trial.served(
-                PlayerChecks.scene(type, BALL_AHEAD, seed), seed, Performer.ofAgent(new Dribbler(numbers)))) {
+                PlayerChecks.scene(type, BALL_AHEAD, seed), seed, Controller.ofAgent(new Dribbler(numbers)))) {
             return run(trial);
         }
     }
@@ -36,7 +36,7 @@ record DribbleTrial(double seconds, double farthest) {
         double farthest = 0;
         double metres = 0;
         while (metres < DRIBBLED_METRES && trial.seconds() < GIVE_UP_SECONDS) {
-            Moment now = trial.step();
+            WorldState now = trial.step();
             farthest = Math.max(farthest, now.place().distance(now.ball()));
             metres = now.ball().x() - begin.x();
         }

@@ -12,8 +12,8 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.team.skill.CloseDribbleNumbers;
 import org.robonewbie.team.skill.KickKind;
-import org.robonewbie.trial.Moment;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.WorldState;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -159,7 +159,7 @@ public final class PlayerChecks {
     }
 
     private Trial trial(long seed, BallPlayer player) {
-        return Trial.served(scene(type, BALL_AHEAD, seed), seed, Performer.ofAgent(player));
+        return Trial.served(scene(type, BALL_AHEAD, seed), seed, Controller.ofAgent(player));
     }
 
     /** A robot in the stance on the league's pitch; the ball is ahead, and a little aside by the seed. */
@@ -174,7 +174,7 @@ public final class PlayerChecks {
         Vector3 begin = trial.now().ball();
         Optional<Double> near = Optional.empty();
         while (trial.seconds() < MOST_SECONDS) {
-            Moment now = trial.step();
+            WorldState now = trial.step();
             if (near.isEmpty() && now.place().distance(now.ball()) < NEAR_METRES) {
                 near = Optional.of(now.seconds());
             }

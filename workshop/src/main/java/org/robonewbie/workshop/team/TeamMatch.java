@@ -19,12 +19,12 @@ import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.team.Agent_Team;
 import org.robonewbie.team.talk.TeamMessage;
-import org.robonewbie.trial.Moment;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /** One half of a match of two teams on the league's pitch, in this thread, and what is counted in it. */
 final class TeamMatch {
@@ -46,7 +46,7 @@ final class TeamMatch {
     private int tried;
     private int reached;
     private int kicks;
-    private Moment now;
+    private WorldState now;
 
     /** What was counted. */
     record Result(
@@ -80,14 +80,14 @@ final class TeamMatch {
             double halfSeconds,
             OptionalDouble playOnSeconds) {
         List<RobotStart> robots = new ArrayList<>();
-        List<Performer> performers = new ArrayList<>();
+        List<Controller> controllers = new ArrayList<>();
         for (int number = 1; number <= home; number++) {
             robots.add(robot("Team", number, 1));
-            performers.add(Performer.ofAgent(team.apply(number)));
+            controllers.add(Controller.ofAgent(team.apply(number)));
         }
         for (int number = 1; number <= away; number++) {
             robots.add(robot("Others", number, -1));
-            performers.add(Performer.ofAgent(others.apply(number)));
+            controllers.add(Controller.ofAgent(others.apply(number)));
         }
         SoccerParameters rules = SoccerParameters.league()
                 .with(SoccerParameter.AUTOMATIC_KICK_OFF, 1)
@@ -95,7 +95,7 @@ final class TeamMatch {
                 .with(SoccerParameter.SINGLE_HALF_TIME, 1)
                 .with(SoccerParameter.RULE_HALF_TIME, halfSeconds);
         Scene scene = new Scene(rules, true, robots, Optional.of(Vector3.ZERO));
-        try (Trial trial = Trial.served(scene, seed, performers.toArray(Performer[]::new))) {
+        try (Trial trial = Trial.served(scene, seed, controllers.toArray(Controller[]::new))) {
             trial.allowBeams();
             trial.order(new Order.SetTime(0));
             trial.order(new Order.ChangePlayMode(PlayMode.BEFORE_KICK_OFF));

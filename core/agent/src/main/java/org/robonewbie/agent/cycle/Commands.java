@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
-import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.agent.log.Diagnostics;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.motion.Motors;
@@ -24,19 +24,23 @@ public final class Commands {
 
     private static final String SPEED_IS_A_SIZE = "Give a speed above 0; the angle decides on the direction.";
 
-    private final Senses senses;
+    private final SensorState sensors;
     private final Motors motors;
-    private final Mistakes mistakes;
+    private final Diagnostics diagnostics;
     private final Function<Joint, Optional<String>> turningMotion;
     private final boolean[] atEnd = new boolean[Joint.COUNT];
     private Optional<Say> say = Optional.empty();
     private Optional<Beam> beam = Optional.empty();
     private boolean requestsPass;
 
-    Commands(Senses senses, Motors motors, Mistakes mistakes, Function<Joint, Optional<String>> turningMotion) {
-        this.senses = senses;
+    Commands(
+            SensorState sensors,
+            Motors motors,
+            Diagnostics diagnostics,
+            Function<Joint, Optional<String>> turningMotion) {
+        this.sensors = sensors;
         this.motors = motors;
-        this.mistakes = mistakes;
+        this.diagnostics = diagnostics;
         this.turningMotion = turningMotion;
     }
 
@@ -48,7 +52,7 @@ public final class Commands {
      */
     public void setJointSpeed(Joint joint, double speed) {
         if (Double.isNaN(speed)) {
-            mistakes.reportSerious(
+            diagnostics.reportSerious(
                     "speed NaN " + joint,
                     () -> "Joint speed NaN for " + joint + " is ignored. Was something divided by zero?");
             return;
@@ -56,7 +60,7 @@ public final class Commands {
         reportConflict(joint);
         double most = joint.maxDegreesPerSecond();
         if (Math.abs(speed) > most) {
-            mistakes.report(
+            diagnostics.report(
                     "speed " + joint,
                     () -> format(
                             "Joint speed %.4g for %s is more than its motor can do; it turns with %.2f degrees per second.",
@@ -65,7 +69,7 @@ public final class Commands {
         double possible = Math.max(-most, Math.min(most, speed));
         if (motors.leavesRange(joint, possible) && !atEnd[joint.ordinal()]) {
             atEnd[joint.ordinal()] = true;
-            mistakes.report("end of range " + joint, () -> endOfRange(joint));
+            diagnostics.report("end of range " + joint, () -> endOfRange(joint));
         }
         motors.setSpeed(joint, possible);
     }
@@ -79,7 +83,7 @@ public final class Commands {
      */
     public void setJointAngle(Joint joint, double degrees, double speed) {
         if (!Double.isFinite(degrees) || !(speed > 0)) {
-            mistakes.reportSerious(
+            diagnostics.reportSerious(
                     "angle " + joint + (speed <= 0),
                     () -> format(
                             "Joint angle %s with speed %s for %s is ignored. %s",
@@ -88,7 +92,7 @@ public final class Commands {
         }
         reportConflict(joint);
         if (joint.clampDegrees(degrees) != degrees) {
-            mistakes.report(
+            diagnostics.report(
                     "range " + joint,
                     () -> format(
                             "Joint angle %s for %s is beyond its range of %.0f to %.0f degrees; it goes to the end of"
@@ -102,7 +106,7 @@ public final class Commands {
     private void reportConflict(Joint joint) {
         turningMotion
                 .apply(joint)
-                .ifPresent(motion -> mistakes.report(
+                .ifPresent(motion -> diagnostics.report(
                         "motion and command " + joint,
                         () -> format(
                                 "%s is turned by the motion \"%s\", too: it obeys this command until the next motion starts."
@@ -120,7 +124,7 @@ public final class Commands {
             new EffectorMessageWriter(new MessageBuffer()).say(text);
             say = Optional.of(new Say(text));
         } catch (IllegalArgumentException unspeakable) {
-            mistakes.report("say", () -> String.valueOf(unspeakable.getMessage()));
+            diagnostics.report("say", () -> String.valueOf(unspeakable.getMessage()));
         }
     }
 
@@ -132,14 +136,14 @@ public final class Commands {
      * @param degrees heading
      */
     public void beam(double x, double y, double degrees) {
-        if (!senses.isBeamAllowed()) {
-            mistakes.report(
+        if (!sensors.isBeamAllowed()) {
+            diagnostics.report(
                     "beam not allowed",
-                    () -> "The referee does not allow a beam in play mode " + senses.playMode()
+                    () -> "The referee does not allow a beam in play mode " + sensors.playMode()
                             + ", only before a kick-off and after a goal: ask isBeamAllowed() first.");
         }
         if (!Double.isFinite(x + y + degrees)) {
-            mistakes.report(
+            diagnostics.report(
                     "beam NaN",
                     () -> format("Beam to %s, %s, %s is ignored. Was something divided by zero?", x, y, degrees));
             return;
@@ -165,7 +169,7 @@ public final class Commands {
     public List<EffectorCommand> take() {
         motors.endCycle();
         List<EffectorCommand> commands = new ArrayList<>();
-        for (Joint joint : Senses.JOINTS) {
+        for (Joint joint : SensorState.JOINTS) {
             addSpeed(joint, commands);
         }
         beam.ifPresent(commands::add);
@@ -187,14 +191,14 @@ public final class Commands {
         }
         if (motors.isStopped(joint) && !atEnd[joint.ordinal()]) {
             atEnd[joint.ordinal()] = true;
-            mistakes.reportAt("", "end of range " + joint, () -> endOfRange(joint));
+            diagnostics.reportAt("", "end of range " + joint, () -> endOfRange(joint));
         }
     }
 
     private String endOfRange(Joint joint) {
         return format(
                 "%s has reached the end of its range (%.0f to %.0f degrees) at %.1f and stops there; set another speed.",
-                joint, joint.minDegrees(), joint.maxDegrees(), senses.joints().degrees(joint));
+                joint, joint.minDegrees(), joint.maxDegrees(), sensors.joints().degrees(joint));
     }
 
     private static String format(String pattern, Object... values) {

@@ -6,7 +6,7 @@ import java.util.OptionalDouble;
 /** One robot in a game: each message is received, sensed and answered exactly once. */
 public final class Session implements AutoCloseable {
 
-    private final Clockwork robot;
+    private final RobotRuntime robot;
     private final MessagePort port;
     private final OptionalDouble lifeSeconds;
     private final CycleWatch watch;
@@ -27,12 +27,12 @@ public final class Session implements AutoCloseable {
      * @param lifeSeconds simulated seconds until the robot leaves; empty for a game that the simulator ends
      * @param watch notified when the robot's program thinks
      */
-    public Session(Clockwork robot, MessagePort port, OptionalDouble lifeSeconds, CycleWatch watch) {
+    public Session(RobotRuntime robot, MessagePort port, OptionalDouble lifeSeconds, CycleWatch watch) {
         this.robot = robot;
         this.port = port;
         this.lifeSeconds = lifeSeconds;
         this.watch = watch;
-        this.bornSeconds = robot.senses().seconds();
+        this.bornSeconds = robot.sensors().seconds();
     }
 
     /**
@@ -57,7 +57,8 @@ public final class Session implements AutoCloseable {
      */
     public boolean senseNext() {
         if (closed) {
-            robot.mistakes().report("closed", () -> "The robot has left the game: sense() was called after close().");
+            robot.diagnostics()
+                    .report("closed", () -> "The robot has left the game: sense() was called after close().");
             return false;
         }
         complete();
@@ -93,7 +94,7 @@ public final class Session implements AutoCloseable {
     /** Answers as {@link #act}, and reports it if there is no message to answer. */
     public void actOnce() {
         if (answered && !over && !closed) {
-            robot.mistakes()
+            robot.diagnostics()
                     .report(
                             "act twice",
                             () -> "act() sends nothing, since the last message is answered already:"
@@ -129,10 +130,11 @@ public final class Session implements AutoCloseable {
         if (!sensed) {
             senseForgotten = true;
             sense();
-            robot.mistakes().reportAt("", "sense", () -> "sense() did not call super.sense(); the framework does it.");
+            robot.diagnostics()
+                    .reportAt("", "sense", () -> "sense() did not call super.sense(); the framework does it.");
         }
         if (!answered) {
-            robot.mistakes().reportAt("", "act", () -> "act() did not call super.act(); the framework does it.");
+            robot.diagnostics().reportAt("", "act", () -> "act() did not call super.act(); the framework does it.");
         }
         complete();
     }
@@ -155,7 +157,7 @@ public final class Session implements AutoCloseable {
     }
 
     private boolean isTimeOver() {
-        return lifeSeconds.isPresent() && robot.senses().seconds() - bornSeconds >= lifeSeconds.getAsDouble() - 1e-6;
+        return lifeSeconds.isPresent() && robot.sensors().seconds() - bornSeconds >= lifeSeconds.getAsDouble() - 1e-6;
     }
 
     private void reportBroken(IOException failure) {

@@ -22,17 +22,17 @@ import org.robonewbie.protocol.telemetry.TelemetrySink;
 public final class TelemetryPublisher {
 
     private static final Landmark[] LANDMARKS = Landmark.values();
-    private static final int MOST_DRAWINGS = 1000;
+    private static final int MAX_DRAWINGS = 1000;
 
-    private final Senses senses;
+    private final SensorState sensors;
     private final List<Drawing> drawings = new ArrayList<>();
     private volatile TelemetrySink sink = TelemetrySink.NONE;
     private Optional<String> motion = Optional.empty();
     private Optional<BelievedPose> self = Optional.empty();
     private int keyframe;
 
-    TelemetryPublisher(Senses senses) {
-        this.senses = senses;
+    TelemetryPublisher(SensorState sensors) {
+        this.sensors = sensors;
     }
 
     /**
@@ -85,7 +85,7 @@ public final class TelemetryPublisher {
      */
     public OptionalDouble wish(String name) {
         Optional<NumberWishes> wishes = sink.wishes();
-        return wishes.isPresent() ? wishes.get().take(senses.team(), senses.number(), name) : OptionalDouble.empty();
+        return wishes.isPresent() ? wishes.get().take(sensors.team(), sensors.number(), name) : OptionalDouble.empty();
     }
 
     /**
@@ -94,7 +94,7 @@ public final class TelemetryPublisher {
      * @param drawing the drawing
      */
     public synchronized void draw(Drawing drawing) {
-        if (isWatched() && drawings.size() < MOST_DRAWINGS) {
+        if (isWatched() && drawings.size() < MAX_DRAWINGS) {
             drawings.add(drawing);
         }
     }
@@ -134,11 +134,11 @@ public final class TelemetryPublisher {
     }
 
     private void publish(TelemetryItem item) {
-        publish(senses.seconds(), item);
+        publish(sensors.seconds(), item);
     }
 
     private void publish(double seconds, TelemetryItem item) {
-        sink.accept(new TelemetryMessage(senses.team(), senses.number(), seconds, item));
+        sink.accept(new TelemetryMessage(sensors.team(), sensors.number(), seconds, item));
     }
 
     private static List<BelievedThing> things(LocalFieldView view) {

@@ -58,7 +58,7 @@ public final class SelfLocalisation {
     private boolean fieldKnown;
     private final Odometry odometry = new Odometry();
     private final ForwardKinematics kinematics = ForwardKinematics.of(RobotType.TYPE_0);
-    private final PoseFilter filter = new PoseFilter();
+    private final ErrorStateKalmanFilter filter = new ErrorStateKalmanFilter();
     private int contradictions;
     private boolean known;
     private double seenSeconds = Double.NEGATIVE_INFINITY;

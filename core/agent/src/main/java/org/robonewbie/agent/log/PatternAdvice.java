@@ -17,7 +17,7 @@ final class PatternAdvice {
     private static final String ANY = "bBhHsScCtT";
     private static final String WITHOUT_VALUE = "n%";
     private static final String PER_CENT = "%% writes a per cent sign";
-    private static final int MOST_CHARACTERS = 40;
+    private static final int MAX_CHARACTERS = 40;
 
     private final String pattern;
     private final Object[] values;
@@ -109,10 +109,10 @@ final class PatternAdvice {
     }
 
     private static String quotedValue(Object value) {
-        return value instanceof Number ? MinusZero.removed(value.toString()) : quoted(String.valueOf(value));
+        return value instanceof Number ? NegativeZeroFormat.removed(value.toString()) : quoted(String.valueOf(value));
     }
 
     private static String quoted(String text) {
-        return "\"" + (text.length() > MOST_CHARACTERS ? text.substring(0, MOST_CHARACTERS) + "…" : text) + "\"";
+        return "\"" + (text.length() > MAX_CHARACTERS ? text.substring(0, MAX_CHARACTERS) + "…" : text) + "\"";
     }
 }

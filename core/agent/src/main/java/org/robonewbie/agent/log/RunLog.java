@@ -125,7 +125,7 @@ public final class RunLog implements Logger {
 
     private void log(LogLevel importance, String format, Object[] values) {
         if (importance.compareTo(level) >= 0) {
-            append(importance, MinusZero.removed(text(format, values)));
+            append(importance, NegativeZeroFormat.removed(text(format, values)));
         }
     }
 

@@ -11,7 +11,7 @@ import java.util.Optional;
 import java.util.SortedSet;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
-import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.agent.log.Diagnostics;
 import org.robonewbie.agent.perception.BodyPosition;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Interpolation;
@@ -32,11 +32,11 @@ import org.robonewbie.nao.text.Spelling;
 public final class MotionSequencer implements Motions {
 
     /** From any state to the stance, and from there to a walk. */
-    private static final int MOST_BRIDGES = 2;
+    private static final int MAX_BRIDGES = 2;
 
     private final Motors motors;
     private final MotionLibrary library;
-    private final Mistakes mistakes;
+    private final Diagnostics diagnostics;
     private final Supplier<BodyPosition> bodyPosition;
     private final MotionStates states = new MotionStates();
     private final Map<String, MotionFile> lastGood = new HashMap<>();
@@ -53,14 +53,14 @@ public final class MotionSequencer implements Motions {
      *
      * @param motors take the speeds
      * @param library knows the motions
-     * @param mistakes takes what is wrong with a motion
+     * @param diagnostics takes what is wrong with a motion
      * @param bodyPosition tells whether the robot lies on the ground
      */
     public MotionSequencer(
-            Motors motors, MotionLibrary library, Mistakes mistakes, Supplier<BodyPosition> bodyPosition) {
+            Motors motors, MotionLibrary library, Diagnostics diagnostics, Supplier<BodyPosition> bodyPosition) {
         this.motors = motors;
         this.library = library;
-        this.mistakes = mistakes;
+        this.diagnostics = diagnostics;
         this.bodyPosition = bodyPosition;
     }
 
@@ -161,7 +161,7 @@ public final class MotionSequencer implements Motions {
         if (factor > 0 && Double.isFinite(factor)) {
             speed = factor;
         } else {
-            mistakes.report("motion speed", () -> "Motions cannot have speed " + factor + "; use a number above 0.");
+            diagnostics.report("motion speed", () -> "Motions cannot have speed " + factor + "; use a number above 0.");
         }
     }
 
@@ -226,7 +226,7 @@ public final class MotionSequencer implements Motions {
 
     /** Leads to the start of a motion: directly if one bridge does it, otherwise by way of the stance. */
     private void bridgeTo(MotionFile file) {
-        for (int i = 0; i < MOST_BRIDGES && !states.canStart(file); i++) {
+        for (int i = 0; i < MAX_BRIDGES && !states.canStart(file); i++) {
             List<MotionFile> possible = bridges(file).filter(states::canStart).toList();
             possible.stream()
                     .filter(bridge -> MotionStates.canStartAfter(bridge, file))
@@ -260,7 +260,7 @@ public final class MotionSequencer implements Motions {
         int fromKeyframe = file.property("start").isPresent() ? 1 : 0;
         for (String problem : next.problems(motors, fromKeyframe)) {
             String kind = "too fast " + next.motion().name() + problem.replaceAll("[0-9]+", "");
-            mistakes.reportAt("", kind, () -> problem);
+            diagnostics.reportAt("", kind, () -> problem);
         }
     }
 
@@ -268,12 +268,12 @@ public final class MotionSequencer implements Motions {
         try {
             Optional<MotionFile> file = library.find(name);
             if (file.isEmpty()) {
-                mistakes.reportSerious("motion " + name + ": unknown", () -> unknown(name));
+                diagnostics.reportSerious("motion " + name + ": unknown", () -> unknown(name));
             }
             file.ifPresent(this::check);
             file.ifPresent(good -> {
                 lastGood.put(name, good);
-                mistakes.forgive("motion " + name + ": ");
+                diagnostics.forgive("motion " + name + ": ");
             });
             return file;
         } catch (IOException | MotionFormatException broken) {
@@ -282,9 +282,9 @@ public final class MotionSequencer implements Motions {
             Supplier<String> text = () -> "The motion " + name + " cannot be played: " + broken.getMessage()
                     + (known ? ". The robot plays it as it was before." : ". The robot goes on without it.");
             if (known) {
-                mistakes.report(kind, text);
+                diagnostics.report(kind, text);
             } else {
-                mistakes.reportSerious(kind, text);
+                diagnostics.reportSerious(kind, text);
             }
             return Optional.ofNullable(lastGood.get(name));
         }
@@ -295,7 +295,7 @@ public final class MotionSequencer implements Motions {
         file.motion();
         for (MotionProblem finding : file.warnings()) {
             String text = file.name() + " " + finding;
-            mistakes.reportAt("", text, () -> text + "; the robot does what it can.");
+            diagnostics.reportAt("", text, () -> text + "; the robot does what it can.");
         }
     }
 

@@ -1,7 +1,7 @@
 package org.robonewbie.agent.perception;
 
 import java.util.Locale;
-import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.agent.log.Diagnostics;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.perceptor.PolarPosition;
 
@@ -23,7 +23,7 @@ public class FieldItem {
 
     private final String name;
     private final Vision vision;
-    private final Mistakes mistakes;
+    private final Diagnostics diagnostics;
     private double seenSeconds = Double.NEGATIVE_INFINITY;
     private PolarPosition sighting = new PolarPosition(0, 0, 0);
     private double yawDegrees;
@@ -45,10 +45,10 @@ public class FieldItem {
         }
     }
 
-    FieldItem(String name, Vision vision, Mistakes mistakes) {
+    FieldItem(String name, Vision vision, Diagnostics diagnostics) {
         this.name = name;
         this.vision = vision;
-        this.mistakes = mistakes;
+        this.diagnostics = diagnostics;
     }
 
     /** Keeps what the camera sees; the direction is calculated on demand, since most directions are never asked for. */
@@ -148,7 +148,7 @@ public class FieldItem {
 
     private void checkKnown(String question) {
         if (!isKnown()) {
-            mistakes.report(
+            diagnostics.report(
                     question + " of " + name,
                     () -> "The " + question + " of the " + name + " is not known, since it has never been seen; ask"
                             + " isKnown() first.");

@@ -5,7 +5,7 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
-import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.agent.log.Diagnostics;
 import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.protocol.perceptor.PolarPosition;
@@ -20,7 +20,7 @@ public final class FieldMemory implements LocalFieldView {
 
     private static final double PLAYER_MEMORY_SECONDS = 10;
 
-    private final Mistakes mistakes;
+    private final Diagnostics diagnostics;
     private final FieldItem.Vision vision = new FieldItem.Vision();
     private final FieldItem ball;
     private final Map<Landmark, FieldItem> landmarks = new EnumMap<>(Landmark.class);
@@ -36,13 +36,13 @@ public final class FieldMemory implements LocalFieldView {
     /**
      * Creates an empty memory.
      *
-     * @param mistakes takes questions that have no answer
+     * @param diagnostics takes questions that have no answer
      */
-    public FieldMemory(Mistakes mistakes) {
-        this.mistakes = mistakes;
-        ball = new FieldItem("ball", vision, mistakes);
+    public FieldMemory(Diagnostics diagnostics) {
+        this.diagnostics = diagnostics;
+        ball = new FieldItem("ball", vision, diagnostics);
         for (Landmark landmark : Landmark.values()) {
-            landmarks.put(landmark, new FieldItem(landmark.toString(), vision, mistakes));
+            landmarks.put(landmark, new FieldItem(landmark.toString(), vision, diagnostics));
         }
     }
 
@@ -202,7 +202,7 @@ public final class FieldMemory implements LocalFieldView {
                         player.number() == seen.number() && player.team().equals(seen.team()))
                 .findFirst()
                 .orElseGet(() ->
-                        new PlayerItem(seen.team(), seen.number(), seen.team().equals(team), vision, mistakes));
+                        new PlayerItem(seen.team(), seen.number(), seen.team().equals(team), vision, diagnostics));
     }
 
     private void forgetLines() {

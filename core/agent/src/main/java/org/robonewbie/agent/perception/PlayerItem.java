@@ -2,7 +2,7 @@ package org.robonewbie.agent.perception;
 
 import java.util.EnumMap;
 import java.util.Map;
-import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.agent.log.Diagnostics;
 import org.robonewbie.nao.BodyPart;
 import org.robonewbie.nao.Vector3;
 
@@ -16,13 +16,13 @@ public final class PlayerItem extends FieldItem {
     private final boolean teamMate;
     private final Map<BodyPart, FieldItem> parts = new EnumMap<>(BodyPart.class);
 
-    PlayerItem(String team, int number, boolean teamMate, Vision vision, Mistakes mistakes) {
-        super(team + " " + number, vision, mistakes);
+    PlayerItem(String team, int number, boolean teamMate, Vision vision, Diagnostics diagnostics) {
+        super(team + " " + number, vision, diagnostics);
         this.team = team;
         this.number = number;
         this.teamMate = teamMate;
         for (BodyPart part : BodyPart.values()) {
-            parts.put(part, new FieldItem(part + " of " + team + " " + number, vision, mistakes));
+            parts.put(part, new FieldItem(part + " of " + team + " " + number, vision, diagnostics));
         }
     }
 

@@ -4,17 +4,17 @@ import java.util.Arrays;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * A layer of a neural network: each output is a weighted sum of all inputs and a bias, pressed between -1 and 1.
+ * A fully connected layer of a neural network: each output is the activation of a weighted sum of all inputs and a bias.
  *
  * @param inputs how many numbers go in
  * @param outputs how many numbers come out
- * @param activation limits sums to [-1, 1]
+ * @param activation applied to each sum
  * @param numbers for each output its bias and then the weight of each input
  */
 @SuppressWarnings("ArrayRecordComponent")
 record Layer(int inputs, int outputs, Activation activation, double[] numbers) {
 
-    /** Limits a sum to [-1, 1]. */
+    /** Activation function; its values lie between -1 and 1. */
     enum Activation {
         /** Hyperbolic tangent. */
         TANH {
@@ -23,7 +23,7 @@ record Layer(int inputs, int outputs, Activation activation, double[] numbers) {
                 return 1 - 2 / (PortableMath.exp(2 * sum) + 1);
             }
         },
-        /** Clamping. */
+        /** Clipping to -1 and 1. */
         CUT {
             @Override
             double of(double sum) {

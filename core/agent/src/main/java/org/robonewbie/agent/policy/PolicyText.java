@@ -157,8 +157,8 @@ public final class PolicyText {
         policy.inputs().forEach(input -> lines.add("input " + input.name() + " " + input.unit()));
         policy.outputs().forEach(output -> lines.add("output " + output.name() + " " + output.unit()));
         for (Layer layer : policy.network().layers()) {
-            String activation = layer.activation().name().toLowerCase(Locale.ROOT);
-            lines.add("layer " + layer.inputs() + " " + layer.outputs() + " " + activation);
+            String bend = layer.activation().name().toLowerCase(Locale.ROOT);
+            lines.add("layer " + layer.inputs() + " " + layer.outputs() + " " + bend);
             for (int i = 0; i < layer.outputs(); i++) {
                 lines.add(words(Arrays.stream(layer.row(i)).boxed().toList()));
             }

@@ -79,10 +79,7 @@ public abstract class SteeredRobot implements Puppet {
         wish(nao -> {
             held.clear();
             nao.walk()
-                    .towards(
-                            part(forward) * Walk.MOST_FORWARD,
-                            part(left) * Walk.MOST_LEFT,
-                            part(turn) * Walk.MOST_TURN);
+                    .towards(part(forward) * Walk.MAX_FORWARD, part(left) * Walk.MAX_LEFT, part(turn) * Walk.MAX_TURN);
         });
     }
 

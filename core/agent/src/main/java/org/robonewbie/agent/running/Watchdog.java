@@ -6,7 +6,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import org.robonewbie.agent.cycle.CycleWatch;
-import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.agent.log.Diagnostics;
 
 /**
  * Detects that a robot's program does not come to the end of a cycle and reports its present line, again after ten seconds if that
@@ -23,7 +23,7 @@ public final class Watchdog implements CycleWatch, AutoCloseable {
     private static final double NANOSECONDS_PER_MILLISECOND = 1e6;
 
     private final CycleOwner owner;
-    private final Mistakes mistakes;
+    private final Diagnostics diagnostics;
     private final Optional<Runnable> giveUp;
     private final Consumer<Slowness> listener;
     private final LongSupplier nanoseconds;
@@ -45,12 +45,12 @@ public final class Watchdog implements CycleWatch, AutoCloseable {
 
     Watchdog(
             CycleOwner owner,
-            Mistakes mistakes,
+            Diagnostics diagnostics,
             Optional<Runnable> giveUp,
             Consumer<Slowness> listener,
             LongSupplier nanoseconds) {
         this.owner = owner;
-        this.mistakes = mistakes;
+        this.diagnostics = diagnostics;
         this.giveUp = giveUp;
         this.listener = listener;
         this.nanoseconds = nanoseconds;
@@ -61,14 +61,14 @@ public final class Watchdog implements CycleWatch, AutoCloseable {
      * Starts a watchdog for the thread that turns the cycle.
      *
      * @param owner who turns the cycle
-     * @param mistakes where it barks
+     * @param diagnostics where it barks
      * @param giveUp what to do after five seconds of thinking; empty waits for ever
      * @param listener called in the thread of the program when many cycles have been slow
      * @return the watchdog, which watches until it is closed
      */
     public static Watchdog start(
-            CycleOwner owner, Mistakes mistakes, Optional<Runnable> giveUp, Consumer<Slowness> listener) {
-        Watchdog watchdog = new Watchdog(owner, mistakes, giveUp, listener, System::nanoTime);
+            CycleOwner owner, Diagnostics diagnostics, Optional<Runnable> giveUp, Consumer<Slowness> listener) {
+        Watchdog watchdog = new Watchdog(owner, diagnostics, giveUp, listener, System::nanoTime);
         watchdog.thread.start();
         return watchdog;
     }
@@ -173,13 +173,13 @@ public final class Watchdog implements CycleWatch, AutoCloseable {
     /** Reports a stall; of the same line in the program only one in ten seconds. */
     private void report(String howLong, StackSample now) {
         String text = owner.stall(howLong);
-        mistakes.reportAt(now.place(), text + allTicks / TICKS_BETWEEN_REPORTS, () -> text);
+        diagnostics.reportAt(now.place(), text + allTicks / TICKS_BETWEEN_REPORTS, () -> text);
     }
 
     /** Reports what makes many cycles slow, once for each line. */
     private void report(Slowness slowness) {
         StackSample cause = slowness.cause();
-        mistakes.reportAt(
+        diagnostics.reportAt(
                 cause.place(), "slow " + cause.kind(), () -> owner.finding(slowness, "") + " " + slowness.advice());
         listener.accept(slowness);
     }

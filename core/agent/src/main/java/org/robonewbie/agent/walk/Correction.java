@@ -24,17 +24,17 @@ public record Correction(
     public static final Correction NONE = new Correction(0, 0, 0, 0, 0, 0);
 
     private static final Joint[] JOINTS = Joint.values();
-    private static final double MOST_DEGREES = 15;
-    private static final double MOST_METRES = 0.05;
+    private static final double MAX_DEGREES = 15;
+    private static final double MAX_METRES = 0.05;
 
     /** Limits angles to 15° and ways to 5 cm. */
     public Correction {
-        anklePitchDegrees = limit(anklePitchDegrees, MOST_DEGREES);
-        hipPitchDegrees = limit(hipPitchDegrees, MOST_DEGREES);
-        ankleRollDegrees = limit(ankleRollDegrees, MOST_DEGREES);
-        hipRollDegrees = limit(hipRollDegrees, MOST_DEGREES);
-        swingForward = limit(swingForward, MOST_METRES);
-        swingLeft = limit(swingLeft, MOST_METRES);
+        anklePitchDegrees = limit(anklePitchDegrees, MAX_DEGREES);
+        hipPitchDegrees = limit(hipPitchDegrees, MAX_DEGREES);
+        ankleRollDegrees = limit(ankleRollDegrees, MAX_DEGREES);
+        hipRollDegrees = limit(hipRollDegrees, MAX_DEGREES);
+        swingForward = limit(swingForward, MAX_METRES);
+        swingLeft = limit(swingLeft, MAX_METRES);
     }
 
     /** Adds the corrections to the angles of both legs, in the order of {@link Joint}, within the joints' ranges. */

@@ -14,7 +14,7 @@ public final class FastWalk {
     /** Time of one step in milliseconds. */
     private static final int STEP_MILLIS = 200;
 
-    private static final double MOST_BACKWARD = 0.36;
+    private static final double MAX_BACKWARD = 0.36;
     private static final double CHANGE_LEFT = 0.08;
 
     private static final double[] FOUND = {
@@ -58,7 +58,7 @@ public final class FastWalk {
                 style.gait().withSwingEasing(easing).withArmSwing(180 + 30 * more[7]),
                 style.gains(),
                 most,
-                MOST_BACKWARD,
+                MAX_BACKWARD,
                 new WalkVelocity(style.change().forward(), CHANGE_LEFT, turnChange),
                 style.leanPerSpeed(),
                 style.ankleOffsetPerSpeed(),

@@ -31,7 +31,7 @@ public record PolicyWalk(WalkStyle style, WalkReflex reflex) {
     public static final String GAIT = "gait";
 
     private static final String STEP = "step-millis";
-    private static final String MOST = "most-forward-left-turn-backward";
+    private static final String MAX = "most-forward-left-turn-backward";
 
     /**
      * Takes a policy.
@@ -49,7 +49,7 @@ public record PolicyWalk(WalkStyle style, WalkReflex reflex) {
     }
 
     private static WalkStyle style(Policy policy) {
-        double[] most = policy.numbers(MOST, 4);
+        double[] most = policy.numbers(MAX, 4);
         return FastWalk.style((int) policy.numbers(STEP, 1)[0], policy.numbers(GAIT, FastWalk.PARAMETERS))
                 .withMost(new WalkVelocity(most[0], most[1], most[2]), most[3]);
     }
@@ -77,7 +77,7 @@ public record PolicyWalk(WalkStyle style, WalkReflex reflex) {
         Map<String, List<Double>> numbers = Map.of(
                 GAIT, DoubleStream.of(gait).boxed().toList(),
                 STEP, List.of((double) stepMillis),
-                MOST, List.of(most.forward(), most.left(), most.turn(), backward));
+                MAX, List.of(most.forward(), most.left(), most.turn(), backward));
         return new Policy(task, about, numbers, ResidualPolicy.INPUTS, ResidualPolicy.OUTPUTS, network);
     }
 }

@@ -23,7 +23,7 @@ public record PoseApproach(WalkStyle style) {
     private static final double PER_SECOND = 2;
     private static final double TURN_PER_SECOND = 2.2;
     private static final double BRAKES = 0.7;
-    private static final double MOST_ASIDE_DEGREES = 60;
+    private static final double MAX_ASIDE_DEGREES = 60;
 
     /**
      * Calculates how to walk now.
@@ -38,7 +38,7 @@ public record PoseApproach(WalkStyle style) {
         double bearing = PortableMath.toDegrees(PortableMath.atan2(left, ahead));
         double far = share(distance);
         double turn = TURN_PER_SECOND * (far * bearing + (1 - far) * turnDegrees);
-        if (distance > FACES_PLACE_METRES && Math.abs(bearing) > MOST_ASIDE_DEGREES) {
+        if (distance > FACES_PLACE_METRES && Math.abs(bearing) > MAX_ASIDE_DEGREES) {
             return new WalkVelocity(0, 0, turn).within(style.most(), style.backward());
         }
         double speed = Math.min(PER_SECOND * distance, braking(distance));

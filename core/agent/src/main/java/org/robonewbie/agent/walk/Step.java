@@ -34,7 +34,7 @@ public record Step(
         TorsoPosture after) {
 
     private static final double ANKLE_BEHIND_TORSO = 0.005;
-    private static final double MOST_ARM_DEGREES = 45;
+    private static final double MAX_ARM_DEGREES = 45;
 
     /**
      * Calculates a posture of this step, without any correction.
@@ -93,7 +93,7 @@ public record Step(
     /** Swings each arm against the leg on its side; the stride is how far the swing foot is ahead of the support foot. */
     private void swingArms(double[] degrees, double stride) {
         double leftAhead = swing == Leg.LEFT ? stride : -stride;
-        double angle = Math.max(-MOST_ARM_DEGREES, Math.min(MOST_ARM_DEGREES, gait.armSwing() * leftAhead));
+        double angle = Math.max(-MAX_ARM_DEGREES, Math.min(MAX_ARM_DEGREES, gait.armSwing() * leftAhead));
         Posture stance = Stance.POSTURE;
         degrees[Joint.LEFT_SHOULDER_PITCH.ordinal()] = stance.degrees(Joint.LEFT_SHOULDER_PITCH) - angle;
         degrees[Joint.RIGHT_SHOULDER_PITCH.ordinal()] = stance.degrees(Joint.RIGHT_SHOULDER_PITCH) + angle;

@@ -19,20 +19,20 @@ package org.robonewbie.agent.walk;
 public interface Walk {
 
     /** The largest speed forward in metres per second; backward it is less. */
-    double MOST_FORWARD = WalkStyle.STANDARD.most().forward();
+    double MAX_FORWARD = WalkStyle.STANDARD.most().forward();
 
     /** The largest speed aside in metres per second. */
-    double MOST_LEFT = WalkStyle.STANDARD.most().left();
+    double MAX_LEFT = WalkStyle.STANDARD.most().left();
 
     /** The largest speed of turning in degrees per second. */
-    double MOST_TURN = WalkStyle.STANDARD.most().turn();
+    double MAX_TURN = WalkStyle.STANDARD.most().turn();
 
     /**
      * Sets the walking velocity. Values beyond the limits are scaled down; the direction is preserved.
      *
-     * @param forwardMetresPerSecond up to {@link #MOST_FORWARD}; negative is backward
-     * @param leftMetresPerSecond up to {@link #MOST_LEFT}; negative is to the right
-     * @param turnDegreesPerSecond up to {@link #MOST_TURN}; positive is to the left, negative to the right
+     * @param forwardMetresPerSecond up to {@link #MAX_FORWARD}; negative is backward
+     * @param leftMetresPerSecond up to {@link #MAX_LEFT}; negative is to the right
+     * @param turnDegreesPerSecond up to {@link #MAX_TURN}; positive is to the left, negative to the right
      */
     void towards(double forwardMetresPerSecond, double leftMetresPerSecond, double turnDegreesPerSecond);
 

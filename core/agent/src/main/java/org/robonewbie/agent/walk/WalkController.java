@@ -3,7 +3,7 @@ package org.robonewbie.agent.walk;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
-import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.agent.log.Diagnostics;
 import org.robonewbie.agent.motion.MotionSequencer;
 import org.robonewbie.agent.perception.BodyPosition;
 import org.robonewbie.agent.perception.FootPressure;
@@ -20,7 +20,7 @@ public final class WalkController implements Walk {
 
     private final Motors motors;
     private final MotionSequencer motions;
-    private final Mistakes mistakes;
+    private final Diagnostics diagnostics;
     private final Supplier<BodyPosition> bodyPosition;
     private WalkEngine engine = new WalkEngine(WalkStyle.STANDARD);
     private PolicyWalk manner = STANDARD;
@@ -35,14 +35,14 @@ public final class WalkController implements Walk {
      *
      * @param motors receive the speeds
      * @param motions have precedence over walking
-     * @param mistakes reports what is wrong with a velocity
+     * @param diagnostics reports what is wrong with a velocity
      * @param bodyPosition whether the robot lies on the ground
      */
     public WalkController(
-            Motors motors, MotionSequencer motions, Mistakes mistakes, Supplier<BodyPosition> bodyPosition) {
+            Motors motors, MotionSequencer motions, Diagnostics diagnostics, Supplier<BodyPosition> bodyPosition) {
         this.motors = motors;
         this.motions = motions;
-        this.mistakes = mistakes;
+        this.diagnostics = diagnostics;
         this.bodyPosition = bodyPosition;
         this.follower = new PostureFollower(motors);
     }
@@ -50,7 +50,7 @@ public final class WalkController implements Walk {
     @Override
     public void towards(double forwardMetresPerSecond, double leftMetresPerSecond, double turnDegreesPerSecond) {
         if (!Double.isFinite(forwardMetresPerSecond + leftMetresPerSecond + turnDegreesPerSecond)) {
-            mistakes.report(
+            diagnostics.report(
                     "walk NaN",
                     () -> "Walking towards " + forwardMetresPerSecond + ", " + leftMetresPerSecond + ", "
                             + turnDegreesPerSecond + " is ignored. Was something divided by zero?");

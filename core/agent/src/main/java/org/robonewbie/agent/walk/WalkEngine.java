@@ -47,7 +47,7 @@ public final class WalkEngine {
     private static final int CYCLE_MILLIS = 20;
 
     /** A runner, too, takes this time for the step with which it comes to rest. */
-    private static final int LEAST_CYCLES_OF_LAST_STEP = 10;
+    private static final int MIN_CYCLES_OF_LAST_STEP = 10;
 
     private final WalkStyle style;
     private final WalkReflex reflex;
@@ -192,7 +192,7 @@ public final class WalkEngine {
 
     private int cyclesOfStep(boolean stopping) {
         int usual = style.gait().stepMillis() / CYCLE_MILLIS;
-        return stopping ? Math.max(usual, LEAST_CYCLES_OF_LAST_STEP) : usual;
+        return stopping ? Math.max(usual, MIN_CYCLES_OF_LAST_STEP) : usual;
     }
 
     private Step stepTo(FootPlace target, TorsoPosture after) {

@@ -59,7 +59,7 @@ public record WalkStyle(
     public static final WalkStyle FAST = FastWalk.style(FastWalk.coordinates());
 
     /** With more a robot of type 3 falls within a few metres; its steps are longer, and it gets 0.65 m/s. */
-    private static final double MOST_FORWARD_OF_LONGEST_LEGS = 0.5;
+    private static final double MAX_FORWARD_OF_LONGEST_LEGS = 0.5;
 
     /**
      * Returns the fast walk for a robot of some build.
@@ -71,7 +71,7 @@ public record WalkStyle(
         WalkVelocity most = FAST.most();
         return type == RobotType.TYPE_3
                 ? FAST.withMost(
-                        new WalkVelocity(MOST_FORWARD_OF_LONGEST_LEGS, most.left(), most.turn()), FAST.backward())
+                        new WalkVelocity(MAX_FORWARD_OF_LONGEST_LEGS, most.left(), most.turn()), FAST.backward())
                 : FAST;
     }
 

@@ -11,7 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.agent.log.Diagnostics;
 import org.robonewbie.agent.perception.BodyPosition;
 import org.robonewbie.nao.motion.JointStates;
 import org.robonewbie.nao.motion.Motors;
@@ -29,7 +29,7 @@ class MotionSequenceTest {
     private final JointStates joints = new JointStates();
     private final Motors motors = new Motors(joints);
     private final IdealRobot robot = new IdealRobot(Posture.ZERO);
-    private final Mistakes mistakes = new Mistakes(new PrintStream(OutputStream.nullOutputStream()));
+    private final Diagnostics diagnostics = new Diagnostics(new PrintStream(OutputStream.nullOutputStream()));
     private BodyPosition bodyPosition = BodyPosition.UPRIGHT;
 
     @Test
@@ -155,7 +155,7 @@ class MotionSequenceTest {
 
     private MotionSequencer motions() {
         return new MotionSequencer(
-                motors, MotionFiles.library(folder.resolve("motions")), mistakes, () -> bodyPosition);
+                motors, MotionFiles.library(folder.resolve("motions")), diagnostics, () -> bodyPosition);
     }
 
     private void file(String name, String text) throws IOException {

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.agent.log.Diagnostics;
 import org.robonewbie.agent.perception.BodyPosition;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.JointStates;
@@ -39,7 +39,7 @@ class MotionsTest {
     private final JointStates joints = new JointStates();
     private final Motors motors = new Motors(joints);
     private final IdealRobot robot = new IdealRobot(Posture.ZERO);
-    private final Mistakes mistakes = new Mistakes(new PrintStream(OutputStream.nullOutputStream()));
+    private final Diagnostics diagnostics = new Diagnostics(new PrintStream(OutputStream.nullOutputStream()));
 
     @Test
     void playsAFileByItsName() throws IOException {
@@ -158,7 +158,7 @@ class MotionsTest {
         JointStates otherJoints = new JointStates();
         Motors otherMotors = new Motors(otherJoints);
         MotionSequencer other = new MotionSequencer(
-                otherMotors, MotionFiles.library(folder.resolve("motions")), mistakes, () -> BodyPosition.UPRIGHT);
+                otherMotors, MotionFiles.library(folder.resolve("motions")), diagnostics, () -> BodyPosition.UPRIGHT);
 
         one.start("nod");
         cycles(one, 5);
@@ -181,7 +181,7 @@ class MotionsTest {
         boolean started = motions().start("salute");
 
         assertThat(started).isFalse();
-        assertThat(mistakes.reported())
+        assertThat(diagnostics.reported())
                 .singleElement()
                 .asString()
                 .startsWith("0.00 s: There is no motion \"salute\". Put a file motions/salute.txt into the working"
@@ -193,7 +193,7 @@ class MotionsTest {
     void guessesWhichMotionAMisspeltNameMeans() {
         motions().start("walk-foward");
 
-        assertThat(mistakes.reported())
+        assertThat(diagnostics.reported())
                 .singleElement()
                 .asString()
                 .startsWith("0.00 s: There is no motion \"walk-foward\". Did you mean \"walk-forward\"? Put a file ");
@@ -218,7 +218,7 @@ class MotionsTest {
         boolean started = motions().start(name);
 
         assertThat(started).isFalse();
-        assertThat(mistakes.reported()).singleElement().asString().startsWith("0.00 s: " + message);
+        assertThat(diagnostics.reported()).singleElement().asString().startsWith("0.00 s: " + message);
     }
 
     @Test
@@ -235,11 +235,11 @@ class MotionsTest {
             }
         };
         MotionSequencer motions =
-                new MotionSequencer(motors, new MotionLibrary(gone, gone), mistakes, () -> BodyPosition.UPRIGHT);
+                new MotionSequencer(motors, new MotionLibrary(gone, gone), diagnostics, () -> BodyPosition.UPRIGHT);
 
         motions.start("nod");
 
-        assertThat(mistakes.reported()).singleElement().asString().doesNotContain("Did you mean");
+        assertThat(diagnostics.reported()).singleElement().asString().doesNotContain("Did you mean");
     }
 
     @ParameterizedTest
@@ -251,7 +251,7 @@ class MotionsTest {
                 .isTrue();
         assertThat(motions().start(Normalizer.normalize(name, Normalizer.Form.NFD)))
                 .isTrue();
-        assertThat(mistakes.reported()).isEmpty();
+        assertThat(diagnostics.reported()).isEmpty();
     }
 
     @Test
@@ -263,7 +263,7 @@ class MotionsTest {
         cycles(motions, 1);
 
         assertThat(started).isFalse();
-        assertThat(mistakes.reported())
+        assertThat(diagnostics.reported())
                 .singleElement()
                 .asString()
                 .contains("The motion nod cannot be played: nod.txt")
@@ -283,7 +283,7 @@ class MotionsTest {
         boolean started = motions.start("nod");
 
         assertThat(started).isTrue();
-        assertThat(mistakes.reported().get(0)).contains("thirty").contains("The robot plays it as it was before.");
+        assertThat(diagnostics.reported().get(0)).contains("thirty").contains("The robot plays it as it was before.");
     }
 
     @Test
@@ -309,7 +309,7 @@ class MotionsTest {
             cycles(motions, 30);
         }
 
-        assertThat(mistakes.reported())
+        assertThat(diagnostics.reported())
                 .containsExactly("0.00 s: Motion nod turns NECK_YAW by 90 degrees in 20 ms on the way to keyframe 1,"
                         + " faster than its motor can; give it at least 260 ms.");
     }
@@ -325,7 +325,7 @@ class MotionsTest {
 
     private MotionSequencer motions() {
         return new MotionSequencer(
-                motors, MotionFiles.library(folder.resolve("motions")), mistakes, () -> BodyPosition.UPRIGHT);
+                motors, MotionFiles.library(folder.resolve("motions")), diagnostics, () -> BodyPosition.UPRIGHT);
     }
 
     private void file(String name, String text) throws IOException {

@@ -8,7 +8,7 @@ import java.io.PrintStream;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.agent.log.Diagnostics;
 import org.robonewbie.nao.BodyPart;
 import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.TeamSide;
@@ -22,8 +22,8 @@ import org.robonewbie.protocol.perceptor.Vision.SeenPlayer;
 
 class LocalFieldViewTest {
 
-    private final Mistakes mistakes = new Mistakes(new PrintStream(OutputStream.nullOutputStream()));
-    private final FieldMemory view = new FieldMemory(mistakes);
+    private final Diagnostics diagnostics = new Diagnostics(new PrintStream(OutputStream.nullOutputStream()));
+    private final FieldMemory view = new FieldMemory(diagnostics);
 
     @Test
     void knowsNothingAtFirst() {
@@ -36,7 +36,7 @@ class LocalFieldViewTest {
         assertThat(view.landmark(Landmark.FLAG_1_LEFT).isKnown()).isFalse();
         assertThat(view.players()).isEmpty();
         assertThat(view.lines()).isEmpty();
-        assertThat(mistakes.reported()).isEmpty();
+        assertThat(diagnostics.reported()).isEmpty();
     }
 
     @Test
@@ -44,7 +44,7 @@ class LocalFieldViewTest {
         double bearing = view.ball().bearing();
 
         assertThat(bearing).isZero();
-        assertThat(mistakes.reported())
+        assertThat(diagnostics.reported())
                 .singleElement()
                 .asString()
                 .startsWith("0.00 s: The bearing of the ball is not known, since it has never been seen; ask isKnown()"

@@ -11,12 +11,12 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Test;
-import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.agent.log.Diagnostics;
 import student.Dreamer;
 
 class WatchdogTest {
 
-    private final Mistakes mistakes = new Mistakes(new PrintStream(OutputStream.nullOutputStream()));
+    private final Diagnostics diagnostics = new Diagnostics(new PrintStream(OutputStream.nullOutputStream()));
     private final AtomicInteger givenUp = new AtomicInteger();
     private final List<Slowness> heard = new ArrayList<>();
     private long nanoseconds;
@@ -50,7 +50,7 @@ class WatchdogTest {
         dreamFor(6 * 500 + 2);
 
         assertThat(givenUp).hasPositiveValue();
-        assertThat(mistakes.reported())
+        assertThat(diagnostics.reported())
                 .anyMatch(line -> line.contains("think() has not returned for 1 s; the robot waits for it."))
                 .anyMatch(line -> line.contains("think() has not returned for 5 s; the run ends here."));
     }
@@ -59,9 +59,9 @@ class WatchdogTest {
     void namesTheLineOfAProgramThatTurnsTheCycleItself() {
         Watchdog other = watchdog(CycleOwner.PROGRAM);
         other.thinkBegins();
-        computeUntil(other, () -> !mistakes.reported().isEmpty());
+        computeUntil(other, () -> !diagnostics.reported().isEmpty());
 
-        assertThat(mistakes.reported().get(0))
+        assertThat(diagnostics.reported().get(0))
                 .contains("The program has not called sense() for 1 s; the robot waits for it.")
                 .containsPattern("\\(Dreamer\\.java:\\d+\\)$");
         assertThat(heard).isEmpty();
@@ -81,7 +81,7 @@ class WatchdogTest {
         watchdog.thinkBegins();
 
         assertThat(heard).singleElement().matches(slowness -> !slowness.isIdle());
-        assertThat(mistakes.reported())
+        assertThat(diagnostics.reported())
                 .singleElement()
                 .asString()
                 .matches("0\\.00 s: think\\(\\) took about 300 ms; it is called 50 times per simulated second\\."
@@ -98,11 +98,11 @@ class WatchdogTest {
         }
         watchdog.thinkBegins();
 
-        assertThat(mistakes.reported()).isEmpty();
+        assertThat(diagnostics.reported()).isEmpty();
     }
 
     private Watchdog watchdog(CycleOwner owner) {
-        return new Watchdog(owner, mistakes, Optional.of(givenUp::incrementAndGet), heard::add, () -> nanoseconds);
+        return new Watchdog(owner, diagnostics, Optional.of(givenUp::incrementAndGet), heard::add, () -> nanoseconds);
     }
 
     private static void computeUntil(Watchdog watchdog, BooleanSupplier end) {

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import org.junit.jupiter.api.Test;
-import org.robonewbie.agent.log.Mistakes;
+import org.robonewbie.agent.log.Diagnostics;
 import org.robonewbie.agent.motion.MotionSequencer;
 import org.robonewbie.agent.perception.BodyPosition;
 import org.robonewbie.agent.perception.FootPressure;
@@ -19,13 +19,13 @@ import org.robonewbie.nao.motion.file.MotionFiles;
 
 class WalkTest {
 
-    private final Mistakes mistakes = new Mistakes(new PrintStream(OutputStream.nullOutputStream()));
+    private final Diagnostics diagnostics = new Diagnostics(new PrintStream(OutputStream.nullOutputStream()));
     private final JointStates joints = new JointStates();
     private final Motors motors = new Motors(joints);
     private BodyPosition bodyPosition = BodyPosition.UPRIGHT;
     private final MotionSequencer motions =
-            new MotionSequencer(motors, MotionFiles.library(), mistakes, () -> bodyPosition);
-    private final WalkController walk = new WalkController(motors, motions, mistakes, () -> bodyPosition);
+            new MotionSequencer(motors, MotionFiles.library(), diagnostics, () -> bodyPosition);
+    private final WalkController walk = new WalkController(motors, motions, diagnostics, () -> bodyPosition);
 
     @Test
     void walksAtOnceFromTheStance() {
@@ -92,7 +92,7 @@ class WalkTest {
         cycles(1);
 
         assertThat(walk.isWalking()).isFalse();
-        assertThat(mistakes.reported())
+        assertThat(diagnostics.reported())
                 .anyMatch(line ->
                         line.contains("Walking towards NaN, 0.0, 0.0 is ignored. Was something divided by zero?"));
     }

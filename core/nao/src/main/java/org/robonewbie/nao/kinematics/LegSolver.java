@@ -19,7 +19,7 @@ final class LegSolver {
     private static final double GOOD_ENOUGH = 1e-18;
     private static final double FIRST_DAMPING = 1e-4;
     private static final double SMALLEST_DAMPING = 1e-12;
-    private static final double LEAST_IMPROVEMENT = 1e-9;
+    private static final double MIN_IMPROVEMENT = 1e-9;
     private static final double TINY = 1e-12;
     private static final double LARGEST_DAMPING = 1e3;
 
@@ -69,7 +69,7 @@ final class LegSolver {
                 damping *= 10;
                 continue;
             }
-            boolean stagnates = trialCost > (1 - LEAST_IMPROVEMENT) * cost;
+            boolean stagnates = trialCost > (1 - MIN_IMPROVEMENT) * cost;
             System.arraycopy(trial, 0, angles, 0, JOINTS);
             cost = trialCost;
             if (stagnates) {

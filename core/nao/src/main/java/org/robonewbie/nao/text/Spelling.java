@@ -14,7 +14,7 @@ import java.util.function.UnaryOperator;
 public final class Spelling {
 
     private static final int SHORTEST_PART = 3;
-    private static final int MOST_WRONG_LETTERS = 2;
+    private static final int MAX_WRONG_LETTERS = 2;
 
     private Spelling() {}
 
@@ -86,7 +86,7 @@ public final class Spelling {
     private static Optional<String> similar(String misspelt, Collection<String> words) {
         return words.stream()
                 .min(Comparator.comparingInt(word -> distance(word, misspelt)))
-                .filter(word -> distance(word, misspelt) <= Math.max(MOST_WRONG_LETTERS, word.length() / 2));
+                .filter(word -> distance(word, misspelt) <= Math.max(MAX_WRONG_LETTERS, word.length() / 2));
     }
 
     /** Levenshtein's distance: how many letters must be changed, added or taken away. */

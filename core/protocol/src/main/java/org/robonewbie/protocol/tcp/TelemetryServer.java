@@ -17,7 +17,7 @@ public final class TelemetryServer implements AutoCloseable {
 
     private static final int ABOVE_AGENT_PORT = 200;
     private static final int HIGHEST_PORT = 65_535;
-    private static final int MOST_CONNECTIONS = 64;
+    private static final int MAX_CONNECTIONS = 64;
 
     private final ServerSocket socket;
     private final TelemetrySink sink;
@@ -77,7 +77,7 @@ public final class TelemetryServer implements AutoCloseable {
         while (!socket.isClosed()) {
             try {
                 TelemetryVisitor visitor = new TelemetryVisitor(socket.accept(), sink);
-                if (visitors.size() < MOST_CONNECTIONS && visitors.add(visitor)) {
+                if (visitors.size() < MAX_CONNECTIONS && visitors.add(visitor)) {
                     start(() -> listen(visitor));
                 } else {
                     visitor.close();

@@ -19,7 +19,7 @@ import org.robonewbie.protocol.telemetry.TelemetrySink;
 final class TelemetryVisitor implements AutoCloseable {
 
     private static final int LONGEST_LINE = 200_000;
-    private static final int MOST_NUMBERS = 1000;
+    private static final int MAX_NUMBERS = 1000;
 
     private final Socket socket;
     private final TelemetrySink sink;
@@ -50,7 +50,7 @@ final class TelemetryVisitor implements AutoCloseable {
     }
 
     private void hear(TelemetryMessage message) {
-        if (message.item() instanceof DeclaredNumber number && numbers.size() < MOST_NUMBERS) {
+        if (message.item() instanceof DeclaredNumber number && numbers.size() < MAX_NUMBERS) {
             numbers.add(key(message.team(), message.number(), number.name()));
         }
         sink.accept(message);

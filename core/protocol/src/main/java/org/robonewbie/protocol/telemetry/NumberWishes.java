@@ -17,7 +17,7 @@ import java.util.function.Predicate;
  */
 public final class NumberWishes {
 
-    private static final int MOST_WAITING = 1000;
+    private static final int MAX_WAITING = 1000;
 
     private final Map<String, Double> waiting = new LinkedHashMap<>();
     private final List<Predicate<NumberWish>> messengers = new ArrayList<>();
@@ -33,7 +33,7 @@ public final class NumberWishes {
      */
     public synchronized void put(NumberWish wish) {
         boolean handedOn = messengers.stream().anyMatch(messenger -> messenger.test(wish));
-        if (!handedOn && waiting.size() < MOST_WAITING) {
+        if (!handedOn && waiting.size() < MAX_WAITING) {
             waiting.put(key(wish.team(), wish.number(), wish.name()), wish.value());
             empty = false;
         }

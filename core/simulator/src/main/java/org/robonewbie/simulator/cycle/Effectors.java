@@ -26,8 +26,8 @@ import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
-import org.robonewbie.simulator.state.LinearCongruence;
-import org.robonewbie.simulator.state.SplitMix;
+import org.robonewbie.simulator.state.JavaUtilRandom;
+import org.robonewbie.simulator.state.SplittableRandomSource;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
@@ -47,14 +47,14 @@ final class Effectors implements Restorable {
     private final SoccerWorld world;
     private final Match match;
     private final CameraSettings cameraSettings;
-    private final LinearCongruence random;
+    private final JavaUtilRandom random;
     private int createdRobots;
 
     Effectors(SoccerWorld world, Match match, CameraSettings cameraSettings, long seed) {
         this.world = world;
         this.match = match;
         this.cameraSettings = cameraSettings;
-        this.random = new LinearCongruence(seed);
+        this.random = new JavaUtilRandom(seed);
     }
 
     /** Does what acts at once and keeps the rest for {@link #prepareStep}. */
@@ -290,7 +290,7 @@ final class Effectors implements Restorable {
     }
 
     Camera newCamera(long seed) {
-        return new Camera(world.field(), cameraSettings, new SplitMix(seed));
+        return new Camera(world.field(), cameraSettings, new SplittableRandomSource(seed));
     }
 
     @Override

@@ -40,7 +40,7 @@ import org.robonewbie.simulator.world.SoccerWorld;
  * the cycle before, move the world, judge the game, generate the next messages (SimSpark: {@code simulationserver.cpp}).
  *
  * <p>So an agent's answer to message k is read when message k + 1 has already been generated, and shows its effect in message
- * k + 2. Agents are served in the order in which they connected or, in other processes, in the {@link OrderOfArrival}, so that
+ * k + 2. Agents are served in the order in which they connected or, in other processes, in the {@link TurnOrder}, so that
  * equal answers give equal games.
  */
 public final class SimulationCycle implements Restorable {
@@ -48,7 +48,7 @@ public final class SimulationCycle implements Restorable {
     private final SoccerWorld world;
     private final Match match;
     private final Effectors effectors;
-    private final Percepts percepts;
+    private final PerceptorGenerator perceptors;
     private final Console console;
     private final List<ConnectedAgent> agents = new ArrayList<>();
     private final List<String> description;
@@ -71,7 +71,7 @@ public final class SimulationCycle implements Restorable {
         this.world = world(settings);
         this.match = new Match(world, settings.parameters(), seeds.nextLong());
         this.effectors = new Effectors(world, match, settings.camera(), seeds.nextLong());
-        this.percepts = new Percepts(world, match);
+        this.perceptors = new PerceptorGenerator(world, match);
         this.console = console;
         this.refusals = new WarningLog(console, "The simulator");
         this.synchronous = settings.synchronous();
@@ -278,7 +278,7 @@ public final class SimulationCycle implements Restorable {
         for (ConnectedAgent agent : agents) {
             effectors.execute(agent, agents);
         }
-        OrderOfArrival.arrange(agents);
+        TurnOrder.arrange(agents);
         agents.forEach(agent -> agent.connection().send());
         for (ConnectedAgent agent : agents) {
             agent.cycleBegins();
@@ -288,7 +288,7 @@ public final class SimulationCycle implements Restorable {
         world.step();
         recorder.afterStep();
         cycle++;
-        percepts.takePictures(agents);
+        perceptors.takePictures(agents);
         match.tick();
         recorder.cycleEnded(cycle, match, participants());
         tellSelfCollisions();
@@ -324,7 +324,7 @@ public final class SimulationCycle implements Restorable {
 
     private void generateMessage(ConnectedAgent agent, Robot robot) {
         MessageBuffer message = agent.connection().emptyMessage();
-        new PerceptorMessageWriter(message).write(percepts.of(agent, robot, cycle * Cycle.SECONDS));
+        new PerceptorMessageWriter(message).write(perceptors.of(agent, robot, cycle * Cycle.SECONDS));
         agent.connection().messageGenerated();
     }
 
@@ -356,7 +356,7 @@ public final class SimulationCycle implements Restorable {
         match.save(out);
         effectors.save(out);
         out.putLong(cycle);
-        Seat.saveAll(agents, world.robots(), match, out);
+        AgentSlot.saveAll(agents, world.robots(), match, out);
     }
 
     @Override
@@ -366,7 +366,7 @@ public final class SimulationCycle implements Restorable {
         match.restore(in);
         effectors.restore(in);
         cycle = in.getLong();
-        Seat.restoreAll(agents, world.robots(), match, () -> effectors.newCamera(0), this::absentAgent, in);
+        AgentSlot.restoreAll(agents, world.robots(), match, () -> effectors.newCamera(0), this::absentAgent, in);
     }
 
     /**

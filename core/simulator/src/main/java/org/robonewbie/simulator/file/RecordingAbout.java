@@ -27,8 +27,8 @@ public record RecordingAbout(String agent, String project, boolean starred, List
     /** What is known of a recording of which nobody has said anything. */
     public static final RecordingAbout NOTHING = new RecordingAbout("", "", false, List.of());
 
-    private static final int MOST_NOTE_LETTERS = 300;
-    private static final int MOST_BOOKMARKS = 500;
+    private static final int MAX_NOTE_LETTERS = 300;
+    private static final int MAX_BOOKMARKS = 500;
     private static final int MAX_BYTES = 1 << 20;
 
     /**
@@ -102,11 +102,11 @@ public record RecordingAbout(String agent, String project, boolean starred, List
      */
     public RecordingAbout withBookmark(double seconds, String note) {
         List<Bookmark> all = new ArrayList<>(withoutBookmark(seconds).bookmarks());
-        if (all.size() >= MOST_BOOKMARKS) {
-            throw new IllegalArgumentException("A recording has " + MOST_BOOKMARKS
-                    + " bookmarks at most. Delete one that is not needed any more.");
+        if (all.size() >= MAX_BOOKMARKS) {
+            throw new IllegalArgumentException(
+                    "A recording has " + MAX_BOOKMARKS + " bookmarks at most. Delete one that is not needed any more.");
         }
-        all.add(new Bookmark(seconds, note.substring(0, Math.min(note.length(), MOST_NOTE_LETTERS))));
+        all.add(new Bookmark(seconds, note.substring(0, Math.min(note.length(), MAX_NOTE_LETTERS))));
         all.sort(Comparator.comparingDouble(Bookmark::seconds));
         return new RecordingAbout(agent, project, starred, all);
     }

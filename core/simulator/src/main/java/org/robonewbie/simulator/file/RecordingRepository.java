@@ -29,7 +29,7 @@ public record RecordingRepository(Path folder, long mostBytes) {
     /** How the names of recordings end. */
     public static final String ENDING = ".rec";
 
-    private static final long USUAL_BYTES = 300_000_000;
+    private static final long DEFAULT_BYTES = 300_000_000;
     private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("yyyy-MM-dd HH-mm-ss", Locale.ROOT);
 
     /**
@@ -44,7 +44,7 @@ public record RecordingRepository(Path folder, long mostBytes) {
             return Optional.empty();
         }
         Path usual = Path.of(System.getProperty("user.home", "."), ".robonewbie", "recordings");
-        return Optional.of(new RecordingRepository(choice.isEmpty() ? usual : Path.of(choice), USUAL_BYTES));
+        return Optional.of(new RecordingRepository(choice.isEmpty() ? usual : Path.of(choice), DEFAULT_BYTES));
     }
 
     /**

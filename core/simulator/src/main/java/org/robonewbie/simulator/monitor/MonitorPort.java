@@ -34,9 +34,9 @@ import org.robonewbie.protocol.order.Order;
 public final class MonitorPort implements AutoCloseable {
 
     private static final int WAITING_SNAPSHOTS = 64;
-    private static final int MOST_MONITORS = 500;
+    private static final int MAX_MONITORS = 500;
     private static final int BACKLOG = 1024;
-    private static final int MOST_WARNINGS = 20;
+    private static final int MAX_WARNINGS = 20;
     private static final long PAUSE_AFTER_FAILURE_NANOSECONDS = 50_000_000;
 
     private final MonitorSettings settings;
@@ -208,8 +208,8 @@ public final class MonitorPort implements AutoCloseable {
     }
 
     private void welcome(SocketChannel client) throws IOException {
-        if (connections.size() >= MOST_MONITORS) {
-            warn("A monitor was refused because " + MOST_MONITORS + " are connected already.");
+        if (connections.size() >= MAX_MONITORS) {
+            warn("A monitor was refused because " + MAX_MONITORS + " are connected already.");
             client.close();
             return;
         }
@@ -237,7 +237,7 @@ public final class MonitorPort implements AutoCloseable {
 
     /** Reports each kind of problem once, however often it occurs. */
     private void warn(String sentence) {
-        if (warnings.size() < MOST_WARNINGS && warnings.add(sentence)) {
+        if (warnings.size() < MAX_WARNINGS && warnings.add(sentence)) {
             console.accept(sentence);
         }
     }

@@ -11,7 +11,7 @@ import org.robonewbie.nao.math.PortableMath;
 final class BallStatistics {
 
     /** Slower than 5 mm/s is trembling, not moving. */
-    private static final double LEAST_WAY = 1e-4;
+    private static final double MIN_WAY = 1e-4;
 
     private final SoccerField field;
     private Vector3 start = Vector3.ZERO;
@@ -30,7 +30,7 @@ final class BallStatistics {
     void afterStep(Vector3 ball) {
         position = ball;
         double way = PortableMath.hypot(ball.x() - start.x(), ball.y() - start.y());
-        if (way >= LEAST_WAY) {
+        if (way >= MIN_WAY) {
             metresMoved += way;
         }
         leastDistanceToGoal = Math.min(leastDistanceToGoal, distanceToGoal(ball));

@@ -8,7 +8,7 @@ import java.nio.charset.StandardCharsets;
 /** Reads what a {@link ByteSink} has collected. */
 final class ByteSource {
 
-    private static final int MOST_TEXT_BYTES = 1 << 20;
+    private static final int MAX_TEXT_BYTES = 1 << 20;
 
     private final DataInputStream in;
 
@@ -21,7 +21,7 @@ final class ByteSource {
     }
 
     byte[] getBytes(long count) throws IOException {
-        if (count < 0 || count > MOST_TEXT_BYTES) {
+        if (count < 0 || count > MAX_TEXT_BYTES) {
             throw new DamagedRecordingException(
                     "A piece of " + count + " bytes is too long for a recording. The file is damaged.");
         }

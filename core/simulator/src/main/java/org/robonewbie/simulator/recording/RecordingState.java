@@ -29,8 +29,8 @@ public final class RecordingState {
     /** In how many steps a metre is kept. */
     public static final double STEPS_PER_METRE = RecordingFormat.STEPS_PER_METRE;
 
-    private static final int MOST_HINGES = 24;
-    private static final int MOST_RECORD_BYTES = 1 << 24;
+    private static final int MAX_HINGES = 24;
+    private static final int MAX_RECORD_BYTES = 1 << 24;
 
     private final Listener listener;
     private final Map<String, String> header = new LinkedHashMap<>();
@@ -110,7 +110,7 @@ public final class RecordingState {
             }
             kind = cursor.getByte();
             long length = cursor.getUnsigned();
-            if (length < 0 || length > MOST_RECORD_BYTES) {
+            if (length < 0 || length > MAX_RECORD_BYTES) {
                 throw damaged();
             }
             from = cursor.skip(length);
@@ -192,7 +192,7 @@ public final class RecordingState {
     }
 
     private void takeCommands(RecordCursor content) {
-        long[] known = speeds.computeIfAbsent((int) content.getUnsigned(), id -> new long[MOST_HINGES]);
+        long[] known = speeds.computeIfAbsent((int) content.getUnsigned(), id -> new long[MAX_HINGES]);
         for (long count = content.getUnsigned(); count > 0; count--) {
             int hinge = (int) content.getUnsigned();
             known[hinge] = content.getSigned();

@@ -21,7 +21,7 @@ import org.robonewbie.simulator.world.SoccerWorld;
  */
 public final class RunRecorder implements AutoCloseable {
 
-    private static final int MOST_GONE = 1000;
+    private static final int MAX_GONE = 1000;
 
     private final SoccerWorld world;
     private final RecordingWriter writer;
@@ -103,7 +103,7 @@ public final class RunRecorder implements AutoCloseable {
     }
 
     private void forgetOldest(List<Participant> here) {
-        int surplus = entries.size() - here.size() - MOST_GONE;
+        int surplus = entries.size() - here.size() - MAX_GONE;
         if (surplus > 0) {
             Set<Integer> staying = here.stream().map(Participant::id).collect(Collectors.toSet());
             List<Integer> gone = entries.keySet().stream()

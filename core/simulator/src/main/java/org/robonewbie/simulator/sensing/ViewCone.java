@@ -11,7 +11,7 @@ import org.robonewbie.nao.math.PortableMath;
  */
 final class ViewCone {
 
-    private static final double LEAST_DISTANCE = 0.1;
+    private static final double MIN_DISTANCE = 0.1;
     private static final double ROUNDING = 1e-9;
 
     private final double halfHorizontal;
@@ -34,7 +34,7 @@ final class ViewCone {
     /** Whether a point is seen; no cone reaches beyond what is ahead, and most points need no angles. */
     boolean contains(double x, double y, double z) {
         return y > 0
-                && Math.sqrt(x * x + y * y + z * z) > LEAST_DISTANCE
+                && Math.sqrt(x * x + y * y + z * z) > MIN_DISTANCE
                 && isWithin(x, y, halfHorizontal, across)
                 && isWithin(z, PortableMath.hypot(x, y), halfVertical, upward);
     }
@@ -92,7 +92,7 @@ final class ViewCone {
                 return false;
             }
         }
-        return cuts[at + 1] >= LEAST_DISTANCE;
+        return cuts[at + 1] >= MIN_DISTANCE;
     }
 
     private static double dot(Vector3 side, double[] point, int at) {

@@ -7,7 +7,7 @@ import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.protocol.perceptor.PolarPosition;
-import org.robonewbie.simulator.state.SplitMix;
+import org.robonewbie.simulator.state.SplittableRandomSource;
 
 /**
  * The errors of one camera: a displacement that stays the same for its whole life, and normally distributed errors of every
@@ -88,8 +88,8 @@ final class VisionNoise implements Restorable {
         if (random instanceof Restorable restorable) {
             return restorable;
         }
-        throw new UnsupportedOperationException(
-                "The random numbers of this camera cannot be saved. Make it with " + SplitMix.class.getSimpleName()
-                        + " instead of " + random.getClass().getSimpleName() + ".");
+        throw new UnsupportedOperationException("The random numbers of this camera cannot be saved. Make it with "
+                + SplittableRandomSource.class.getSimpleName() + " instead of "
+                + random.getClass().getSimpleName() + ".");
     }
 }

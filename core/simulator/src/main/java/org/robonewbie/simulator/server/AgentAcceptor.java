@@ -9,7 +9,7 @@ import org.robonewbie.simulator.cycle.SimulationCycle;
 final class AgentAcceptor {
 
     private static final int MAXIMUM_AGENTS = 256;
-    private static final int MOST_CHUNKS = 100;
+    private static final int MAX_CHUNKS = 100;
 
     private final AgentPort port;
     private final SimulationCycle cycle;
@@ -59,7 +59,7 @@ final class AgentAcceptor {
     /** Takes in all that has arrived, such as an agent's last answer and then its end, unless somebody sends without end. */
     void receiveAll() {
         receive();
-        for (int chunks = 0; chunks < MOST_CHUNKS && admit(0); chunks++) {
+        for (int chunks = 0; chunks < MAX_CHUNKS && admit(0); chunks++) {
             cycle.readMessages();
         }
     }

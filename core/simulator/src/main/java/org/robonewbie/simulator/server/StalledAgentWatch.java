@@ -21,7 +21,7 @@ final class StalledAgentWatch {
     private static final long ANSWERS_OF_A_STRANGER = 50;
     private static final double SHARE_OF_STRANGERS = 0.35;
     private static final double SECONDS_TO_WAKE_UP = 0.5;
-    private static final double FEWEST_SECONDS = 0.1;
+    private static final double MIN_SECONDS = 0.1;
 
     private final Console console;
     private final double secondsUntilDropped;
@@ -59,7 +59,7 @@ final class StalledAgentWatch {
         }
         if (!local && seconds >= patience) {
             console.say("Dropped " + agent + ", which has not answered for " + text(seconds) + " s.");
-            secondsForStrangers = stranger ? Math.max(FEWEST_SECONDS, secondsForStrangers / 2) : secondsForStrangers;
+            secondsForStrangers = stranger ? Math.max(MIN_SECONDS, secondsForStrangers / 2) : secondsForStrangers;
             agent.connection().link().team().ifPresent(silentTeams::add);
             agent.connection().link().close();
         }

@@ -14,7 +14,7 @@ import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.protocol.monitor.Foul;
-import org.robonewbie.simulator.state.LinearCongruence;
+import org.robonewbie.simulator.state.JavaUtilRandom;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.RobotContact;
 import org.robonewbie.simulator.world.SoccerWorld;
@@ -26,17 +26,17 @@ public final class Match implements Restorable {
 
     private final SoccerWorld world;
     private final SoccerParameters parameters;
-    private final LinearCongruence random;
+    private final JavaUtilRandom random;
     private final MatchState state = new MatchState();
     private final Teams teams;
-    private final BallWatch ball;
+    private final BallTracker ball;
     private final Repositioning repositioning;
     private final PlayModeRules rules;
     private final Referee referee;
     private final KeepawayRule keepaway;
     private final PassMode leftPassMode;
     private final PassMode rightPassMode;
-    private final EventBook events = new EventBook();
+    private final EventLog events = new EventLog();
     private Optional<SetPiece> setPiece = Optional.empty();
     private Optional<TeamSide> nextFirstKickOff;
     private boolean halfBegun;
@@ -53,9 +53,9 @@ public final class Match implements Restorable {
     public Match(SoccerWorld world, SoccerParameters parameters, long seed) {
         this.world = world;
         this.parameters = parameters;
-        this.random = new LinearCongruence(seed);
+        this.random = new JavaUtilRandom(seed);
         this.teams = new Teams(parameters);
-        this.ball = new BallWatch(world);
+        this.ball = new BallTracker(world);
         this.repositioning = new Repositioning(this);
         this.rules = new PlayModeRules(this);
         this.referee = new Referee(this);
@@ -255,7 +255,7 @@ public final class Match implements Restorable {
         return world.field();
     }
 
-    BallWatch ball() {
+    BallTracker ball() {
         return ball;
     }
 

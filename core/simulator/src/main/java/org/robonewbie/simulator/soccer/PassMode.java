@@ -62,7 +62,7 @@ final class PassMode implements Memory {
         if (!isLocked()) {
             return;
         }
-        Optional<BallWatch.Touch> touch = match.ball().lastTouch();
+        Optional<BallTracker.Touch> touch = match.ball().lastTouch();
         touch.filter(last -> last.tick() > lastTick && last.player().side() == side)
                 .ifPresent(last -> touchers.add(last.player()));
         ballWasAway |= PortableMath.hypot(ball().x() - place.x(), ball().y() - place.y()) >= AWAY_DISTANCE;

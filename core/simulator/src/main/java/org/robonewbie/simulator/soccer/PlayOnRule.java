@@ -39,7 +39,7 @@ final class PlayOnRule implements PlayModeRule {
 
     private void forgetSetPieceAfterOthersTouch() {
         Optional<SetPiece> piece = match.setPiece();
-        Optional<BallWatch.Touch> touch = match.ball().lastTouch();
+        Optional<BallTracker.Touch> touch = match.ball().lastTouch();
         if (piece.isEmpty()
                 || touch.isEmpty()
                 || touch.get().tick() <= piece.get().tick()) {
@@ -67,7 +67,7 @@ final class PlayOnRule implements PlayModeRule {
     }
 
     private boolean isDoubleTouch() {
-        Optional<BallWatch.Touch> touch = match.ball().lastTouch();
+        Optional<BallTracker.Touch> touch = match.ball().lastTouch();
         return match.hasKickRules()
                 && touch.isPresent()
                 && match.setPiece()

@@ -45,7 +45,7 @@ class NoiseStatisticsTest {
     private static final double VERTICAL_SIGMA = 0.1225;
     private static final double ROUNDING_SIGMA = 0.01 / Math.sqrt(12);
     private static final double CALIBRATION_LIMIT = 0.005;
-    private static final double LEAST_METRES = 2.8;
+    private static final double MIN_METRES = 2.8;
     private static final double BALL_HEIGHT = 0.04176;
 
     private static List<PerceptorMessage> ours = List.of();
@@ -180,7 +180,7 @@ class NoiseStatisticsTest {
     }
 
     private static Scatter distanceScatter(Sightings sightings, Kind kind) {
-        return sightings.distanceScatter(kind, LEAST_METRES, DISTANCE_SIGMA, ROUNDING_SIGMA);
+        return sightings.distanceScatter(kind, MIN_METRES, DISTANCE_SIGMA, ROUNDING_SIGMA);
     }
 
     /** The logarithm of an estimated sigma has a standard error of one by the root of twice the degrees of freedom. */

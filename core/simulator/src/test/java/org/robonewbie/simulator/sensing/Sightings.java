@@ -36,7 +36,7 @@ final class Sightings {
     /** Ends of lines nearer to the edge of the picture than this many degrees may have been cut there. */
     private static final double CUT_BEYOND_DEGREES = 58;
 
-    private static final int FEWEST = 10;
+    private static final int MIN = 10;
 
     private final Map<Kind, Map<String, List<PolarPosition>>> things = new TreeMap<>();
 
@@ -60,7 +60,7 @@ final class Sightings {
     /** Gives each thing of a kind with its sightings, at least ten of each. */
     Map<String, List<PolarPosition>> of(Kind kind) {
         Map<String, List<PolarPosition>> often = new TreeMap<>(things.getOrDefault(kind, Map.of()));
-        often.values().removeIf(seen -> seen.size() < FEWEST);
+        often.values().removeIf(seen -> seen.size() < MIN);
         return often;
     }
 

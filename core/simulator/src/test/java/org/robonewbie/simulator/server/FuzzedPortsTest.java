@@ -22,7 +22,7 @@ import org.robonewbie.simulator.SimulationControl;
 class FuzzedPortsTest {
 
     private static final int CLIENTS = 150;
-    private static final int MOST_FRAMES = 20;
+    private static final int MAX_FRAMES = 20;
 
     private final RecordingConsole console = new RecordingConsole();
     private final RoboVizReader roboViz = new RoboVizReader();
@@ -64,7 +64,7 @@ class FuzzedPortsTest {
 
     private static void beNasty(int port, FuzzedMessages messages) throws IOException {
         try (Socket client = new Socket(InetAddress.getLoopbackAddress(), port)) {
-            for (int i = messages.count(MOST_FRAMES); i > 0; i--) {
+            for (int i = messages.count(MAX_FRAMES); i > 0; i--) {
                 client.getOutputStream().write(messages.frame());
             }
         } catch (IOException hungUp) {

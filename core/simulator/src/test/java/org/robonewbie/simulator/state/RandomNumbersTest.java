@@ -28,14 +28,14 @@ class RandomNumbersTest {
     @Test
     void linearCongruenceGivesTheNumbersOfRandom() {
         for (long seed : SEEDS) {
-            assertSameNumbers(new LinearCongruence(seed), new Random(seed));
+            assertSameNumbers(new JavaUtilRandom(seed), new Random(seed));
         }
     }
 
     @Test
     void splitMixGivesTheNumbersOfSplittableRandom() {
         for (long seed : SEEDS) {
-            SplitMix ours = new SplitMix(seed);
+            SplittableRandomSource ours = new SplittableRandomSource(seed);
             SplittableRandom theirs = new SplittableRandom(seed);
             for (int i = 0; i < 1000; i++) {
                 assertThat(ours.nextLong()).isEqualTo(theirs.nextLong());
@@ -46,8 +46,8 @@ class RandomNumbersTest {
 
     @Test
     void bothGoOnFromTheirStates() {
-        assertGoesOn(new LinearCongruence(5), new LinearCongruence(6));
-        assertGoesOn(new SplitMix(5), new SplitMix(6));
+        assertGoesOn(new JavaUtilRandom(5), new JavaUtilRandom(6));
+        assertGoesOn(new SplittableRandomSource(5), new SplittableRandomSource(6));
     }
 
     private static <R extends RandomGenerator & Restorable> void assertGoesOn(R first, R second) {

@@ -15,7 +15,7 @@ import java.nio.channels.SocketChannel;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 
 /**
  * Admits agents of other processes to a trial: a port of this computer that speaks to them as a simulator does, so any agent
@@ -102,8 +102,8 @@ public final class GuestDoor implements AutoCloseable {
      * @return the agent
      * @throws AbsentProgramException if it does not come any more
      */
-    public Performer await(BooleanSupplier expected) {
-        Optional<Performer> guest = Optional.empty();
+    public Controller await(BooleanSupplier expected) {
+        Optional<Controller> guest = Optional.empty();
         while (guest.isEmpty() && expected.getAsBoolean() && channel.isOpen()) {
             guest = look();
         }
@@ -111,7 +111,7 @@ public final class GuestDoor implements AutoCloseable {
     }
 
     /** Waits a moment for an agent. */
-    private Optional<Performer> look() {
+    private Optional<Controller> look() {
         try {
             selector.select(LOOK_MILLISECONDS);
             selector.selectedKeys().clear();
@@ -123,7 +123,7 @@ public final class GuestDoor implements AutoCloseable {
                 guest.close();
                 return Optional.empty();
             }
-            return Optional.of(GuestPerformer.welcome(guest, patienceSeconds));
+            return Optional.of(GuestController.welcome(guest, patienceSeconds));
         } catch (ClosedSelectorException | ClosedChannelException closed) {
             return Optional.empty();
         } catch (IOException broken) {

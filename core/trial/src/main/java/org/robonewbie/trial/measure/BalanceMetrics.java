@@ -6,7 +6,7 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 
 /** How calm the torso is and how hard the motors work: the mean speed about horizontal axes, and joints at their speed limit. */
 public final class BalanceMetrics extends MeasureFromStart {
@@ -25,7 +25,7 @@ public final class BalanceMetrics extends MeasureFromStart {
     public BalanceMetrics() {}
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         BodyState last = before;
         before = now.robot();
         if (last != null) {

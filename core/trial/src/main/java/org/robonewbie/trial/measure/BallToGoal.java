@@ -3,7 +3,7 @@ package org.robonewbie.trial.measure;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.trial.Measure;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 
 /**
  * How near the ball has come to the right goal, in metres: from its centre to the nearest point of the goal line between the
@@ -20,10 +20,10 @@ public final class BallToGoal implements Measure {
     public BallToGoal() {}
 
     @Override
-    public void see(Moment moment) {
-        seconds = scored ? seconds : moment.seconds();
-        scored |= moment.goals(TeamSide.LEFT) > 0;
-        lastMetres = scored ? 0 : TimeToScore.metresToGoal(SoccerField.BEGINNER, moment.ball());
+    public void see(WorldState state) {
+        seconds = scored ? seconds : state.seconds();
+        scored |= state.goals(TeamSide.LEFT) > 0;
+        lastMetres = scored ? 0 : TimeToScore.metresToGoal(SoccerField.BEGINNER, state.ball());
         metres = Math.min(metres, lastMetres);
     }
 

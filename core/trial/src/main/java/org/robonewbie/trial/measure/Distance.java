@@ -1,6 +1,6 @@
 package org.robonewbie.trial.measure;
 
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 
 /** How far the robot gets along its first heading before it falls, in metres. */
 public final class Distance extends MeasureFromStart {
@@ -11,7 +11,7 @@ public final class Distance extends MeasureFromStart {
     public Distance() {}
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         if (!hasFallen()) {
             metres = first.place().ahead(now.robot().position());
         }

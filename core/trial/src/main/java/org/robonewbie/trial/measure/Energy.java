@@ -7,7 +7,7 @@ import org.robonewbie.nao.kinematics.BodyPoses;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Work with which the motors lift and speed up the limbs, in joules: each cycle counts by how much the energy of height and
@@ -25,7 +25,7 @@ public final class Energy extends MeasureFromStart {
     public Energy() {}
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         BodyState body = now.robot();
         List<Link> links = NaoModel.of(body.type()).links();
         BodyPoses poses = body.limbs();

@@ -1,7 +1,7 @@
 package org.robonewbie.trial.measure;
 
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 
 /** How far the ball gets along the robot's first heading, in metres; what it will still roll counts. */
 public final class KickDistance extends MeasureFromStart {
@@ -15,18 +15,18 @@ public final class KickDistance extends MeasureFromStart {
     public KickDistance() {}
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         metres = first.place().ahead(restingPlace(now)) - first.place().ahead(first.ball());
     }
 
     /**
      * Estimates where a rolling ball comes to rest.
      *
-     * @param moment the ball at some time
+     * @param state the ball at some time
      * @return a point as high above the ground as the ball
      */
-    public static Vector3 restingPlace(Moment moment) {
-        return moment.ball().plus(moment.ballVelocity().times(ROLLS_ON_SECONDS));
+    public static Vector3 restingPlace(WorldState state) {
+        return state.ball().plus(state.ballVelocity().times(ROLLS_ON_SECONDS));
     }
 
     @Override

@@ -2,7 +2,7 @@ package org.robonewbie.trial.measure;
 
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 
 /**
  * How far the ball gets, in a straight line, from the place where it left the robot, in metres. It has left the robot when it is
@@ -20,7 +20,7 @@ public final class LongestKick extends MeasureFromStart {
     public LongestKick() {}
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         left = now.seconds() > first.seconds() ? left : first.ball();
         taken |= isTakenByReferee(now);
         Vector3 ball = now.ball();
@@ -32,8 +32,8 @@ public final class LongestKick extends MeasureFromStart {
     }
 
     /** Once the ball is out or in the goal, the referee carries it away. */
-    private static boolean isTakenByReferee(Moment moment) {
-        return switch (moment.playMode()) {
+    private static boolean isTakenByReferee(WorldState state) {
+        return switch (state.playMode()) {
             case PLAY_ON, KICK_OFF_LEFT, KICK_OFF_RIGHT -> false;
             default -> true;
         };

@@ -47,6 +47,6 @@ public final class Measures {
 
     /** When the robot has been on its feet for a second. */
     private static Measure getUp() {
-        return new Held(1, moment -> moment.robot().isStanding());
+        return new SustainedCondition(1, state -> state.robot().isStanding());
     }
 }

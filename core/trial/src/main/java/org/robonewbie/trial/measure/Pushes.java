@@ -5,11 +5,11 @@ import java.util.function.IntFunction;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.trial.Place;
-import org.robonewbie.trial.Script;
+import org.robonewbie.trial.TrialHook;
 import org.robonewbie.trial.Trial;
 
 /** Pushes the first robot from changing directions, for a tenth of a second each. The same seed pushes in the same way. */
-public final class Pushes implements Script {
+public final class Pushes implements TrialHook {
 
     private static final int CYCLES_PER_PUSH = 5;
     private static final int CYCLES_PER_SECOND = 50;

@@ -1,6 +1,6 @@
 package org.robonewbie.trial.measure;
 
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 
 /**
  * How long the robot takes to a line across the pitch, in seconds; while it has not crossed the line on its feet, 10 s more for
@@ -9,7 +9,7 @@ import org.robonewbie.trial.Moment;
 public final class Race extends MeasureFromStart {
 
     private static final double SECONDS_FOR_EACH_METRE = 10;
-    private static final double USUAL_METRES = 3;
+    private static final double DEFAULT_METRES = 3;
 
     private final double lineMetres;
     private double metres;
@@ -17,7 +17,7 @@ public final class Race extends MeasureFromStart {
 
     /** Creates a measure of a race over 3 m. */
     public Race() {
-        this(USUAL_METRES);
+        this(DEFAULT_METRES);
     }
 
     /**
@@ -30,7 +30,7 @@ public final class Race extends MeasureFromStart {
     }
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         if (isDecided()) {
             return;
         }

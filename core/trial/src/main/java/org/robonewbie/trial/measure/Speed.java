@@ -1,6 +1,6 @@
 package org.robonewbie.trial.measure;
 
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 
 /** The speed of the robot along its first heading, in metres per second; the time continues after a fall. */
 public final class Speed extends MeasureFromStart {
@@ -12,7 +12,7 @@ public final class Speed extends MeasureFromStart {
     public Speed() {}
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         distance.see(now);
         seconds = now.seconds() - first.seconds();
     }

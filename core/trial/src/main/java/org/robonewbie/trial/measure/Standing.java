@@ -1,6 +1,6 @@
 package org.robonewbie.trial.measure;
 
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 
 /** How long the robot keeps on its feet, in seconds; decided by its fall. */
 public final class Standing extends MeasureFromStart {
@@ -11,7 +11,7 @@ public final class Standing extends MeasureFromStart {
     public Standing() {}
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         if (!hasFallen()) {
             seconds = now.seconds() - first.seconds();
         }

@@ -4,7 +4,7 @@ import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 
 /**
  * How long it takes the left team to score, in seconds; without a goal, 10 s more for each metre between the ball and the goal.
@@ -32,7 +32,7 @@ public final class TimeToScore extends MeasureFromStart {
     }
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         if (!scored) {
             scored = now.goals(TeamSide.LEFT) > 0 || metresToGoal(field, now.ball()) == 0;
             double missing = scored ? 0 : metresToGoal(field, now.ball());

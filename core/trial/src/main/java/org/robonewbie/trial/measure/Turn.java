@@ -1,7 +1,7 @@
 package org.robonewbie.trial.measure;
 
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 
 /** How far the robot has turned to the left, in degrees, whole turns included. */
 public final class Turn extends MeasureFromStart {
@@ -13,7 +13,7 @@ public final class Turn extends MeasureFromStart {
     public Turn() {}
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         double heading = now.robot().headingDegrees();
         degrees += Double.isNaN(lastHeading) ? 0 : PortableMath.IEEEremainder(heading - lastHeading, 360);
         lastHeading = heading;

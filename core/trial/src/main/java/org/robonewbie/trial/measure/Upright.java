@@ -1,6 +1,6 @@
 package org.robonewbie.trial.measure;
 
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 
 /** How much the torso leans in the mean of the trial, in degrees; after a fall 90. */
 public final class Upright extends MeasureFromStart {
@@ -14,7 +14,7 @@ public final class Upright extends MeasureFromStart {
     public Upright() {}
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         sum += hasFallen() ? FALLEN_DEGREES : now.robot().tiltDegrees();
         moments++;
     }

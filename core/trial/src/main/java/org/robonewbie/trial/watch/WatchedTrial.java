@@ -13,18 +13,18 @@ import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.WorldSnapshot;
-import org.robonewbie.trial.Audience;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.TrialListener;
 
 /**
  * A trial that is watched: it runs in real time, and the clock can be stopped. Ball and robots cannot be moved, since the trial
  * counts.
  */
-public final class WatchedTrial implements SimulationControl, Audience {
+public final class WatchedTrial implements SimulationControl, TrialListener {
 
     private static final long REPORT_MILLISECONDS = 100;
     private static final double SLOWEST = 0.1;
-    private static final long MOST_DELAY_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
+    private static final long MAX_DELAY_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
 
     private final Optional<TrialLabel> label;
     private final List<SimulationObserver> observers = new CopyOnWriteArrayList<>();
@@ -105,7 +105,7 @@ public final class WatchedTrial implements SimulationControl, Audience {
             return;
         }
         long now = System.nanoTime();
-        nextCycleNanos = Math.max(nextCycleNanos + (long) (Cycle.SECONDS / speed * 1e9), now - MOST_DELAY_NANOS);
+        nextCycleNanos = Math.max(nextCycleNanos + (long) (Cycle.SECONDS / speed * 1e9), now - MAX_DELAY_NANOS);
         for (long rest = nextCycleNanos - now;
                 rest > 0 && !over && !paused;
                 rest = nextCycleNanos - System.nanoTime()) {

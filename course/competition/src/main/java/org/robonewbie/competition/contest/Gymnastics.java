@@ -6,8 +6,8 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.kinematics.BodyPoses;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.trial.Measure;
-import org.robonewbie.trial.Moment;
-import org.robonewbie.trial.measure.Held;
+import org.robonewbie.trial.WorldState;
+import org.robonewbie.trial.measure.SustainedCondition;
 import org.robonewbie.trial.measure.Turn;
 
 /**
@@ -23,19 +23,21 @@ final class Gymnastics implements Measure {
     private static final double LYING_DEGREES = 75;
     private static final double FULL_TURN_DEGREES = 360;
 
-    private final List<Held> poses = List.of(
-            new Held(1, moment -> moment.robot().isStanding() && areArmsUp(moment.robot())),
-            new Held(
+    private final List<SustainedCondition> poses = List.of(
+            new SustainedCondition(1, state -> state.robot().isStanding() && areArmsUp(state.robot())),
+            new SustainedCondition(
                     1,
-                    moment -> moment.robot().isStanding()
-                            && moment.robot().position().z() < SQUAT_METRES),
-            new Held(
+                    state -> state.robot().isStanding()
+                            && state.robot().position().z() < SQUAT_METRES),
+            new SustainedCondition(
                     2,
-                    moment -> moment.robot().isStanding()
-                            && isFootUp(moment.robot().limbs())),
-            new Held(1, moment -> isBowing(moment.robot().tiltDegrees())));
-    private final Held lying = new Held(1, moment -> moment.robot().tiltDegrees() > LYING_DEGREES);
-    private final Held up = new Held(1, moment -> moment.robot().isStanding());
+                    state ->
+                            state.robot().isStanding() && isFootUp(state.robot().limbs())),
+            new SustainedCondition(1, state -> isBowing(state.robot().tiltDegrees())));
+    private final SustainedCondition lying =
+            new SustainedCondition(1, state -> state.robot().tiltDegrees() > LYING_DEGREES);
+    private final SustainedCondition up =
+            new SustainedCondition(1, state -> state.robot().isStanding());
     private Turn turn = new Turn();
     private double turnedBefore;
     private boolean turned;
@@ -43,22 +45,24 @@ final class Gymnastics implements Measure {
     private double lastSeconds;
 
     @Override
-    public void see(Moment moment) {
-        poses.forEach(pose -> pose.see(moment));
-        watchTurn(moment);
-        lying.see(moment);
+    public void see(WorldState state) {
+        poses.forEach(pose -> pose.see(state));
+        watchTurn(state);
+        lying.see(state);
         if (lying.isDecided()) {
-            up.see(moment);
+            up.see(state);
         }
-        int shown = (int) poses.stream().filter(Held::isDecided).count() + (turned ? 1 : 0) + (up.isDecided() ? 1 : 0);
-        lastSeconds = shown > elements ? moment.seconds() : lastSeconds;
+        int shown = (int) poses.stream().filter(SustainedCondition::isDecided).count()
+                + (turned ? 1 : 0)
+                + (up.isDecided() ? 1 : 0);
+        lastSeconds = shown > elements ? state.seconds() : lastSeconds;
         elements = shown;
     }
 
     /** Turns on the feet add up; in a fall and on the ground nothing counts. */
-    private void watchTurn(Moment moment) {
-        if (moment.robot().isStanding()) {
-            turn.see(moment);
+    private void watchTurn(WorldState state) {
+        if (state.robot().isStanding()) {
+            turn.see(state);
         } else {
             turnedBefore += turn.value();
             turn = new Turn();

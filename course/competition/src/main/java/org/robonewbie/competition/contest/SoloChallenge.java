@@ -3,26 +3,26 @@ package org.robonewbie.competition.contest;
 import java.util.Map;
 import java.util.function.Function;
 import org.robonewbie.trial.Challenge;
-import org.robonewbie.trial.Chance;
 import org.robonewbie.trial.Measure;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
-import org.robonewbie.trial.Script;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.TrialHook;
+import org.robonewbie.trial.WorldState;
 
 /**
  * A robot alone on the pitch, with the ball on the centre spot, and what it is measured by.
  *
  * @param start where the robot starts
  * @param measure decides when the trial is over
- * @param script what happens to the robot
+ * @param hook what happens to the robot
  * @param results reads the measure at the end
  * @param <M> type of the measure
  */
 record SoloChallenge<M extends Measure>(
-        StartPlace start, M measure, Script script, Function<M, Map<String, Double>> results) implements Challenge {
+        StartPlace start, M measure, TrialHook hook, Function<M, Map<String, Double>> results) implements Challenge {
 
     /** Creates a challenge in which nothing happens but what the robot does. */
     SoloChallenge(StartPlace start, M measure, Function<M, Map<String, Double>> results) {
@@ -30,19 +30,19 @@ record SoloChallenge<M extends Measure>(
     }
 
     @Override
-    public Scene scene(Chance chance) {
+    public Scene scene(RandomSource random) {
         Place place = new Place(start.x(), start.y(), start.degrees());
         return Scene.of(RobotStart.at(place).withTeam(RobotStart.TEAM, start.number()));
     }
 
     @Override
     public void act(Trial trial) {
-        script.act(trial);
+        hook.act(trial);
     }
 
     @Override
-    public void see(Moment moment) {
-        measure.see(moment);
+    public void see(WorldState state) {
+        measure.see(state);
     }
 
     @Override

@@ -15,8 +15,8 @@ import org.robonewbie.competition.team.Fence;
 import org.robonewbie.competition.team.Limits;
 import org.robonewbie.competition.team.TeamProgram;
 import org.robonewbie.simulator.file.RecordingFile;
-import org.robonewbie.trial.Audience;
 import org.robonewbie.trial.Challenge;
+import org.robonewbie.trial.TrialListener;
 import org.robonewbie.trial.guest.AbsentProgramException;
 import org.robonewbie.trial.watch.WatchedTrial;
 
@@ -79,7 +79,7 @@ public final class ChallengePlayer implements TrialPlayer {
                     trial.seed(),
                     trial.entrants().get(0).team(),
                     guests::next,
-                    spectators.isNobody() ? Audience.NOBODY : watched,
+                    spectators.isNobody() ? TrialListener.NONE : watched,
                     RecordingFile.openIfWanted(files.recording(), sentence -> {}));
             return result(trial, seconds, Ending.PLAYED, tried.figures(), OptionalInt.empty());
         } catch (AbsentProgramException absent) {

@@ -22,7 +22,7 @@ import org.robonewbie.competition.team.Start;
 import org.robonewbie.competition.team.TeamProcess;
 import org.robonewbie.competition.team.TeamProgram;
 import org.robonewbie.protocol.effector.EffectorCommand;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.SensorReadings;
 import org.robonewbie.trial.guest.AbsentProgramException;
 import org.robonewbie.trial.guest.GuestDoor;
@@ -81,7 +81,7 @@ final class Guests implements AutoCloseable {
     }
 
     /** A program that moves a robot, and whose turns are timed. */
-    private record Guest(Performer performer, TeamProcess process) implements Performer {
+    private record Guest(Controller controller, TeamProcess process) implements Controller {
 
         @Override
         public void awake(SensorReadings readings) {
@@ -91,19 +91,19 @@ final class Guests implements AutoCloseable {
         @Override
         public List<EffectorCommand> respond(SensorReadings readings) {
             process.passTurn();
-            List<EffectorCommand> answer = performer.respond(readings);
+            List<EffectorCommand> answer = controller.respond(readings);
             process.passTurn();
             return answer;
         }
 
         @Override
         public void close() {
-            performer.close();
+            controller.close();
         }
     }
 
     /** Starts the program for the next robot, and waits until it comes. */
-    Performer next() {
+    Controller next() {
         Entrant entrant = trial.entrants().get(0);
         StartPlace place = entrant.places().get(0);
         int index = processes().size();
@@ -117,15 +117,15 @@ final class Guests implements AutoCloseable {
             Path work = files.work().resolve(name(index));
             TeamProcess process = TeamProcess.start(program, start, limits, enclosure, work, log(index));
             doorkeeper.started(team, process);
-            Performer performer = await(process);
+            Controller controller = await(process);
             process.passTurn();
-            return new Guest(performer, process);
+            return new Guest(controller, process);
         } catch (IOException unstartable) {
             throw new AbsentProgramException("The program cannot be started: " + unstartable, unstartable);
         }
     }
 
-    private Performer await(TeamProcess process) {
+    private Controller await(TeamProcess process) {
         try {
             return door.await(() -> process.isRunning() && process.waitedSeconds() < limits.startSeconds());
         } catch (AbsentProgramException absent) {

@@ -17,10 +17,10 @@ import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.trial.Challenge;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.WorldState;
 
 /** What contests for one robot measure in moments that are put together by hand: the robot, the ball, a decision of the referee. */
 class SoloChallengeTest {
@@ -183,7 +183,7 @@ class SoloChallengeTest {
                 .get(0)
                 .places()
                 .get(0);
-        Scene scene = challenge(contest).scene(new Chance(3));
+        Scene scene = challenge(contest).scene(new RandomSource(3));
 
         assertThat(scene.robots().get(0).place()).isEqualTo(new Place(told.x(), told.y(), told.degrees()));
         assertThat(scene.robots().get(0).number()).isEqualTo(told.number());
@@ -203,7 +203,7 @@ class SoloChallengeTest {
     }
 
     private boolean see(PlayMode mode, int goals, BodyState robot, Vector3 ball) {
-        challenge.see(new Moment(cycle * Cycle.SECONDS, List.of(robot), ball, Vector3.ZERO, mode, goals, 0));
+        challenge.see(new WorldState(cycle * Cycle.SECONDS, List.of(robot), ball, Vector3.ZERO, mode, goals, 0));
         cycle++;
         return challenge.isDecided();
     }

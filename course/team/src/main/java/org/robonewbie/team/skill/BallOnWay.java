@@ -14,8 +14,8 @@ record BallOnWay(Translation2d ball, double turn) {
 
     private static final double BEHIND_METRES = 0.25;
     private static final double AROUND_METRES = 0.35;
-    private static final double LEAST_AHEAD = 0.1;
-    private static final double MOST_TURN = 25;
+    private static final double MIN_AHEAD = 0.1;
+    private static final double MAX_TURN = 25;
 
     /** The ball where the robot expects it when its next steps take effect, and the way from where it is now to a target on the map. */
     static BallOnWay of(WorldModel world, Translation2d expected, Translation2d now, Translation2d target) {
@@ -37,14 +37,14 @@ record BallOnWay(Translation2d ball, double turn) {
     /** Whether the robot is behind the ball: it looks along the way, and the ball is in a cone that begins between the feet. */
     boolean isInCone(double metres, double slope) {
         double width = metres + slope * Math.max(0, ahead() - BEHIND_METRES);
-        return ahead() >= LEAST_AHEAD && Math.abs(aside()) <= width && Math.abs(turn) <= MOST_TURN;
+        return ahead() >= MIN_AHEAD && Math.abs(aside()) <= width && Math.abs(turn) <= MAX_TURN;
     }
 
     /** Walks to the place behind the ball; around it if it is behind the robot. */
     void getBehind(Footwork feet, WorldModel world) {
         Translation2d behind = ball.minus(direction().times(BEHIND_METRES));
         double side = aside() >= 0 ? 1 : -1;
-        Translation2d place = ahead() < LEAST_AHEAD ? behind.plus(left().times(side * AROUND_METRES)) : behind;
+        Translation2d place = ahead() < MIN_AHEAD ? behind.plus(left().times(side * AROUND_METRES)) : behind;
         feet.step(world, place, turn);
     }
 

@@ -25,7 +25,7 @@ public final class Dribble {
     private static final double CALM_METRES = 0.02;
     private static final double CALM_DEGREES = 3;
     private static final double TURN = 1.5;
-    private static final double LEAST_SECONDS = 0.5;
+    private static final double MIN_SECONDS = 0.5;
     private static final double AHEAD_SECONDS = 0.25;
 
     private final Walk walk;
@@ -75,7 +75,7 @@ public final class Dribble {
 
     private void push(WorldModel world, BallOnWay way) {
         double speed = Footwork.speed(world);
-        double seconds = Math.max(LEAST_SECONDS, (way.ahead() - BEHIND_METRES) / speed);
+        double seconds = Math.max(MIN_SECONDS, (way.ahead() - BEHIND_METRES) / speed);
         double aside = BallOnWay.beyond(way.aside(), CALM_METRES);
         walk.towards(speed, -aside / seconds, TURN * BallOnWay.beyond(way.turn(), CALM_DEGREES));
     }

@@ -12,7 +12,7 @@ import org.robonewbie.team.world.WorldModel;
 public final class Gaze {
 
     private static final double LOST_SECONDS = 1.2;
-    private static final double MOST_YAW = 100;
+    private static final double MAX_YAW = 100;
     private static final double ASIDE_DEGREES = 25;
     private static final double PITCH_DEGREES = -20;
     private static final double SPEED = 250;
@@ -40,7 +40,7 @@ public final class Gaze {
         }
         double ball = world.ballFromHere().degrees();
         double wanted = ball + Math.max(-ASIDE_DEGREES, Math.min(ASIDE_DEGREES, landmarks(world, ball)));
-        body.nao().setJointAngle(Joint.NECK_YAW, Math.max(-MOST_YAW, Math.min(MOST_YAW, wanted)), SPEED);
+        body.nao().setJointAngle(Joint.NECK_YAW, Math.max(-MAX_YAW, Math.min(MAX_YAW, wanted)), SPEED);
         body.nao().setJointAngle(Joint.NECK_PITCH, PITCH_DEGREES, SPEED);
     }
 

@@ -13,13 +13,13 @@ import org.robonewbie.team.world.WorldModel;
 public final class Goalkeeping {
 
     private static final double REACH_METRES = 0.12;
-    private static final double MOST_REACH_METRES = 0.9;
+    private static final double MAX_REACH_METRES = 0.9;
     private static final double DANGER_SECONDS = 1.6;
-    private static final double LEAST_SPEED = 0.8;
+    private static final double MIN_SPEED = 0.8;
     private static final double OUT_METRES = 0.7;
     private static final double COMES_OUT_METRES = 4;
     private static final double BEFORE_BALL_METRES = 0.4;
-    private static final double MOST_OF_WAY = 0.8;
+    private static final double MAX_OF_WAY = 0.8;
     private static final double LEAD_METRES = 0.4;
 
     private final Limbs body;
@@ -42,8 +42,7 @@ public final class Goalkeeping {
     public static Translation2d place(WorldModel world) {
         Translation2d goal = world.ourGoal();
         if (comesOut(world)) {
-            double away =
-                    Math.min(BEFORE_BALL_METRES, MOST_OF_WAY * world.ball().distanceTo(goal));
+            double away = Math.min(BEFORE_BALL_METRES, MAX_OF_WAY * world.ball().distanceTo(goal));
             return world.ball().towards(goal, away);
         }
         Translation2d place =
@@ -80,7 +79,7 @@ public final class Goalkeeping {
      */
     public boolean dive(WorldModel world) {
         double crossing = crossing(world);
-        if (Double.isNaN(crossing) || Math.abs(crossing) < REACH_METRES || Math.abs(crossing) > MOST_REACH_METRES) {
+        if (Double.isNaN(crossing) || Math.abs(crossing) < REACH_METRES || Math.abs(crossing) > MAX_REACH_METRES) {
             return false;
         }
         body.walk().stop();
@@ -93,7 +92,7 @@ public final class Goalkeeping {
         Translation2d velocity = world.ballVelocity();
         Translation2d end = ball.plus(velocity.times(BallFilter.ROLLING_SECONDS));
         double line = world.ourGoal().x();
-        boolean fast = velocity.x() < -LEAST_SPEED && world.ownBallAgeSeconds() < 0.2;
+        boolean fast = velocity.x() < -MIN_SPEED && world.ownBallAgeSeconds() < 0.2;
         double way = ball.x() - world.place().x();
         if (!fast || end.x() > line || way < 0 || way / -velocity.x() > DANGER_SECONDS) {
             return Double.NaN;

@@ -23,7 +23,7 @@ public final class Kick {
     private static final double AROUND_METRES = 0.33;
     private static final double REACTION_SECONDS = 0.7;
     private static final double MISS_METRES = 0.08;
-    private static final double MOST_SPEED = 0.35;
+    private static final double MAX_SPEED = 0.35;
 
     private final Limbs body;
     private final Footwork feet;
@@ -141,6 +141,6 @@ public final class Kick {
     }
 
     private static double gentle(double metres) {
-        return Math.max(-MOST_SPEED, Math.min(MOST_SPEED, metres / REACTION_SECONDS));
+        return Math.max(-MAX_SPEED, Math.min(MAX_SPEED, metres / REACTION_SECONDS));
     }
 }

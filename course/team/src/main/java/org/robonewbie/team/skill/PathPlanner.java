@@ -18,7 +18,7 @@ import org.robonewbie.nao.geometry.Translation2d;
  */
 public final class PathPlanner {
 
-    private static final int MOST_TURNS = 3;
+    private static final int MAX_TURNS = 3;
     private static final double MARGIN = 1.15;
 
     /**
@@ -43,7 +43,7 @@ public final class PathPlanner {
         List<Obstacle> possible = obstacles.stream()
                 .filter(obstacle -> obstacle.centre.distanceTo(to) > obstacle.radius)
                 .toList();
-        return way(from, to, possible, MOST_TURNS);
+        return way(from, to, possible, MAX_TURNS);
     }
 
     private static List<Translation2d> way(Translation2d from, Translation2d to, List<Obstacle> obstacles, int turns) {

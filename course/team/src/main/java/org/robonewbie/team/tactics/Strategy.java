@@ -25,12 +25,12 @@ public final class Strategy {
     private static final double BLIND_SECONDS = 1.5;
     private static final double SPEED = 0.5;
     private static final double TURN_SPEED = 90;
-    private static final double MOST_SECONDS = 24;
+    private static final double MAX_SECONDS = 24;
     private static final double NEAR_METRES = 0.8;
     private static final double KICK_LASTS_SECONDS = 5;
     private static final double PASS_SECONDS = 2;
     private static final double BESIDE_METRES = 0.4;
-    private static final double MOST_TURNED_DEGREES = 90;
+    private static final double MAX_TURNED_DEGREES = 90;
 
     private final WorldModel world;
     private final SetPlay setPlay = new SetPlay();
@@ -140,7 +140,7 @@ public final class Strategy {
     private double facing(Translation2d place) {
         double goal = world.theirGoal().minus(place).degrees();
         double turned = PortableMath.IEEEremainder(world.ball().minus(place).degrees() - goal, 360);
-        return goal + Math.max(-MOST_TURNED_DEGREES, Math.min(MOST_TURNED_DEGREES, turned));
+        return goal + Math.max(-MAX_TURNED_DEGREES, Math.min(MAX_TURNED_DEGREES, turned));
     }
 
     /**
@@ -164,7 +164,7 @@ public final class Strategy {
         boolean blind = world.ownBallAgeSeconds() > BLIND_SECONDS;
         double sum =
                 seconds + behind / TURN_SPEED + turn / TURN_SPEED + (world.isFallen() || blind ? GET_UP_SECONDS : 0);
-        return Math.min(MOST_SECONDS, sum);
+        return Math.min(MAX_SECONDS, sum);
     }
 
     private double reachSeconds() {

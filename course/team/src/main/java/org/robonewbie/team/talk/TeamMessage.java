@@ -50,23 +50,23 @@ public record TeamMessage(
     /** The longest time for which a message can say when the ball was seen. */
     public static final double LONGEST_AGE_SECONDS = 6.2;
 
-    private static final double MOST_METRES = 20.5;
-    private static final double MOST_SPEED = 6.35;
+    private static final double MAX_METRES = 20.5;
+    private static final double MAX_SPEED = 6.35;
 
     /** {@return the message as the robot says it, 18 characters} */
     public String encode() {
         Characters text = new Characters();
         text.write(number, 4);
-        write(text, Translation2d.of(pose), 10, MOST_METRES);
+        write(text, Translation2d.of(pose), 10, MAX_METRES);
         text.write(pose.headingDegrees(), 7, -180, 180);
         text.write(fallen ? 1 : 0, 1);
         text.write(role.ordinal(), 4);
-        write(text, ball, 10, MOST_METRES);
-        write(text, ballVelocity, 7, MOST_SPEED);
+        write(text, ball, 10, MAX_METRES);
+        write(text, ballVelocity, 7, MAX_SPEED);
         text.write(ballAgeSeconds, 5, 0, LONGEST_AGE_SECONDS);
         text.write(secondsToBall, 8, 0, 25.5);
         text.write(receiver, 4);
-        write(text, passTarget, 8, MOST_METRES);
+        write(text, passTarget, 8, MAX_METRES);
         return text.finish();
     }
 
@@ -87,16 +87,16 @@ public record TeamMessage(
 
     private static TeamMessage read(Characters text) {
         int number = text.read(4);
-        Translation2d place = readSpot(text, 10, MOST_METRES);
+        Translation2d place = readSpot(text, 10, MAX_METRES);
         double heading = text.read(7, -180, 180);
         boolean fallen = text.read(1) == 1;
         TeamRole role = TeamRole.values()[text.read(4) % TeamRole.values().length];
-        Translation2d ball = readSpot(text, 10, MOST_METRES);
-        Translation2d velocity = readSpot(text, 7, MOST_SPEED);
+        Translation2d ball = readSpot(text, 10, MAX_METRES);
+        Translation2d velocity = readSpot(text, 7, MAX_SPEED);
         double age = text.read(5, 0, LONGEST_AGE_SECONDS);
         double seconds = text.read(8, 0, 25.5);
         int receiver = text.read(4);
-        Translation2d target = readSpot(text, 8, MOST_METRES);
+        Translation2d target = readSpot(text, 8, MAX_METRES);
         Pose2d pose = new Pose2d(place.x(), place.y(), heading);
         return new TeamMessage(number, pose, fallen, role, ball, velocity, age, seconds, receiver, target);
     }

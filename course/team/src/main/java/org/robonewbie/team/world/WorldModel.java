@@ -45,7 +45,7 @@ public final class WorldModel {
     private final SelfLocalisation self = new SelfLocalisation();
     private final BallTracker tracker = new BallTracker(false);
     private final BallTracker exactTracker = new BallTracker(true);
-    private final SideWatch sides = new SideWatch();
+    private final HalfTimeDetector sides = new HalfTimeDetector();
     private final SortedMap<Integer, Mate> mates = new TreeMap<>();
     private Pose2d pose = Pose2d.ORIGIN;
     private Translation2d ball = Translation2d.ORIGIN;

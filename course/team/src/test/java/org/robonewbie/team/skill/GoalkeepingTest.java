@@ -10,7 +10,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.team.Agent_Team;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -50,14 +50,14 @@ class GoalkeepingTest {
 
     private static Trial trial(Optional<Place> attacker) {
         List<RobotStart> robots = new ArrayList<>();
-        List<Performer> performers = new ArrayList<>();
+        List<Controller> controllers = new ArrayList<>();
         robots.add(new RobotStart("Team", 1, RobotType.TYPE_0, new Place(GOAL_LINE + 0.25, 0, 0), List.of()));
-        performers.add(Performer.ofAgent(new Agent_Team(1)));
+        controllers.add(Controller.ofAgent(new Agent_Team(1)));
         attacker.ifPresent(place -> {
             robots.add(new RobotStart("Others", 2, RobotType.TYPE_0, place, List.of()));
-            performers.add(Performer.ofSpeeds());
+            controllers.add(Controller.ofSpeeds());
         });
         Scene scene = new Scene(SoccerParameters.beginner(), true, robots, Optional.of(BALL));
-        return Trial.served(scene, 1, performers.toArray(Performer[]::new));
+        return Trial.served(scene, 1, controllers.toArray(Controller[]::new));
     }
 }

@@ -14,7 +14,7 @@ import org.robonewbie.team.skill.Gaze;
 import org.robonewbie.team.skill.Limbs;
 import org.robonewbie.team.tactics.Plan.Action;
 import org.robonewbie.team.world.WorldModel;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -85,7 +85,7 @@ class KickChoiceTest {
                 new RobotStart("Team", 2, type, new Place(x - 0.3, 0, 0), List.of()),
                 new RobotStart("Others", 2, RobotType.TYPE_0, new Place(x + opponentMetres, 0, 180), List.of()));
         Scene scene = new Scene(SoccerParameters.league(), true, robots, Optional.of(new Vector3(x, 0, 0)));
-        try (Trial trial = Trial.served(scene, 1, Performer.ofAgent(player), Performer.ofSpeeds())) {
+        try (Trial trial = Trial.served(scene, 1, Controller.ofAgent(player), Controller.ofSpeeds())) {
             trial.run(1.5);
             return player.best();
         }

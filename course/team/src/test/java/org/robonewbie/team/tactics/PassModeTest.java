@@ -12,12 +12,12 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.team.world.Situation;
-import org.robonewbie.trial.Moment;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /** What the referee answers to a robot that asks for pass mode. */
 class PassModeTest {
@@ -64,7 +64,7 @@ class PassModeTest {
     /** The play mode so many seconds after the beginning. */
     private static PlayMode modeAfter(Trial trial, double seconds) {
         trial.run(seconds);
-        Moment now = trial.now();
+        WorldState now = trial.now();
         return now.playMode();
     }
 
@@ -73,6 +73,6 @@ class PassModeTest {
                 new RobotStart("Team", 1, RobotType.TYPE_0, new Place(-robotMetres, 0, 0), List.of()),
                 new RobotStart("Others", 1, RobotType.TYPE_0, new Place(opponentMetres, 0, 180), List.of()));
         Scene scene = new Scene(SoccerParameters.league(), true, robots, Optional.of(Vector3.ZERO));
-        return Trial.served(scene, 1, Performer.ofAgent(new Asking()), Performer.ofSpeeds());
+        return Trial.served(scene, 1, Controller.ofAgent(new Asking()), Controller.ofSpeeds());
     }
 }

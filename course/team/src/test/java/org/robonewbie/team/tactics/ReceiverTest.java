@@ -15,7 +15,7 @@ import org.robonewbie.team.Agent_Team;
 import org.robonewbie.team.talk.Talk;
 import org.robonewbie.team.talk.TeamMessage;
 import org.robonewbie.team.talk.TeamRole;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -57,6 +57,6 @@ class ReceiverTest {
                 new RobotStart("Team", 2, RobotType.TYPE_0, new Place(2, 2, 180), List.of()));
         Vector3 ball = new Vector3(BALL.x(), BALL.y(), 0);
         Scene scene = new Scene(SoccerParameters.league(), true, robots, Optional.of(ball));
-        return Trial.served(scene, 1, Performer.ofAgent(new Passing()), Performer.ofAgent(new Agent_Team(2)));
+        return Trial.served(scene, 1, Controller.ofAgent(new Passing()), Controller.ofAgent(new Agent_Team(2)));
     }
 }

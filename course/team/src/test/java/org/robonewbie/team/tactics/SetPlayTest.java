@@ -18,7 +18,7 @@ import org.robonewbie.team.Agent_Team;
 import org.robonewbie.team.talk.Talk;
 import org.robonewbie.team.talk.TeamMessage;
 import org.robonewbie.team.talk.TeamRole;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -55,7 +55,7 @@ class SetPlayTest {
 
     @Test
     void itIsTakenWhenSomebodyIsAheadWhoCanGetTheBall() {
-        try (Trial trial = freeKick(Performer.ofAgent(new Agent_Team(3)))) {
+        try (Trial trial = freeKick(Controller.ofAgent(new Agent_Team(3)))) {
             runTo(PlayMode.PLAY_ON, trial, 14);
 
             assertThat(trial.now().place(1).x()).isGreaterThan(1);
@@ -64,7 +64,7 @@ class SetPlayTest {
 
     @Test
     void whoHasTakenItLeavesTheBallAloneUntilSomebodyElseTouchesIt() {
-        try (Trial trial = freeKick(Performer.ofAgent(new Idle()))) {
+        try (Trial trial = freeKick(Controller.ofAgent(new Idle()))) {
             runTo(PlayMode.PLAY_ON, trial, 14);
             trial.run(trial.seconds() + 3);
             Vector3 end = trial.now().ball();
@@ -85,13 +85,13 @@ class SetPlayTest {
     }
 
     /** Number 2 has a free kick in the middle, number 3 is behind it; an opponent stands ahead. */
-    private static Trial freeKick(Performer mate) {
+    private static Trial freeKick(Controller mate) {
         List<RobotStart> robots = List.of(
                 new RobotStart("Team", 2, RobotType.TYPE_0, TAKER, List.of()),
                 new RobotStart("Team", 3, RobotType.TYPE_0, MATE, List.of()),
                 new RobotStart("Others", 1, RobotType.TYPE_0, new Place(3.5, 0, 180), List.of()));
         Scene scene = new Scene(SoccerParameters.league(), true, robots, Optional.of(Vector3.ZERO));
-        Trial trial = Trial.served(scene, 1, Performer.ofAgent(new Agent_Team(2)), mate, Performer.ofSpeeds());
+        Trial trial = Trial.served(scene, 1, Controller.ofAgent(new Agent_Team(2)), mate, Controller.ofSpeeds());
         trial.order(new Order.ChangePlayMode(PlayMode.FREE_KICK_LEFT));
         runTo(PlayMode.FREE_KICK_LEFT, trial, 1);
         return trial;

@@ -18,7 +18,7 @@ import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.studio.file.RefusedException;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -97,7 +97,7 @@ public record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
             throw new RefusedException(
                     400, "The motion takes " + motion.durationMillis() / 1000 + " s. A trial takes at most 60 s.");
         }
-        try (Performer player = Performer.ofMotion(file);
+        try (Controller player = Controller.ofMotion(file);
                 Trial trial = Trial.direct(scene(start), 0, player)) {
             Watch watch = new Watch(trial.robot(0), start == Start.STANDING);
             watch.look();

@@ -19,7 +19,7 @@ public final class Replacements extends SimpleSubstitutionPolicy {
             "org.slf4j.LoggerFactory");
     private static final Set<String> OTHERWISE_IN_A_PAGE = Set.of(
             "org.robonewbie.agent.log.StudentCode",
-            "org.robonewbie.agent.running.MadeOnceMore",
+            "org.robonewbie.agent.running.PrototypeProbe",
             "org.robonewbie.agent.running.Surroundings",
             "org.robonewbie.nao.motion.file.MotionFiles");
 

@@ -2,7 +2,7 @@ package org.robonewbie.learning.environment;
 
 import java.util.Optional;
 import org.robonewbie.agent.walk.WalkVelocity;
-import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.Trial;
 
 /**
@@ -18,7 +18,7 @@ abstract class CommandedTraining extends TrainingTask {
     private int cycle;
 
     /** Draws the next velocity; the one before is zero at first. */
-    abstract WalkVelocity any(Chance chance, WalkVelocity before);
+    abstract WalkVelocity any(RandomSource random, WalkVelocity before);
 
     /** How many cycles have ended. */
     final int cycle() {

@@ -9,8 +9,8 @@ import java.util.Optional;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.text.Spelling;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.RandomSource;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.Trial;
 
@@ -117,7 +117,7 @@ public final class DomainRandomization {
             return this;
         }
 
-        double draw(Chance chance) {
+        double draw(RandomSource chance) {
             return low == high ? low : chance.between(low, high);
         }
     }
@@ -164,7 +164,7 @@ public final class DomainRandomization {
 
     /** Draws the numbers of an episode, independently of the task's own random numbers. */
     Sample draw(long seed) {
-        Chance chance = new Chance(~seed);
+        RandomSource chance = new RandomSource(~seed);
         Map<Name, Double> numbers = new EnumMap<>(Name.class);
         ranges.forEach((name, range) -> numbers.put(name, range.draw(chance)));
         return new Sample(numbers);
@@ -197,7 +197,7 @@ public final class DomainRandomization {
         }
 
         private void place(Trial trial) {
-            Moment now = trial.now();
+            WorldState now = trial.now();
             if (isAny(Name.X, Name.Y, Name.HEADING)) {
                 Place usual = now.place();
                 Vector3 torso = new Vector3(

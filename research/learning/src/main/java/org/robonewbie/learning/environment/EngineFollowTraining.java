@@ -4,8 +4,8 @@ import java.util.Optional;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.RandomSource;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.Place;
 
 /**
@@ -26,12 +26,12 @@ class EngineFollowTraining extends EngineTraining {
     private double metres;
 
     @Override
-    WalkVelocity any(Chance chance, WalkVelocity last) {
+    WalkVelocity any(RandomSource chance, WalkVelocity last) {
         return new WalkVelocity(chance.between(MIN, MAX), 0, chance.between(-MAX_TURN, MAX_TURN));
     }
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         Vector3 here = now.robot().position();
         before.ifPresent(place -> {
             turned += velocity().turn() * Cycle.SECONDS;

@@ -1,8 +1,8 @@
 package org.robonewbie.learning.environment;
 
 import org.robonewbie.agent.walk.WalkVelocity;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.RandomSource;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.Trial;
 
@@ -20,7 +20,7 @@ final class EngineRunTraining extends EngineFollowTraining {
     private double metres;
 
     @Override
-    WalkVelocity any(Chance chance, WalkVelocity before) {
+    WalkVelocity any(RandomSource chance, WalkVelocity before) {
         return before.equals(WalkVelocity.ZERO) ? new WalkVelocity(chance.between(MIN, MAX), 0, 0) : before;
     }
 
@@ -32,7 +32,7 @@ final class EngineRunTraining extends EngineFollowTraining {
     }
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         metres = first.place().ahead(now.place().point(0, 0, 0));
     }
 

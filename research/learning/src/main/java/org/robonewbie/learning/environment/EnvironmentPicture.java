@@ -8,7 +8,7 @@ import org.robonewbie.nao.kinematics.BodyPoses;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 
 /** Drawing data of an environment: a box for each colliding link, and the ball. */
 final class EnvironmentPicture {
@@ -16,7 +16,7 @@ final class EnvironmentPicture {
     private EnvironmentPicture() {}
 
     /** The moment as JSON: for each robot its boxes, each with its {@linkplain BodyPoses#corners eight corners} in metres, and the centre of the ball. */
-    static JsonObject of(Moment now) {
+    static JsonObject of(WorldState now) {
         JsonArray robots = new JsonArray();
         now.robots().forEach(robot -> robots.add(boxes(robot)));
         JsonObject picture = new JsonObject();

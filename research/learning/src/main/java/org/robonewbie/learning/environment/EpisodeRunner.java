@@ -15,12 +15,12 @@ import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.trial.Measure;
-import org.robonewbie.trial.Moment;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.WorldState;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.SensorReadings;
 
 /** One learning robot in one episode: carries out actions, observes, and collects rewards. */
-final class EpisodeRunner implements Performer {
+final class EpisodeRunner implements Controller {
 
     private static final List<Joint> ALL_JOINTS = List.of(Joint.values());
 
@@ -29,7 +29,7 @@ final class EpisodeRunner implements Performer {
 
     private final TrainingTask task;
     private final Measure measure;
-    private final Performer motor = Performer.ofPolicy(this::speeds);
+    private final Controller motor = Controller.ofPolicy(this::speeds);
     private final JointStates joints = new JointStates();
     private final Motors motors = new Motors(joints);
     private final Perception perception;
@@ -75,14 +75,14 @@ final class EpisodeRunner implements Performer {
     }
 
     /** Takes the first posture, the reference of actions. */
-    void stand(Moment moment) {
+    void stand(WorldState moment) {
         firstPosture = moment.robots().get(task.robot()).joints();
         guide = task.motion().map(motion -> new MotionGuide(motion, firstPosture));
         walk = task.walk().map(policy -> new WalkGuide(new PolicyWalk(policy).style(), motors, task.learnsGait()));
     }
 
     /** Begins the episode when the scene is complete. */
-    void begin(Moment first, SensorReadings readings, DomainRandomization.Sample sample, long seed) {
+    void begin(WorldState first, SensorReadings readings, DomainRandomization.Sample sample, long seed) {
         noise = new SensorNoise(sample.noise(), seed + task.robot());
         for (int i = 0; i < sample.delayCycles(); i++) {
             delayed.add(new double[task.joints().size()]);
@@ -103,7 +103,7 @@ final class EpisodeRunner implements Performer {
     }
 
     /** Adds the reward of a cycle, and observes. */
-    void see(Moment moment, SensorReadings readings) {
+    void see(WorldState moment, SensorReadings readings) {
         double before = value;
         task.see(moment);
         if (measure != task) {

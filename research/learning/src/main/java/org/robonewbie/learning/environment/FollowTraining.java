@@ -5,8 +5,8 @@ import java.util.Deque;
 import java.util.List;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.RandomSource;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.Place;
 
 /**
@@ -40,7 +40,7 @@ class FollowTraining extends CommandedTraining {
     }
 
     @Override
-    WalkVelocity any(Chance chance, WalkVelocity before) {
+    WalkVelocity any(RandomSource chance, WalkVelocity before) {
         return new WalkVelocity(
                         chance.between(-BACKWARD, MAX.forward()),
                         chance.between(-MAX.left(), MAX.left()),
@@ -70,7 +70,7 @@ class FollowTraining extends CommandedTraining {
     }
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         places.addLast(now.place(robot()));
         if (places.size() > WINDOW) {
             possible += Cycle.SECONDS;

@@ -10,12 +10,12 @@ import org.robonewbie.learning.environment.DomainRandomization.Range;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.soccer.SoccerParameters;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.RandomSource;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
-import org.robonewbie.trial.Script;
+import org.robonewbie.trial.TrialHook;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.measure.Pushes;
 
@@ -133,7 +133,7 @@ final class GaitTraining extends EngineTraining {
     }
 
     @Override
-    public Scene scene(Chance ofTheEpisode) {
+    public Scene scene(RandomSource ofTheEpisode) {
         super.scene(ofTheEpisode);
         int count = (int) (types.high() - types.low()) + 1;
         int type = (int) types.low() + (int) Math.floorMod(ofTheEpisode.seed(), (long) count);
@@ -157,12 +157,12 @@ final class GaitTraining extends EngineTraining {
     }
 
     @Override
-    Script pushes(double newtons, long seed) {
+    TrialHook pushes(double newtons, long seed) {
         return Pushes.random(random, newtons);
     }
 
     @Override
-    WalkVelocity any(Chance chance, WalkVelocity last) {
+    WalkVelocity any(RandomSource chance, WalkVelocity last) {
         if (!hasBegun) {
             hasBegun = true;
             return isConstant && random.nextDouble() < 0.5
@@ -238,7 +238,7 @@ final class GaitTraining extends EngineTraining {
     }
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         if (hasFallen()) {
             fallCost = fallCost > 0 ? fallCost : FALL_PENALTY + (longestCycles - cycle() + 1) / (double) WINDOW;
         } else if (cycle() % WINDOW == 0) {
@@ -246,7 +246,7 @@ final class GaitTraining extends EngineTraining {
         }
     }
 
-    private void endWindow(Moment now) {
+    private void endWindow(WorldState now) {
         before.ifPresent(place -> addWindow(
                 VelocityError.between(place, now.place(), WINDOW * Cycle.SECONDS, followed),
                 now.robot().tiltDegrees()));

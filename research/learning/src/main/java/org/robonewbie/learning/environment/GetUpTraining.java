@@ -11,11 +11,11 @@ import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Get up from the front and stay up. Each second pays how upright the torso is times how high: 1 for a robot that stands. The
@@ -54,7 +54,7 @@ class GetUpTraining extends TrainingTask {
     }
 
     @Override
-    public Scene scene(Chance ofTheEpisode) {
+    public Scene scene(RandomSource ofTheEpisode) {
         super.scene(ofTheEpisode);
         return LYING;
     }
@@ -77,7 +77,7 @@ class GetUpTraining extends TrainingTask {
     }
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         BodyState body = watched(now);
         double upright = Math.max(0, 1 - body.tiltDegrees() / 90);
         double high = Math.max(0, Math.min(1, body.position().z() / HIGH_METRES));

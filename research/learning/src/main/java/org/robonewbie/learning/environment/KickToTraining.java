@@ -5,10 +5,10 @@ import java.util.Optional;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.file.ShippedMotions;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.KickDistance;
 
 /**
@@ -30,7 +30,7 @@ final class KickToTraining extends TrainingTask {
     private double error;
 
     @Override
-    public Scene scene(Chance ofTheEpisode) {
+    public Scene scene(RandomSource ofTheEpisode) {
         super.scene(ofTheEpisode);
         return SCENE;
     }
@@ -74,7 +74,7 @@ final class KickToTraining extends TrainingTask {
     }
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         Vector3 rest = KickDistance.restingPlace(now);
         Vector3 goal = first.ball()
                 .plus(first.place().point(wanted, 0, 0).minus(first.place().point(0, 0, 0)));

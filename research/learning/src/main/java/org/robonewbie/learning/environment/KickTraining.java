@@ -1,10 +1,10 @@
 package org.robonewbie.learning.environment;
 
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.KickDistance;
 
 /**
@@ -21,7 +21,7 @@ final class KickTraining extends TrainingTask {
     private final KickDistance distance = new KickDistance();
 
     @Override
-    public Scene scene(Chance ofTheEpisode) {
+    public Scene scene(RandomSource ofTheEpisode) {
         super.scene(ofTheEpisode);
         return SCENE;
     }
@@ -47,7 +47,7 @@ final class KickTraining extends TrainingTask {
     }
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         distance.see(now);
     }
 

@@ -7,8 +7,8 @@ import java.util.stream.DoubleStream;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.RandomSource;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -29,12 +29,12 @@ final class MatchTraining extends TrainingTask {
     private static final double INSIDE_METRES = 0.3;
     private static final double FAR_METRES = 15;
 
-    private static final Moment NOTHING_YET =
-            new Moment(0, List.of(), Vector3.ZERO, Vector3.ZERO, PlayMode.PLAY_ON, 0, 0);
+    private static final WorldState NOTHING_YET =
+            new WorldState(0, List.of(), Vector3.ZERO, Vector3.ZERO, PlayMode.PLAY_ON, 0, 0);
 
     private final Scene scene;
     private final int left;
-    private Moment now = NOTHING_YET;
+    private WorldState now = NOTHING_YET;
     private double value;
     private int goal;
 
@@ -80,7 +80,7 @@ final class MatchTraining extends TrainingTask {
     }
 
     @Override
-    public Scene scene(Chance ofTheEpisode) {
+    public Scene scene(RandomSource ofTheEpisode) {
         super.scene(ofTheEpisode);
         return scene;
     }
@@ -178,7 +178,7 @@ final class MatchTraining extends TrainingTask {
     }
 
     @Override
-    protected void see(Moment first, Moment moment) {
+    protected void see(WorldState first, WorldState moment) {
         now = moment;
         if (isGoal(moment.ball())) {
             goal = moment.ball().x() > 0 ? 1 : -1;

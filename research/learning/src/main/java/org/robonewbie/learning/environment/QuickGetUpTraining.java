@@ -5,7 +5,7 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.nao.motion.file.ShippedMotions;
-import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.Scene;
 
 /**
@@ -19,17 +19,17 @@ final class QuickGetUpTraining extends GetUpTraining {
     private static final double LEG_DEGREES = 8;
 
     @Override
-    public Scene scene(Chance ofTheEpisode) {
+    public Scene scene(RandomSource ofTheEpisode) {
         super.scene(ofTheEpisode);
         return lying(posture -> changed(posture, ofTheEpisode));
     }
 
-    private static Posture changed(Posture posture, Chance chance) {
+    private static Posture changed(Posture posture, RandomSource random) {
         Posture changed = posture;
         for (Joint joint : Joint.values()) {
             boolean arm = joint.name().contains("SHOULDER") || joint.name().contains("ARM");
             double most = arm ? ARM_DEGREES : LEG_DEGREES;
-            changed = changed.with(joint, joint.clampDegrees(posture.degrees(joint) + chance.between(-most, most)));
+            changed = changed.with(joint, joint.clampDegrees(posture.degrees(joint) + random.between(-most, most)));
         }
         return changed;
     }

@@ -8,9 +8,9 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.kinematics.ForwardKinematics;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Bring the left lower arm to a random point in front of and beside the left shoulder. Each cycle costs the distance in metres.
@@ -63,7 +63,7 @@ final class ReachTraining extends TrainingTask {
     }
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         BodyState robot = now.robot();
         arm = ForwardKinematics.of(robot.type())
                 .poses(robot.joints())

@@ -1,7 +1,7 @@
 package org.robonewbie.learning.environment;
 
 import org.robonewbie.agent.walk.WalkVelocity;
-import org.robonewbie.trial.Chance;
+import org.robonewbie.trial.RandomSource;
 
 /**
  * Run straight ahead with a commanded speed from 0.9 to 1.3 m/s, the same for the whole episode. It pays as {@link FollowTraining}, but an
@@ -18,7 +18,7 @@ final class RunTraining extends FollowTraining {
     }
 
     @Override
-    WalkVelocity any(Chance chance, WalkVelocity before) {
+    WalkVelocity any(RandomSource chance, WalkVelocity before) {
         return before.equals(WalkVelocity.ZERO) ? new WalkVelocity(chance.between(MIN, MAX), 0, 0) : before;
     }
 }

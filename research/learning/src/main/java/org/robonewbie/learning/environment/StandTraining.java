@@ -2,7 +2,7 @@ package org.robonewbie.learning.environment;
 
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.kinematics.BodyState;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Stay on your feet while someone pushes you from any side once per second, each time harder. Each cycle pays 1, less what the
@@ -27,7 +27,7 @@ final class StandTraining extends TrainingTask {
     }
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         if (!hasFallen()) {
             cyclesOnItsFeet++;
         }

@@ -5,13 +5,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.robonewbie.agent.policy.Policy;
-import org.robonewbie.trial.Audience;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.TrialListener;
+import org.robonewbie.trial.RandomSource;
+import org.robonewbie.trial.WorldState;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
-import org.robonewbie.trial.Script;
+import org.robonewbie.trial.TrialHook;
 import org.robonewbie.trial.Trial;
 
 /**
@@ -33,10 +33,10 @@ public final class TrainingEnvironment implements AutoCloseable {
     private List<EpisodeRunner> runners;
     private int cyclesPerAction = 1;
     private int cycles;
-    private Audience audience = Audience.NOBODY;
+    private TrialListener audience = TrialListener.NOBODY;
     private Scene scene;
     private Trial trial;
-    private Moment now;
+    private WorldState now;
 
     /** Begins the episode with seed 0. */
     TrainingEnvironment(Supplier<List<EpisodeRunner>> episodes, DomainRandomization options) {
@@ -44,7 +44,7 @@ public final class TrainingEnvironment implements AutoCloseable {
         this.episodes = episodes;
         runners = newRunners(Optional.empty());
         quantities = runners.get(0).quantities();
-        scene = task().scene(new Chance(0));
+        scene = task().scene(new RandomSource(0));
         trial = Trial.direct(scene, 0, cast());
         now = trial.now();
         begin(0);
@@ -99,7 +99,7 @@ public final class TrainingEnvironment implements AutoCloseable {
      */
     public void reset(long seed, Optional<Policy> policy) {
         runners = newRunners(policy);
-        Scene next = task().scene(new Chance(seed));
+        Scene next = task().scene(new RandomSource(seed));
         if (next.equals(scene)) {
             trial.reset(seed, cast());
         } else {
@@ -114,14 +114,14 @@ public final class TrainingEnvironment implements AutoCloseable {
         DomainRandomization.Sample sample = options.draw(seed);
         cyclesPerAction = checkedCycles(sample.cycles());
         cycles = 0;
-        Moment first = trial.now();
+        WorldState first = trial.now();
         runners.forEach(runner -> runner.stand(first));
         sample.apply(trial);
         TrainingTask task = task();
         sample.command().ifPresent(task::takeCommand);
         sample.distance().ifPresent(task::takeDistance);
         task.begin(trial);
-        Script pushes = task.pushes(sample.pushNewtons().orElse(task.pushNewtons()), seed);
+        TrialHook pushes = task.pushes(sample.pushNewtons().orElse(task.pushNewtons()), seed);
         trial.with(world -> {
             pushes.act(world);
             task.act(world);
@@ -149,15 +149,15 @@ public final class TrainingEnvironment implements AutoCloseable {
     }
 
     /** Sets a listener for all cycles from now on. */
-    void setAudience(Audience watching) {
+    void setAudience(TrialListener watching) {
         audience = watching;
         audience.cycleEnded(trial);
     }
 
     /** The robots that learn, and others that hold still. */
-    private Performer[] cast() {
-        Performer[] cast = new Performer[scene.robots().size()];
-        Arrays.setAll(cast, i -> i < robots() ? runners.get(i) : Performer.ofSpeeds());
+    private Controller[] cast() {
+        Controller[] cast = new Controller[scene.robots().size()];
+        Arrays.setAll(cast, i -> i < robots() ? runners.get(i) : Controller.ofSpeeds());
         return cast;
     }
 
@@ -203,7 +203,7 @@ public final class TrainingEnvironment implements AutoCloseable {
     }
 
     /** The true state. */
-    Moment now() {
+    WorldState now() {
         return now;
     }
 

@@ -17,12 +17,12 @@ import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.trial.Challenge;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
-import org.robonewbie.trial.Script;
+import org.robonewbie.trial.TrialHook;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.MeasureFromStart;
 import org.robonewbie.trial.measure.Pushes;
 
@@ -38,7 +38,7 @@ import org.robonewbie.trial.measure.Pushes;
  * public final class Squat extends TrainingTask {
  *     private double least = 1;
  *     public double rangeDegrees() { return 60; }
- *     protected void see(Moment first, Moment now) { least = Math.min(least, now.robot().position().z()); }
+ *     protected void see(WorldState first, WorldState now) { least = Math.min(least, now.robot().position().z()); }
  *     public double value() { return -least; }
  * }
  * }</pre>
@@ -53,7 +53,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
     private static final int CYCLES_BETWEEN_PUSHES = 50;
     private static final Scene STANDING = scene(1.5).withBall(2.5, 0);
 
-    private Chance chance = new Chance(0);
+    private RandomSource random = new RandomSource(0);
     private int robot;
 
     /** Creates a task for one episode. */
@@ -71,14 +71,14 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
      * before; {@link #begin} is the better place for small differences.
      */
     @Override
-    public Scene scene(Chance ofTheEpisode) {
-        chance = ofTheEpisode;
+    public Scene scene(RandomSource ofTheEpisode) {
+        random = ofTheEpisode;
         return STANDING;
     }
 
     /** {@return what differs from episode to episode} */
-    protected final Chance chance() {
-        return chance;
+    protected final RandomSource chance() {
+        return random;
     }
 
     /**
@@ -88,7 +88,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
      * @param metres how far at most along each axis
      */
     protected final void scatterBall(Trial trial, double metres) {
-        Vector3 way = new Vector3(chance.between(-metres, metres), chance.between(-metres, metres), 0);
+        Vector3 way = new Vector3(random.between(-metres, metres), random.between(-metres, metres), 0);
         trial.placeBall(trial.ball().position().plus(way));
     }
 
@@ -110,8 +110,8 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
     }
 
     @Override
-    protected final BodyState watched(Moment moment) {
-        return moment.robots().get(robot);
+    protected final BodyState watched(WorldState state) {
+        return state.robots().get(robot);
     }
 
     /**
@@ -201,7 +201,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
     void takePolicy(Policy policy) {}
 
     /** Pushes of an episode: once per second, each time harder. */
-    Script pushes(double newtons, long seed) {
+    TrialHook pushes(double newtons, long seed) {
         return newtons == 0 ? world -> {} : Pushes.growing(seed, CYCLES_BETWEEN_PUSHES, newtons);
     }
 

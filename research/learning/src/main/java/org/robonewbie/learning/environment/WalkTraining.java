@@ -1,8 +1,8 @@
 package org.robonewbie.learning.environment;
 
-import org.robonewbie.trial.Moment;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.Distance;
 import org.robonewbie.trial.measure.Standing;
 
@@ -32,7 +32,7 @@ final class WalkTraining extends TrainingTask {
     }
 
     @Override
-    protected void see(Moment first, Moment now) {
+    protected void see(WorldState first, WorldState now) {
         distance.see(now);
         standing.see(now);
     }

@@ -24,7 +24,7 @@ import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.trial.Measure;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -66,7 +66,7 @@ public final class MotionTrial implements AutoCloseable {
     private final ScriptedRobot robot;
     private final Consumer<Trial> end;
     private final List<Measure> measures = new ArrayList<>();
-    private Moment start;
+    private WorldState start;
     private BalanceMetrics balance = new BalanceMetrics();
     private Turn turn = new Turn();
     private boolean endsWithFall;
@@ -85,9 +85,9 @@ public final class MotionTrial implements AutoCloseable {
         Trial trial = idle.poll();
         if (trial == null) {
             Scene scene = Scene.of(ROBOT.withType(type)).withBall(BALL_ASIDE).withoutNoise();
-            return new MotionTrial(Trial.direct(scene, 0, robot.performer()), robot, idle::add);
+            return new MotionTrial(Trial.direct(scene, 0, robot.controller()), robot, idle::add);
         }
-        trial.reset(0, robot.performer());
+        trial.reset(0, robot.controller());
         return new MotionTrial(trial, robot, idle::add);
     }
 
@@ -138,7 +138,7 @@ public final class MotionTrial implements AutoCloseable {
      * @return the trial at its beginning
      */
     public static MotionTrial served(Scene scene, long seed, ScriptedRobot robot) {
-        MotionTrial begun = new MotionTrial(Trial.served(scene, seed, robot.performer()), robot, Trial::close);
+        MotionTrial begun = new MotionTrial(Trial.served(scene, seed, robot.controller()), robot, Trial::close);
         begun.begin(true);
         return begun;
     }
@@ -247,7 +247,7 @@ public final class MotionTrial implements AutoCloseable {
     private boolean runWhile(BooleanSupplier goOn) {
         double latest = trial.seconds() + MAX_SECONDS;
         while (!isOver() && trial.seconds() < latest && goOn.getAsBoolean()) {
-            Moment moment = trial.step();
+            WorldState moment = trial.step();
             measures.forEach(measure -> measure.see(moment));
         }
         return !isOver();

@@ -15,7 +15,7 @@ import org.robonewbie.nao.motion.MotionPlayer;
 import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.motion.PostureFollower;
 import org.robonewbie.protocol.perceptor.FootForce;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.SensorReadings;
 
 /** The motion player and the walk engine without an agent around them: faster, and with any walk, learned or not. */
@@ -38,8 +38,8 @@ public final class ScriptedMotors implements ScriptedRobot {
     }
 
     @Override
-    public Performer performer() {
-        return Performer.ofPolicy(this::degreesPerSecond);
+    public Controller controller() {
+        return Controller.ofPolicy(this::degreesPerSecond);
     }
 
     @Override

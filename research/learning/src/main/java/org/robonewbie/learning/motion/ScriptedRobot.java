@@ -2,13 +2,13 @@ package org.robonewbie.learning.motion;
 
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.motion.Motion;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 
 /** A robot that a {@link MotionTrial} controls. Without an order it holds its joints. */
 public interface ScriptedRobot {
 
     /** {@return the controller of the robot in a trial} */
-    Performer performer();
+    Controller controller();
 
     /**
      * Starts a motion.

@@ -4,8 +4,8 @@ import java.util.Locale;
 import java.util.Random;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.Measure;
-import org.robonewbie.trial.Performer;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -61,7 +61,7 @@ public record AgentScene(Vector3 place, double degrees, Vector3 ball, double spr
     Evaluation evaluate(Agent agent, Objective objective, long seed) {
         Measure measure = objective.measure().get();
         Standing standing = new Standing();
-        try (Trial trial = Trial.served(scene(seed), seed, Performer.ofAgent(agent))) {
+        try (Trial trial = Trial.served(scene(seed), seed, Controller.ofAgent(agent))) {
             if (objective.isTimeToReachSomething()) {
                 trial.run(seconds, measure);
                 return new Evaluation(measure.value(), measure.isDecided() ? 1 : 0, 0);

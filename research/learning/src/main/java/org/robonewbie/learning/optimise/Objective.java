@@ -3,9 +3,9 @@ package org.robonewbie.learning.optimise;
 import java.util.function.Supplier;
 import org.robonewbie.trial.Measure;
 import org.robonewbie.trial.measure.Energy;
-import org.robonewbie.trial.measure.Held;
 import org.robonewbie.trial.measure.KickDistance;
 import org.robonewbie.trial.measure.Measures;
+import org.robonewbie.trial.measure.SustainedCondition;
 import org.robonewbie.trial.measure.TimeToScore;
 import org.robonewbie.trial.measure.Upright;
 
@@ -64,6 +64,6 @@ public record Objective(String label, Supplier<Measure> measure) {
 
     /** {@return whether a trial succeeds when the measure is decided; with all others it succeeds without a fall} */
     boolean isTimeToReachSomething() {
-        return measure.get() instanceof Held || isTimeToScore();
+        return measure.get() instanceof SustainedCondition || isTimeToScore();
     }
 }

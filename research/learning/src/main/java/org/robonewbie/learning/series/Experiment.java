@@ -13,7 +13,7 @@ import java.util.Optional;
  *     public List<String> columns() { return List.of("fallen"); }
  *
  *     public double[] run(Map<String, Double> parameters, long seed) {
- *         try (Trial trial = Trial.direct(Scene.of(RobotStart.at(0, 0)), seed, Performer.ofSpeeds())) {
+ *         try (Trial trial = Trial.direct(Scene.of(RobotStart.at(0, 0)), seed, Controller.ofSpeeds())) {
  *             trial.run(5);
  *             return new double[] {trial.now().robot().isFallen() ? 1 : 0};
  *         }

@@ -5,9 +5,9 @@ import java.util.Map;
 import java.util.Optional;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
@@ -39,9 +39,9 @@ public final class PushExperiment implements Experiment {
 
     @Override
     public double[] run(Map<String, Double> parameters, long seed) {
-        double side = new Chance(seed).between(0, 360);
+        double side = new RandomSource(seed).between(0, 360);
         Vector3 push = new Place(0, 0, side).point(parameters.getOrDefault(NEWTONS, USUAL_NEWTONS), 0, 0);
-        try (Trial trial = Trial.direct(SCENE, seed, Performer.ofSpeeds())) {
+        try (Trial trial = Trial.direct(SCENE, seed, Controller.ofSpeeds())) {
             double largestTilt = 0;
             while (trial.seconds() < SECONDS) {
                 if (trial.seconds() < SECONDS_OF_THE_PUSH) {

@@ -30,9 +30,9 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
-import org.robonewbie.trial.Chance;
-import org.robonewbie.trial.Moment;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.RandomSource;
+import org.robonewbie.trial.WorldState;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 
@@ -63,7 +63,7 @@ class PlayedPolicyTest {
         Policy policy = policyOfMarching();
         Posture wanted = learnedToMarch(policy);
 
-        assertThat(marched(Performer.ofAgent(new Walker(new PolicyWalk(policy), Marching.VELOCITY)))
+        assertThat(marched(Controller.ofAgent(new Walker(new PolicyWalk(policy), Marching.VELOCITY)))
                         .largestDifference(wanted))
                 .isLessThan(0.5);
         assertThat(wanted.largestDifference(Stance.POSTURE)).isGreaterThan(10);
@@ -81,7 +81,7 @@ class PlayedPolicyTest {
 
     private static double secondsOnItsFeet(PolicyWalk manner, WalkVelocity velocity) {
         try (Trial trial =
-                Trial.direct(new Marching().scene(new Chance(1)), 1, Performer.ofAgent(new Walker(manner, velocity)))) {
+                Trial.direct(new Marching().scene(new RandomSource(1)), 1, Controller.ofAgent(new Walker(manner, velocity)))) {
             int cycles = 0;
             while (cycles < 250 && !trial.now().robot().isFallen()) {
                 trial.step();
@@ -113,8 +113,8 @@ class PlayedPolicyTest {
         }
     }
 
-    private static Posture marched(Performer walker) {
-        try (Trial trial = Trial.direct(new Marching().scene(new Chance(1)), 1, walker)) {
+    private static Posture marched(Controller walker) {
+        try (Trial trial = Trial.direct(new Marching().scene(new RandomSource(1)), 1, walker)) {
             for (int i = 0; i < CYCLES_OF_WALK; i++) {
                 trial.step();
             }
@@ -126,7 +126,7 @@ class PlayedPolicyTest {
     @ValueSource(doubles = {0.6, 1, 1.8})
     void agentGetsUpByTheShippedPolicyOnAnyGround(double grip) {
         Scene lying = GetUpTraining.lying(posture -> posture);
-        try (Trial trial = Trial.direct(lying, 1, Performer.ofAgent(new Player(PolicyFile.shipped("get-up"))))) {
+        try (Trial trial = Trial.direct(lying, 1, Controller.ofAgent(new Player(PolicyFile.shipped("get-up"))))) {
             trial.setGrip(grip);
             for (int i = 0; i < 200; i++) {
                 trial.step();
@@ -155,7 +155,7 @@ class PlayedPolicyTest {
     }
 
     private static Posture played(TrainingTask task, Policy policy) {
-        try (Trial trial = Trial.direct(task.scene(new Chance(1)), 1, Performer.ofAgent(new Player(policy)))) {
+        try (Trial trial = Trial.direct(task.scene(new RandomSource(1)), 1, Controller.ofAgent(new Player(policy)))) {
             for (int i = 0; i < CYCLES; i++) {
                 trial.step();
             }
@@ -252,7 +252,7 @@ class PlayedPolicyTest {
         }
 
         @Override
-        protected void see(Moment first, Moment now) {}
+        protected void see(WorldState first, WorldState now) {}
 
         @Override
         public double value() {

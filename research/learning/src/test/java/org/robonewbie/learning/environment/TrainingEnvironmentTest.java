@@ -15,11 +15,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.Chance;
 import org.robonewbie.trial.Measure;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.Distance;
 
 class TrainingEnvironmentTest {
@@ -341,7 +341,7 @@ class TrainingEnvironmentTest {
         }
 
         @Override
-        protected void see(Moment first, Moment now) {}
+        protected void see(WorldState first, WorldState now) {}
 
         @Override
         public double value() {
@@ -356,7 +356,7 @@ class TrainingEnvironmentTest {
         public Wandering() {}
 
         @Override
-        public Scene scene(Chance ofTheEpisode) {
+        public Scene scene(RandomSource ofTheEpisode) {
             return Scene.of(RobotStart.at(-(double) ofTheEpisode.seed(), 0));
         }
     }

@@ -8,16 +8,16 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.motion.BallPlace;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.file.ShippedMotions;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.Distance;
 
 class MotionTrialTest {
 
     @Test
     void isTheSameEachTimeForTheSameSeed() {
-        Moment first = walked(7);
-        Moment other = walked(8);
-        Moment second = walked(7);
+        WorldState first = walked(7);
+        WorldState other = walked(8);
+        WorldState second = walked(7);
 
         assertThat(second.robot().torso()).isEqualTo(first.robot().torso());
         assertThat(other.robot().torso()).isNotEqualTo(first.robot().torso());
@@ -71,7 +71,7 @@ class MotionTrialTest {
         }
     }
 
-    private static Moment walked(long seed) {
+    private static WorldState walked(long seed) {
         try (MotionTrial robot = MotionTrial.inStance(seed, 5)) {
             Motion walk = ShippedMotions.motion("walk-forward");
             robot.play(walk);

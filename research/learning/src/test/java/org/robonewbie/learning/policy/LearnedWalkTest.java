@@ -8,7 +8,7 @@ import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.policy.file.PolicyFile;
 import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.simulator.soccer.SoccerParameters;
-import org.robonewbie.trial.Performer;
+import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
@@ -26,7 +26,7 @@ class LearnedWalkTest {
     void agentGetsAheadFromItsMessagesAlone(String policy, double metresPerSecond) {
         Distance way = new Distance();
 
-        try (Trial trial = Trial.served(SCENE, 5, Performer.ofAgent(new Walker(policy)))) {
+        try (Trial trial = Trial.served(SCENE, 5, Controller.ofAgent(new Walker(policy)))) {
             trial.run(8, way);
         }
 

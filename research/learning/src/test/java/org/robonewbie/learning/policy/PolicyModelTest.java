@@ -17,7 +17,7 @@ import org.robonewbie.agent.walk.PolicyWalk;
 import org.robonewbie.learning.environment.EnvironmentSpec;
 import org.robonewbie.learning.environment.TrainingTask;
 import org.robonewbie.nao.Joint;
-import org.robonewbie.trial.Moment;
+import org.robonewbie.trial.WorldState;
 
 class PolicyModelTest {
 
@@ -202,7 +202,7 @@ class PolicyModelTest {
         }
 
         @Override
-        protected void see(Moment first, Moment now) {
+        protected void see(WorldState first, WorldState now) {
             double moved = now.robot().joints().degrees(Joint.LEFT_SHOULDER_PITCH)
                     - first.robot().joints().degrees(Joint.LEFT_SHOULDER_PITCH);
             away = Math.abs(moved - WAY);

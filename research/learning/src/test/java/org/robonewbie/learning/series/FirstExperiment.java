@@ -10,7 +10,7 @@ public class FirstExperiment {
         Scene scene = Scene.of(RobotStart.at(1.5, 0).after("stand"));
         for (long seed = 1; seed <= 5; seed++) {
             double hip = 20 * seed;
-            Performer bending = Performer.ofPolicy(readings -> {
+            Controller bending = Controller.ofPolicy(readings -> {
                 double[] speeds = new double[Joint.COUNT];
                 double arm = readings.degrees(Joint.LEFT_SHOULDER_PITCH);
                 speeds[Joint.LEFT_SHOULDER_PITCH.ordinal()] = arm < 30 ? 60 : 0;

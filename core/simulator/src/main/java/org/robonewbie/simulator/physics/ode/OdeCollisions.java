@@ -30,7 +30,7 @@ public final class OdeCollisions implements Restorable {
     public static final int NUMBERS_PER_POINT = 7;
 
     /** How many points of a pair of shapes are found at most. */
-    public static final int MOST_POINTS = 4;
+    public static final int MAX_POINTS = 4;
 
     private static final long MOVABLE = 1;
     private static final long FIXED = 2;
@@ -44,10 +44,10 @@ public final class OdeCollisions implements Restorable {
     private final List<Group> groups = new ArrayList<>();
     private final Place place = new Place();
     private int searches;
-    private final DContactBuffer buffer = new DContactBuffer(MOST_POINTS);
+    private final DContactBuffer buffer = new DContactBuffer(MAX_POINTS);
     private final DContactGeomBuffer found = buffer.getGeomBuffer();
     private final DGeom.DNearCallback collision = this::collide;
-    private final double[] points = new double[MOST_POINTS * NUMBERS_PER_POINT];
+    private final double[] points = new double[MAX_POINTS * NUMBERS_PER_POINT];
 
     /** Receives every pair of shapes that touch. */
     public interface Listener {
@@ -58,7 +58,7 @@ public final class OdeCollisions implements Restorable {
          * @param first the one collider
          * @param second the other collider
          * @param points {@link #NUMBERS_PER_POINT} numbers for each point; only valid during the call
-         * @param count how many points there are, at most {@link #MOST_POINTS}
+         * @param count how many points there are, at most {@link #MAX_POINTS}
          */
         void touch(Collider first, Collider second, double[] points, int count);
     }
@@ -215,7 +215,7 @@ public final class OdeCollisions implements Restorable {
             OdeHelper.spaceCollide2(first, second, listener, collision);
             return;
         }
-        int count = OdeHelper.collide(first, second, MOST_POINTS, found);
+        int count = OdeHelper.collide(first, second, MAX_POINTS, found);
         if (count > 0) {
             copyPoints(count);
             ((Listener) listener).touch((Collider) first.getData(), (Collider) second.getData(), points, count);

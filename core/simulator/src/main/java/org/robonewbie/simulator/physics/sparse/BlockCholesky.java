@@ -11,7 +11,7 @@ import java.util.Arrays;
  */
 final class BlockCholesky {
 
-    private EliminationPlan plan = new EliminationPlan();
+    private SymbolicFactorization factorization = new SymbolicFactorization();
     private final ScratchCapacity capacity = new ScratchCapacity(1 << 14);
     private double[] matrix = {};
     private double[] factor = {};
@@ -19,20 +19,20 @@ final class BlockCholesky {
     private boolean[] changed = {};
 
     /** Builds the matrix: J M⁻¹ Jᵀ and the softness on the diagonal. */
-    void assemble(EliminationPlan newPlan, ConstraintRows rows) {
-        plan = newPlan;
-        int length = capacity.fit(factor.length, plan.size());
+    void assemble(SymbolicFactorization newPlan, ConstraintRows rows) {
+        factorization = newPlan;
+        int length = capacity.fit(factor.length, factorization.size());
         if (length != factor.length) {
             matrix = new double[length];
             factor = new double[length];
         }
-        if (inverseDiagonal.length < plan.rows()) {
-            inverseDiagonal = new double[2 * plan.rows()];
+        if (inverseDiagonal.length < factorization.rows()) {
+            inverseDiagonal = new double[2 * factorization.rows()];
             changed = new boolean[inverseDiagonal.length];
         }
-        Arrays.fill(matrix, 0, plan.size(), 0);
-        int[] overlaps = plan.overlaps;
-        for (int i = 0; i < plan.overlapsEnd; i += EliminationPlan.OVERLAP_NUMBERS) {
+        Arrays.fill(matrix, 0, factorization.size(), 0);
+        int[] overlaps = factorization.overlaps;
+        for (int i = 0; i < factorization.overlapsEnd; i += SymbolicFactorization.OVERLAP_NUMBERS) {
             double[] response = overlaps[i + 1] == 0 ? rows.firstResponse : rows.secondResponse;
             double[] jacobian = overlaps[i + 3] == 0 ? rows.first : rows.second;
             if (rows.hinge[overlaps[i + 2]]) {
@@ -41,10 +41,10 @@ final class BlockCholesky {
                 addOverlap(overlaps[i], response, overlaps[i + 2], jacobian, overlaps[i + 4]);
             }
         }
-        for (int k = 0; k < plan.joints(); k++) {
-            int width = plan.rows(k);
+        for (int k = 0; k < factorization.joints(); k++) {
+            int width = factorization.rows(k);
             for (int r = 0; r < width; r++) {
-                matrix[plan.diagonalOffset[k] + r * width + r] += rows.softness[plan.firstRow[k] + r];
+                matrix[factorization.diagonalOffset[k] + r * width + r] += rows.softness[factorization.firstRow[k] + r];
             }
         }
         allRowsChanged();
@@ -52,14 +52,14 @@ final class BlockCholesky {
 
     /** Marks all rows as changed. */
     void allRowsChanged() {
-        Arrays.fill(changed, 0, plan.joints(), true);
+        Arrays.fill(changed, 0, factorization.joints(), true);
     }
 
     private void addOverlap(int column, double[] response, int row, double[] jacobian, int offset) {
-        int width = plan.rows(column);
-        int height = plan.rows(row);
-        int columnStart = 6 * plan.firstRow[column];
-        int rowStart = 6 * plan.firstRow[row];
+        int width = factorization.rows(column);
+        int height = factorization.rows(row);
+        int columnStart = 6 * factorization.firstRow[column];
+        int rowStart = 6 * factorization.firstRow[row];
         for (int r = 0; r < height; r++) {
             int a = rowStart + 6 * r;
             double j0 = jacobian[a];
@@ -87,16 +87,16 @@ final class BlockCholesky {
      * nothing is used, so that it may hold anything.
      */
     private void addOverlapOfHinge(int column, double[] response, int row, double[] jacobian, int offset) {
-        int width = plan.rows(column);
-        HingeBlocks.addTimes(
+        int width = factorization.rows(column);
+        HingeKernels.addTimes(
                 matrix,
                 offset,
                 width,
                 row == column ? 3 : width,
                 jacobian,
-                6 * plan.firstRow[row],
+                6 * factorization.firstRow[row],
                 response,
-                6 * plan.firstRow[column]);
+                6 * factorization.firstRow[column]);
     }
 
     /** Marks a row as changed, so that the joint's column is recomputed. */
@@ -109,37 +109,37 @@ final class BlockCholesky {
      * tell the first below a block, since that one has blocks at all others.
      */
     void factorise(byte[] state) {
-        for (int k = 0; k < plan.joints(); k++) {
+        for (int k = 0; k < factorization.joints(); k++) {
             if (changed[k]) {
                 computeColumn(k, state);
-                if (plan.belowStart[k] < plan.belowStart[k + 1]) {
-                    changed[plan.below[plan.belowStart[k]]] = true;
+                if (factorization.belowStart[k] < factorization.belowStart[k + 1]) {
+                    changed[factorization.below[factorization.belowStart[k]]] = true;
                 }
             }
         }
-        Arrays.fill(changed, 0, plan.joints(), false);
+        Arrays.fill(changed, 0, factorization.joints(), false);
     }
 
     private void computeColumn(int column, byte[] state) {
-        int start = plan.diagonalOffset[column];
-        int end = plan.diagonalOffset[column + 1];
+        int start = factorization.diagonalOffset[column];
+        int end = factorization.diagonalOffset[column + 1];
         System.arraycopy(matrix, start, factor, start, end - start);
-        int width = plan.rows(column);
-        int[] updates = plan.updates;
-        for (int i = plan.updatesStart[column];
-                i < plan.updatesStart[column + 1];
-                i += EliminationPlan.UPDATE_NUMBERS) {
-            int inner = plan.rows(updates[i]);
-            DenseBlocks.subtractProduct(
+        int width = factorization.rows(column);
+        int[] updates = factorization.updates;
+        for (int i = factorization.updatesStart[column];
+                i < factorization.updatesStart[column + 1];
+                i += SymbolicFactorization.UPDATE_NUMBERS) {
+            int inner = factorization.rows(updates[i]);
+            BlockKernels.subtractProduct(
                     factor, updates[i + 1], updates[i + 2], updates[i + 3], updates[i + 4], width, inner);
         }
         int height = (end - start) / width;
         for (int c = 0; c < width; c++) {
-            if (state[plan.firstRow[column] + c] != ConstraintRows.FREE) {
-                DenseBlocks.replaceByUnit(factor, start, width, height, c);
+            if (state[factorization.firstRow[column] + c] != ConstraintRows.FREE) {
+                BlockKernels.replaceByUnit(factor, start, width, height, c);
             }
         }
-        DenseBlocks.factorise(factor, start, width, height, inverseDiagonal, plan.firstRow[column]);
+        BlockKernels.factorise(factor, start, width, height, inverseDiagonal, factorization.firstRow[column]);
     }
 
     /**
@@ -148,31 +148,43 @@ final class BlockCholesky {
      * @param x holds b and receives the solution; at rows that are not free it is set to 0
      */
     void solve(double[] x, byte[] state) {
-        for (int k = 0; k < plan.joints(); k++) {
+        for (int k = 0; k < factorization.joints(); k++) {
             clearFixedRows(k, x, state);
-            int at = plan.firstRow[k];
-            int width = plan.rows(k);
-            DenseBlocks.solveForwards(factor, plan.diagonalOffset[k], width, inverseDiagonal, x, at);
-            int[] below = plan.below;
-            for (int i = plan.belowStart[k]; i < plan.belowStart[k + 1]; i++) {
-                DenseBlocks.subtractTimes(
-                        factor, plan.belowOffset[i], plan.rows(below[i]), width, x, at, plan.firstRow[below[i]]);
+            int at = factorization.firstRow[k];
+            int width = factorization.rows(k);
+            BlockKernels.solveForwards(factor, factorization.diagonalOffset[k], width, inverseDiagonal, x, at);
+            int[] below = factorization.below;
+            for (int i = factorization.belowStart[k]; i < factorization.belowStart[k + 1]; i++) {
+                BlockKernels.subtractTimes(
+                        factor,
+                        factorization.belowOffset[i],
+                        factorization.rows(below[i]),
+                        width,
+                        x,
+                        at,
+                        factorization.firstRow[below[i]]);
             }
         }
-        for (int k = plan.joints() - 1; k >= 0; k--) {
-            int at = plan.firstRow[k];
-            int width = plan.rows(k);
-            int[] below = plan.below;
-            for (int i = plan.belowStart[k]; i < plan.belowStart[k + 1]; i++) {
-                DenseBlocks.subtractTransposedTimes(
-                        factor, plan.belowOffset[i], plan.rows(below[i]), width, x, plan.firstRow[below[i]], at);
+        for (int k = factorization.joints() - 1; k >= 0; k--) {
+            int at = factorization.firstRow[k];
+            int width = factorization.rows(k);
+            int[] below = factorization.below;
+            for (int i = factorization.belowStart[k]; i < factorization.belowStart[k + 1]; i++) {
+                BlockKernels.subtractTransposedTimes(
+                        factor,
+                        factorization.belowOffset[i],
+                        factorization.rows(below[i]),
+                        width,
+                        x,
+                        factorization.firstRow[below[i]],
+                        at);
             }
-            DenseBlocks.solveBackwards(factor, plan.diagonalOffset[k], width, inverseDiagonal, x, at);
+            BlockKernels.solveBackwards(factor, factorization.diagonalOffset[k], width, inverseDiagonal, x, at);
         }
     }
 
     private void clearFixedRows(int joint, double[] x, byte[] state) {
-        for (int row = plan.firstRow[joint]; row < plan.firstRow[joint + 1]; row++) {
+        for (int row = factorization.firstRow[joint]; row < factorization.firstRow[joint + 1]; row++) {
             if (state[row] != ConstraintRows.FREE) {
                 x[row] = 0;
             }

@@ -19,7 +19,8 @@ import org.robonewbie.simulator.physics.RotationMatrix;
 final class Body implements RigidBody, Restorable {
 
     /** Stands where no body is known yet. */
-    static final Body NONE = new Body(new MassDistribution(1, new Vector3(1, 1, 1)), Vector3.ZERO, new MoveOrder());
+    static final Body NONE =
+            new Body(new MassDistribution(1, new Vector3(1, 1, 1)), Vector3.ZERO, new UpdateSequence());
 
     private static final double GRAVITY = -9.81;
     private static final double RESTING_SPEED_SQUARED = 0.01 * 0.01;
@@ -58,13 +59,13 @@ final class Body implements RigidBody, Restorable {
     private Vector3 seenVelocity = Vector3.ZERO;
 
     private final double[] quaternion = {1, 0, 0, 0};
-    private final MoveOrder order;
+    private final UpdateSequence order;
     private final List<CollisionShape> shapes = new ArrayList<>();
     private boolean asleep;
     private int turns;
     private int restingStepsLeft = STEPS_TO_FALL_ASLEEP;
 
-    Body(MassDistribution distribution, Vector3 position, MoveOrder order) {
+    Body(MassDistribution distribution, Vector3 position, UpdateSequence order) {
         this.order = order;
         usual = distribution;
         setMassFactor(1);

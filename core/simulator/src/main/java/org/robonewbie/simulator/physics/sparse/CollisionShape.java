@@ -54,7 +54,7 @@ abstract class CollisionShape implements Restorable {
     }
 
     /** Notes that the body has moved. */
-    void moved(MoveOrder order) {
+    void moved(UpdateSequence order) {
         unmeasured = true;
         misplaced = true;
         if (movedInPeriod != order.period()) {

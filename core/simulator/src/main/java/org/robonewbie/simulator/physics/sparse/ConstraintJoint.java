@@ -36,7 +36,7 @@ abstract class ConstraintJoint {
         }
     }
 
-    /** The number of rows that the joint needs in this step, a multiple of three as {@link DenseBlocks} wants it. */
+    /** The number of rows that the joint needs in this step, a multiple of three as {@link BlockKernels} wants it. */
     abstract int rowCount();
 
     /** The first of its rows that may have limits; {@link #ROWS_PER_LIMIT} further comes the next one. */
@@ -53,7 +53,7 @@ abstract class ConstraintJoint {
     abstract void writeRows(ConstraintRows rows, double rate);
 
     /** Sets the states with which the solver begins, where something better is known than that all rows are free. */
-    void guessStates(ConstraintRows rows) {}
+    void setInitialBasis(ConstraintRows rows) {}
 
     /** Takes from the rows what has to be remembered after the step. */
     void readForces(ConstraintRows rows) {}

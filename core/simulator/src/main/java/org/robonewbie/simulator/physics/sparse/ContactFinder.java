@@ -16,15 +16,15 @@ final class ContactFinder {
     private final List<ShapeGroup> movers = new ArrayList<>();
     private final List<CollisionShape> fixtures = new ArrayList<>();
     private final List<CollisionShape> misplaced = new ArrayList<>();
-    private final MoveOrder order = new MoveOrder();
-    private final double[] points = new double[OdeCollisions.MOST_POINTS * OdeCollisions.NUMBERS_PER_POINT];
+    private final UpdateSequence order = new UpdateSequence();
+    private final double[] points = new double[OdeCollisions.MAX_POINTS * OdeCollisions.NUMBERS_PER_POINT];
     private @Nullable SparseCollider ground;
 
     OdeCollisions collisions() {
         return collisions;
     }
 
-    MoveOrder order() {
+    UpdateSequence order() {
         return order;
     }
 

@@ -13,7 +13,7 @@ final class ContactJoint extends ConstraintJoint {
 
     private static final int ROWS_PER_POINT = 3;
 
-    private final ContactPoint[] points = new ContactPoint[OdeCollisions.MOST_POINTS];
+    private final ContactPoint[] points = new ContactPoint[OdeCollisions.MAX_POINTS];
     private int count;
     private ContactSurface surface = ContactSurface.HARD;
     private double sign;
@@ -114,7 +114,7 @@ final class ContactJoint extends ConstraintJoint {
     }
 
     @Override
-    void guessStates(ConstraintRows rows) {
+    void setInitialBasis(ConstraintRows rows) {
         for (int i = 0; i < count && second == null; i++) {
             rows.state[firstRow + ROWS_PER_POINT * i] = lastTouch.stateAt(first, points[i].numbers);
         }

@@ -82,7 +82,7 @@ final class ContactList implements OdeCollisions.Listener {
     }
 
     /** Where there are many contacts, two robots need room in both their crowds. */
-    private boolean mayPush(@Nullable ContactBudget one, @Nullable ContactBudget other, int count) {
+    private boolean mayPush(@Nullable ContactLimit one, @Nullable ContactLimit other, int count) {
         if (one == null || other == null) {
             return true;
         }

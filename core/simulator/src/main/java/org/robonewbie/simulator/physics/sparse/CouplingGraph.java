@@ -37,7 +37,7 @@ final class CouplingGraph {
     /** Which words of a set of joints the members are in. */
     private final IntegerList memberWords = new IntegerList();
 
-    private final Tournament fewestRows = new Tournament();
+    private final TournamentTree fewestRows = new TournamentTree();
 
     /**
      * Builds the graph.
@@ -129,12 +129,12 @@ final class CouplingGraph {
                 }
             }
         }
-        fewestRows.begin(size);
+        fewestRows.reset(size);
         for (int joint = 0; joint < size; joint++) {
             rowsAround[joint] = rowsOfNeighbours(joint);
-            fewestRows.enter(joint, rowsAround[joint]);
+            fewestRows.add(joint, rowsAround[joint]);
         }
-        fewestRows.play();
+        fewestRows.build();
     }
 
     /**
@@ -147,8 +147,8 @@ final class CouplingGraph {
     void eliminate(int[] order, IntegerList coupled, int[] coupledStart) {
         coupled.clear();
         for (int place = 0; place < size; place++) {
-            int joint = fewestRows.winner();
-            fewestRows.leave(joint);
+            int joint = fewestRows.minimum();
+            fewestRows.remove(joint);
             order[place] = joint;
             coupledStart[place] = coupled.size();
             findMembers(joint * words);
@@ -156,7 +156,7 @@ final class CouplingGraph {
                 int other = members.numbers[i];
                 coupled.add(other);
                 join(other, joint);
-                fewestRows.change(other, rowsAround[other]);
+                fewestRows.update(other, rowsAround[other]);
             }
         }
         coupledStart[size] = coupled.size();

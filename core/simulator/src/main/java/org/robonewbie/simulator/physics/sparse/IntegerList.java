@@ -2,7 +2,7 @@ package org.robonewbie.simulator.physics.sparse;
 
 import java.util.Arrays;
 
-/** Integers in a row, for building plans; its array is used again. */
+/** Integers in a row, for building factorizations; its array is used again. */
 final class IntegerList {
 
     /** The integers, and room for more. */

@@ -6,8 +6,8 @@ import java.util.List;
 final class IslandSolver {
 
     private final ConstraintRows rows = new ConstraintRows();
-    private final ForceSolver solver = new ForceSolver(rows);
-    private final PlanCache plans = new PlanCache();
+    private final BlockPivotingLcpSolver solver = new BlockPivotingLcpSolver(rows);
+    private final SymbolicFactorizationCache factorizations = new SymbolicFactorizationCache();
 
     /**
      * Finds all forces on the bodies, and the accelerations that come from them.
@@ -29,11 +29,11 @@ final class IslandSolver {
 
     private void findForces(List<Body> bodies, List<ConstraintJoint> joints, double seconds) {
         double rate = 1 / seconds;
-        EliminationPlan plan = plans.planFor(joints, bodies.size());
-        rows.reset(plan.rows(), plan.joints(), PhysicsConstants.SOFTNESS);
-        for (int k = 0; k < plan.joints(); k++) {
-            ConstraintJoint joint = joints.get(plan.order[k]);
-            joint.firstRow = plan.firstRow[k];
+        SymbolicFactorization factorization = factorizations.get(joints, bodies.size());
+        rows.reset(factorization.rows(), factorization.joints(), PhysicsConstants.SOFTNESS);
+        for (int k = 0; k < factorization.joints(); k++) {
+            ConstraintJoint joint = joints.get(factorization.order[k]);
+            joint.firstRow = factorization.firstRow[k];
             rows.hinge[k] = joint.hinge;
             joint.writeRows(rows, rate);
         }
@@ -43,7 +43,7 @@ final class IslandSolver {
         for (int i = 0; i < joints.size(); i++) {
             rows.prepare(joints.get(i), rate);
         }
-        solver.solve(plan, joints, bodies);
+        solver.solve(factorization, joints, bodies);
         for (int i = 0; i < joints.size(); i++) {
             joints.get(i).readForces(rows);
         }

@@ -7,11 +7,11 @@ package org.robonewbie.simulator.physics.sparse;
  */
 final class LastTouch {
 
-    private static final int MOST_POINTS = 4;
+    private static final int MAX_POINTS = 4;
     private static final double NEAR = 1e-3;
 
-    private final double[] places = new double[3 * MOST_POINTS];
-    private final byte[] states = new byte[MOST_POINTS];
+    private final double[] places = new double[3 * MAX_POINTS];
+    private final byte[] states = new byte[MAX_POINTS];
     private final double[] place = new double[3];
     private int count;
 
@@ -28,7 +28,7 @@ final class LastTouch {
      * @param state the state of the row along its normal
      */
     void add(Body body, double[] point, byte state) {
-        if (count < MOST_POINTS) {
+        if (count < MAX_POINTS) {
             locate(body, point);
             System.arraycopy(place, 0, places, 3 * count, 3);
             states[count++] = state;

@@ -23,7 +23,7 @@ final class SparseAssembly implements Assembly, Restorable {
     private final SparsePhysicsWorld world;
     private final OdeCollisions.Group odeGeometries;
     private final boolean removable;
-    private final ContactBudget budget = new ContactBudget();
+    private final ContactLimit budget = new ContactLimit();
     private final List<Body> bodies = new ArrayList<>();
     private final List<HingeJoint> hinges = new ArrayList<>();
     private final List<ShapeGroup> movers = new ArrayList<>();

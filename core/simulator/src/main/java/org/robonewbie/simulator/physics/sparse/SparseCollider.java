@@ -12,7 +12,7 @@ final class SparseCollider implements Collider {
     private final @Nullable Body body;
     private final int material;
     private final Object owner;
-    private final @Nullable ContactBudget budget;
+    private final @Nullable ContactLimit budget;
     private final LastTouch lastTouch = new LastTouch();
 
     /**
@@ -23,7 +23,7 @@ final class SparseCollider implements Collider {
      * @param owner what it belongs to
      * @param budget counts the contacts of its robot; none for everything else
      */
-    SparseCollider(@Nullable Body body, int material, Object owner, @Nullable ContactBudget budget) {
+    SparseCollider(@Nullable Body body, int material, Object owner, @Nullable ContactLimit budget) {
         this.body = body;
         this.material = material;
         this.owner = owner;
@@ -31,7 +31,7 @@ final class SparseCollider implements Collider {
     }
 
     @Nullable
-    ContactBudget budget() {
+    ContactLimit budget() {
         return budget;
     }
 

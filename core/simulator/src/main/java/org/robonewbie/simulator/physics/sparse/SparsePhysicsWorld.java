@@ -23,7 +23,7 @@ import org.robonewbie.simulator.physics.ode.OdeCollisions;
 public final class SparsePhysicsWorld implements PhysicsWorld {
 
     /**
-     * Plans and arrays, which all islands share that a thread works on: hundreds of worlds of learning robots would drive
+     * Factorizations and arrays, which all islands share that a thread works on: hundreds of worlds of learning robots would drive
      * each other's out of the processor's cache.
      */
     private static final ThreadLocal<IslandSolver> SOLVER = ThreadLocal.withInitial(IslandSolver::new);
@@ -146,7 +146,7 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
         finder.collisions().save(out);
     }
 
-    /** Takes on a state; plans and arrays stay, since what they are reused for does not depend on them. */
+    /** Takes on a state; factorizations and arrays stay, since what they are reused for does not depend on them. */
     @Override
     public void restore(StateReader in) {
         contacts.begin();

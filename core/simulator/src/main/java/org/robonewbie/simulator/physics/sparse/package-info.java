@@ -17,7 +17,7 @@
  * with some rows left out, until every row is either satisfied or at its limit. That takes one or two rounds.
  *
  * <p>Read {@link org.robonewbie.simulator.physics.sparse.SparsePhysicsWorld} first, then {@code IslandSolver}, {@code
- * ConstraintRows}, {@code EliminationPlan}, {@code BlockCholesky} and {@code ForceSolver}.
+ * ConstraintRows}, {@code SymbolicFactorization}, {@code BlockCholesky} and {@code BlockPivotingLcpSolver}.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

@@ -1,0 +1,159 @@
+package org.robonewbie.agent.cycle;
+
+import java.util.List;
+import java.util.Optional;
+import org.robonewbie.agent.log.Diagnostics;
+import org.robonewbie.agent.log.RunLog;
+import org.robonewbie.agent.motion.LookAround;
+import org.robonewbie.agent.motion.MotionSequencer;
+import org.robonewbie.agent.perception.FieldMemory;
+import org.robonewbie.agent.walk.WalkController;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.motion.Motors;
+import org.robonewbie.nao.motion.file.MotionFiles;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.protocol.perceptor.PerceptorMessage;
+
+/**
+ * The parts of one robot, wired together: takes in a perception and returns the commands that answer it.
+ *
+ * <pre>{@code
+ * RobotRuntime robot = new RobotRuntime("Walker");
+ * robot.perceive(message);
+ * robot.motions().start("wave");
+ * List<EffectorCommand> answer = robot.act();
+ * }</pre>
+ *
+ * <p>Programs of students see it through {@code Robot}, {@code Motions}, {@code Walk}, {@code LocalFieldView} and {@code Logger}.
+ */
+public final class RobotRuntime {
+
+    private final RunLog log;
+    private final Diagnostics diagnostics = new Diagnostics(System.err);
+    private final SensorState sensors = new SensorState();
+    private final Motors motors = new Motors(sensors.joints());
+    private final LookAround lookAround = new LookAround(motors);
+    private final Commands commands = new Commands(sensors, motors, diagnostics, this::turningMotion);
+    private final MotionSequencer motions;
+    private final WalkController walk;
+    private final FieldMemory fieldView = new FieldMemory(diagnostics);
+    private final TelemetryPublisher telemetry = new TelemetryPublisher(sensors);
+
+    /**
+     * Creates a robot that has not sensed anything yet.
+     *
+     * @param name the robot's name, for the headline of its log
+     */
+    public RobotRuntime(String name) {
+        log = new RunLog(name);
+        motions = new MotionSequencer(motors, MotionFiles.library(), diagnostics, sensors::bodyPosition);
+        walk = new WalkController(motors, motions, diagnostics, sensors::bodyPosition);
+        log.setListener(telemetry::publish);
+        log.setPatternListener(advice -> diagnostics.report("log pattern", advice));
+        diagnostics.setListener(telemetry::publish);
+    }
+
+    /**
+     * Takes in a message: sensors, clocks, and the view of the field.
+     *
+     * @param message what the robot senses
+     */
+    public void perceive(PerceptorMessage message) {
+        sense(message);
+        fieldView.setIdentity(sensors.team(), sensors.number(), sensors.side());
+        fieldView.setTime(sensors.seconds());
+        if (message.vision().isPresent()) {
+            double yaw = sensors.joints().degrees(Joint.NECK_YAW);
+            double pitch = sensors.joints().degrees(Joint.NECK_PITCH);
+            fieldView.see(message.vision().get(), yaw, pitch);
+            telemetry.publishBelief(fieldView);
+        }
+    }
+
+    /**
+     * Takes in a message without looking at the field, as long as the robot is not in the game yet.
+     *
+     * @param message what the robot senses
+     */
+    public void sense(PerceptorMessage message) {
+        sensors.accept(message);
+        log.setTime(sensors.seconds());
+        diagnostics.setTime(sensors.seconds());
+    }
+
+    /**
+     * Advances walk and motions by one cycle.
+     *
+     * @return what the robot does in this cycle, with {@code Synchronise} at the end
+     */
+    public List<EffectorCommand> act() {
+        if (commands.isBeaming() && sensors.isBeamAllowed()) {
+            loseOrientation();
+        }
+        walk.update(sensors.torso(), sensors.leftFoot(), sensors.rightFoot());
+        telemetry.publishActions(walk);
+        return commands.take();
+    }
+
+    /** Ends all motions and forgets the field, for a robot that goes on from another moment of the game. */
+    public void startOver() {
+        motions.reset();
+        loseOrientation();
+    }
+
+    private Optional<String> turningMotion(Joint joint) {
+        return motions.turning(joint);
+    }
+
+    /** What the robot knows of place and posture is no longer true. */
+    private void loseOrientation() {
+        fieldView.forget();
+        walk.reset();
+        sensors.falls().reset();
+    }
+
+    /** {@return the log} */
+    public RunLog log() {
+        return log;
+    }
+
+    /** {@return the diagnostics of the program} */
+    public Diagnostics diagnostics() {
+        return diagnostics;
+    }
+
+    /** {@return the last readings of all sensors} */
+    public SensorState sensors() {
+        return sensors;
+    }
+
+    /** {@return the head's movement to see more} */
+    public LookAround lookAround() {
+        return lookAround;
+    }
+
+    /** {@return the commands of this cycle} */
+    public Commands commands() {
+        return commands;
+    }
+
+    /** {@return the motions by name} */
+    public MotionSequencer motions() {
+        return motions;
+    }
+
+    /** {@return the walk} */
+    public WalkController walk() {
+        return walk;
+    }
+
+    /** {@return what the robot remembers of the field} */
+    public FieldMemory fieldView() {
+        return fieldView;
+    }
+
+    /** {@return the publisher of what the robot thinks} */
+    public TelemetryPublisher telemetry() {
+        return telemetry;
+    }
+}

@@ -1,0 +1,208 @@
+package org.robonewbie.agent.localisation;
+
+import java.util.Optional;
+import org.robonewbie.agent.perception.Direction;
+import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.kinematics.Pose;
+import org.robonewbie.nao.kinematics.Rotation;
+import org.robonewbie.nao.math.PortableMath;
+
+/**
+ * Estimates position, attitude and velocity of the torso by inertial navigation: gyroscope and accelerometer predict them, also
+ * while the robot falls, lies and gets up; landmarks and the standing foot correct the drift.
+ *
+ * <p>The error state holds a small rotation instead of angles, so no attitude is singular (J. Solà, <em>Quaternion kinematics for
+ * the error-state Kalman filter</em>, 2017).
+ */
+final class ErrorStateKalmanFilter {
+
+    /** Rows of the covariance, three each: metres, metres per second and radians along and about the axes of the pitch. */
+    private static final int PLACE = 0;
+
+    private static final int VELOCITY = 3;
+    private static final int TURN = 6;
+    private static final int DIMENSIONS = 9;
+
+    private static final double DEFAULT_HEIGHT = 0.36;
+    private static final double FIRST_HEIGHT = 0.1;
+    private static final double FIRST_TILT = PortableMath.toRadians(5);
+    private static final double FIRST_SPEED = 0.5;
+    private static final double GRAVITY = 9.81;
+    /** No knock is as strong: what is above it is a beam, or a hand that carries the robot. */
+    private static final double STRONGEST = 300;
+
+    private static final double MAX_DEVIATIONS = 5;
+
+    private static final double PLACE_DEVIATION = 0.001;
+    private static final double VELOCITY_DEVIATION = 0.003;
+    private static final double TURN_DEVIATION = PortableMath.toRadians(0.01);
+    private static final double SIGHT_DEVIATION = 0.006;
+    private static final double DISTANCE_DEVIATION_PER_METRE = 0.0015;
+    private static final double ASIDE_DEVIATION_PER_METRE = PortableMath.toRadians(0.25);
+    private static final double FOOT_DEVIATION = 0.5;
+    private static final double HEIGHT_DEVIATION = 0.2;
+
+    private final KalmanCovariance covariance = new KalmanCovariance(DIMENSIONS);
+    private Vector3 place = new Vector3(0, 0, DEFAULT_HEIGHT);
+    private Vector3 velocity = Vector3.ZERO;
+    private Rotation attitude = Rotation.NONE;
+
+    /** Starts upright on the centre spot. */
+    ErrorStateKalmanFilter() {
+        begin(Pose2d.ORIGIN, 0, 0);
+    }
+
+    /** Restarts upright and at rest. */
+    void begin(Pose2d pose, double deviationMetres, double deviationDegrees) {
+        place = new Vector3(pose.x(), pose.y(), DEFAULT_HEIGHT);
+        velocity = Vector3.ZERO;
+        attitude = Rotation.about(new Vector3(0, 0, 1), pose.headingDegrees());
+        double[] deviations = {
+            deviationMetres, deviationMetres, FIRST_HEIGHT,
+            FIRST_SPEED, FIRST_SPEED, FIRST_SPEED,
+            FIRST_TILT, FIRST_TILT, PortableMath.toRadians(deviationDegrees)
+        };
+        for (int i = 0; i < DIMENSIONS; i++) {
+            covariance.reset(i, deviations[i]);
+        }
+    }
+
+    /**
+     * Predicts one cycle. The accelerometer's reading is one cycle old, so it belongs to the attitude before the rotation.
+     *
+     * @param gyro degrees per second about the axes of the torso
+     * @param felt m/s² along the axes of the torso; at rest it feels the ground push upwards
+     */
+    void move(Vector3 gyro, Vector3 felt) {
+        if (felt.length() < STRONGEST) {
+            accelerate(attitude.apply(felt));
+        } else {
+            stumble();
+        }
+        place = place.plus(velocity.times(Cycle.SECONDS));
+        attitude = attitude.times(rotation(gyro.times(Cycle.SECONDS)));
+        for (int i = 0; i < 3; i++) {
+            covariance.propagate(PLACE + i, VELOCITY + i, Cycle.SECONDS);
+            covariance.addProcessNoise(PLACE + i, PLACE_DEVIATION);
+            covariance.addProcessNoise(VELOCITY + i, VELOCITY_DEVIATION);
+            covariance.addProcessNoise(TURN + i, TURN_DEVIATION);
+        }
+    }
+
+    /** Couples velocity and attitude: an error of the attitude turns the specific force, which makes the tilt observable. */
+    private void accelerate(Vector3 felt) {
+        velocity = velocity.plus(felt.minus(new Vector3(0, 0, GRAVITY)).times(Cycle.SECONDS));
+        double[] push = components(felt.times(Cycle.SECONDS));
+        for (int i = 0; i < 3; i++) {
+            int next = (i + 1) % 3;
+            int last = (i + 2) % 3;
+            covariance.propagate(VELOCITY + i, TURN + next, push[last]);
+            covariance.propagate(VELOCITY + i, TURN + last, -push[next]);
+        }
+    }
+
+    /** Resets the velocity after a shock. */
+    private void stumble() {
+        velocity = Vector3.ZERO;
+        for (int i = 0; i < 3; i++) {
+            covariance.reset(VELOCITY + i, FIRST_SPEED);
+        }
+    }
+
+    /** Accounts for missed cycles. */
+    void miss(double seconds) {
+        for (int i = 0; i < 3; i++) {
+            covariance.addProcessNoise(PLACE + i, FIRST_SPEED * seconds);
+            covariance.addProcessNoise(VELOCITY + i, FIRST_SPEED);
+            covariance.addProcessNoise(TURN + i, PortableMath.toRadians(90) * seconds);
+        }
+    }
+
+    /**
+     * Corrects velocity and height by the kinematics of the support leg. Feet slip, so the deviations are large.
+     *
+     * @param forward metres per second
+     * @param left metres per second
+     * @param height metres above the sole
+     */
+    void stand(double forward, double left, double height) {
+        Vector3 expected = new Pose2d(0, 0, pose().headingDegrees()).toFrame(new Vector3(forward, left, 0));
+        correct(VELOCITY, expected.x() - velocity.x(), FOOT_DEVIATION);
+        correct(VELOCITY + 1, expected.y() - velocity.y(), FOOT_DEVIATION);
+        correct(PLACE + 2, height - place.z(), HEIGHT_DEVIATION);
+    }
+
+    private void correct(int dimension, double innovation, double deviation) {
+        double[] gradient = new double[DIMENSIONS];
+        gradient[dimension] = 1;
+        covariance.correct(gradient, innovation, deviation, MAX_DEVIATIONS).ifPresent(this::apply);
+    }
+
+    /**
+     * Corrects the state by a landmark. The innovation is measured in metres at the landmark: along the line of sight, and to
+     * both sides of it.
+     *
+     * @param map where it stands
+     * @param seen where the camera sees it
+     * @param camera the camera in the torso's frame
+     * @return whether it passed the gate
+     */
+    boolean see(Vector3 map, Direction seen, Pose camera) {
+        double across = SIGHT_DEVIATION + ASIDE_DEVIATION_PER_METRE * seen.distance();
+        double along = SIGHT_DEVIATION + DISTANCE_DEVIATION_PER_METRE * seen.distance();
+        Vector3 left = new Direction(1, seen.bearing() + 90, 0).toPoint();
+        Vector3 up = new Direction(1, seen.bearing(), seen.elevation() + 90).toPoint();
+        return see(map, seen, camera, left, across)
+                && see(map, seen, camera, up, across)
+                && see(map, seen, camera, seen.toPoint().times(1 / seen.distance()), along);
+    }
+
+    private boolean see(Vector3 map, Direction seen, Pose camera, Vector3 axis, double deviation) {
+        Vector3 here = attitude.apply(camera.transform(seen.toPoint()));
+        Vector3 direction = attitude.apply(camera.rotation().apply(axis));
+        double[] moved = components(direction);
+        double[] turned = components(here.cross(direction));
+        double[] gradient = new double[DIMENSIONS];
+        for (int i = 0; i < 3; i++) {
+            gradient[PLACE + i] = moved[i];
+            gradient[TURN + i] = turned[i];
+        }
+        double innovation = map.minus(place.plus(here)).dot(direction);
+        Optional<double[]> corrections = covariance.correct(gradient, innovation, deviation, MAX_DEVIATIONS);
+        corrections.ifPresent(this::apply);
+        return corrections.isPresent();
+    }
+
+    private void apply(double[] corrections) {
+        place = place.plus(vector(corrections, PLACE));
+        velocity = velocity.plus(vector(corrections, VELOCITY));
+        attitude = rotation(vector(corrections, TURN).times(PortableMath.toDegrees(1)))
+                .times(attitude);
+    }
+
+    /** Where the torso is above the ground, and which way it faces. */
+    Pose2d pose() {
+        return new Pose2d(place.x(), place.y(), attitude.yawDegrees());
+    }
+
+    /** Where the torso is, and how it is turned. */
+    Pose torso() {
+        return new Pose(place, attitude);
+    }
+
+    /** The rotation about an axis by as many degrees as it is long. */
+    private static Rotation rotation(Vector3 degrees) {
+        double size = degrees.length();
+        return size == 0 ? Rotation.NONE : Rotation.about(degrees, size);
+    }
+
+    private static double[] components(Vector3 vector) {
+        return new double[] {vector.x(), vector.y(), vector.z()};
+    }
+
+    private static Vector3 vector(double[] numbers, int first) {
+        return new Vector3(numbers[first], numbers[first + 1], numbers[first + 2]);
+    }
+}

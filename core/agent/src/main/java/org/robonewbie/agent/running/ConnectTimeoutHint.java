@@ -1,0 +1,50 @@
+package org.robonewbie.agent.running;
+
+import java.io.PrintStream;
+import java.time.Duration;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * Advice that is printed when the server does not answer: another program may use its port, or the simulator is paused or
+ * waits for more players. The robot continues to wait.
+ */
+public final class ConnectTimeoutHint implements AutoCloseable {
+
+    private static final Duration TIMEOUT = Duration.ofSeconds(5);
+
+    private final CompletableFuture<Void> hint;
+
+    private ConnectTimeoutHint(CompletableFuture<Void> hint) {
+        this.hint = hint;
+    }
+
+    /**
+     * Prints the hint on {@code System.err} unless it is closed within five seconds.
+     *
+     * @param place where it listens, such as {@code localhost:3100}
+     * @return the hint; close it when the server has answered
+     */
+    public static ConnectTimeoutHint of(String place) {
+        return after(TIMEOUT, place, System.err);
+    }
+
+    static ConnectTimeoutHint after(Duration timeout, String place, PrintStream err) {
+        Runnable print = () -> err.println("No answer from " + place + " for " + timeout.toSeconds()
+                + " s; the robot goes on waiting. Is the simulator there paused, or does it wait for more players? If another program uses"
+                + " the port (\"robonewbie doctor\" looks), --seed 1 starts a simulator of its own.");
+        return new ConnectTimeoutHint(CompletableFuture.runAsync(
+                print, CompletableFuture.delayedExecutor(timeout.toMillis(), TimeUnit.MILLISECONDS)));
+    }
+
+    /** Waits until the hint is printed or cancelled. */
+    void await() {
+        hint.join();
+    }
+
+    /** Cancels the hint. */
+    @Override
+    public void close() {
+        hint.cancel(false);
+    }
+}

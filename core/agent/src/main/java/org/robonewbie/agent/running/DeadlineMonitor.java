@@ -1,0 +1,145 @@
+package org.robonewbie.agent.running;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import java.util.function.LongSupplier;
+import java.util.function.Supplier;
+import org.robonewbie.agent.cycle.LinkPort;
+import org.robonewbie.agent.cycle.MessagePort;
+import org.robonewbie.agent.cycle.RobotRuntime;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.protocol.perceptor.PerceptorMessage;
+
+/**
+ * Reports cycles that miss the simulator's deadline. A robot that falls behind catches up: it senses the messages that have arrived
+ * meanwhile without thinking about each of them.
+ */
+public final class DeadlineMonitor implements MessagePort {
+
+    private static final double CYCLE_MILLISECONDS = 20;
+    private static final double WARM_UP_SECONDS = 1;
+    private static final double SECONDS_BETWEEN_REPORTS = 10;
+    private static final double MAX_SECONDS_BEHIND = 0.2;
+
+    private final LinkPort port;
+    private final RobotRuntime robot;
+    private final Supplier<String> slowPlace;
+    private final LongSupplier nanoseconds;
+    private final double bornSeconds;
+    private long receivedNanos;
+    private long cycles;
+    private long lateCycles;
+    private double clockAheadSeconds = Double.POSITIVE_INFINITY;
+
+    /**
+     * Creates a monitor of a port.
+     *
+     * @param port the port
+     * @param robot receives the reports
+     * @param slowPlace file and line where the robot's program spent its time; may be empty
+     * @param nanoseconds the clock, as {@link System#nanoTime}
+     */
+    public DeadlineMonitor(LinkPort port, RobotRuntime robot, Supplier<String> slowPlace, LongSupplier nanoseconds) {
+        this.port = port;
+        this.robot = robot;
+        this.slowPlace = slowPlace;
+        this.nanoseconds = nanoseconds;
+        this.bornSeconds = robot.sensors().seconds();
+    }
+
+    @Override
+    public boolean receive() throws IOException {
+        boolean received = port.receive();
+        double behind = received ? secondsBehind(port.message().seconds()) : 0;
+        if (behind > MAX_SECONDS_BEHIND) {
+            received = catchUp(behind);
+        }
+        receivedNanos = nanoseconds.getAsLong();
+        cycles++;
+        return received;
+    }
+
+    /** How much older the message is than the newest could be; 0 if no other is waiting. */
+    private double secondsBehind(OptionalDouble messageSeconds) throws IOException {
+        if (messageSeconds.isEmpty()) {
+            return 0;
+        }
+        double clockAhead = nanoseconds.getAsLong() / 1e9 - messageSeconds.getAsDouble();
+        if (!port.isLate() || clockAheadSeconds == Double.POSITIVE_INFINITY) {
+            clockAheadSeconds = clockAhead;
+        }
+        return clockAhead - clockAheadSeconds;
+    }
+
+    /** Senses all messages but the newest one. */
+    private boolean catchUp(double behind) throws IOException {
+        int skipped = 0;
+        boolean received = true;
+        while (received && port.isLate()) {
+            robot.perceive(port.message());
+            skipped++;
+            received = port.receive();
+        }
+        reportPast(behind, skipped);
+        return received;
+    }
+
+    private void reportPast(double behind, int skipped) {
+        robot.log().warning("was %.1f s behind the simulator; skipped %d cycles", behind, skipped);
+        robot.diagnostics()
+                .reportAt(
+                        slowPlace.get(),
+                        "behind in period " + period(),
+                        () -> String.format(
+                                Locale.ROOT,
+                                "The robot lived %.1f s in the past, since its cycles take longer than 20 ms: it skips %d of them to"
+                                        + " be in the present again. Compute less in a cycle.",
+                                behind,
+                                skipped));
+    }
+
+    private long period() {
+        return (long) (robot.sensors().seconds() / SECONDS_BETWEEN_REPORTS);
+    }
+
+    @Override
+    public PerceptorMessage message() {
+        return port.message();
+    }
+
+    @Override
+    public void send(List<EffectorCommand> commands) throws IOException {
+        double milliseconds = (nanoseconds.getAsLong() - receivedNanos) / 1e6;
+        if (milliseconds > CYCLE_MILLISECONDS && port.isLate()) {
+            lateCycles++;
+            robot.log().warning("cycle %d came late: it took %.0f ms", cycles, milliseconds);
+            if (robot.sensors().seconds() - bornSeconds > WARM_UP_SECONDS) {
+                report(milliseconds);
+            }
+        }
+        port.send(commands);
+    }
+
+    @Override
+    public void close() {
+        port.close();
+    }
+
+    /** Reports a late cycle, at most once in ten seconds for the same line of the program. */
+    private void report(double milliseconds) {
+        long period = period();
+        robot.diagnostics()
+                .reportAt(
+                        slowPlace.get(),
+                        "late in period " + period,
+                        () -> String.format(
+                                Locale.ROOT,
+                                "Cycle %d took %.0f ms, but the simulator waits only 20 ms and has gone on; compute less"
+                                        + " in a cycle, and log instead of printing. Late cycles so far: %d.",
+                                cycles,
+                                milliseconds,
+                                lateCycles));
+    }
+}

@@ -1,0 +1,119 @@
+package org.robonewbie.simulator.cycle;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.BiPredicate;
+import java.util.function.Supplier;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
+import org.robonewbie.simulator.sensing.Camera;
+import org.robonewbie.simulator.soccer.Match;
+import org.robonewbie.simulator.soccer.Player;
+import org.robonewbie.simulator.world.Robot;
+
+/**
+ * The identity of an agent when the world was saved.
+ *
+ * @param id number of its robot, 0 before it had one
+ * @param team name of its team, empty before it had joined one
+ * @param number its number in the team
+ */
+record AgentSlot(int id, String team, int number) {
+
+    /**
+     * Rules that match agents to slots, the strictest first: the same player, the same robot as long as one of the two has not
+     * joined, an agent without a robot, and any agent for a slot without a robot.
+     */
+    private static final List<BiPredicate<AgentSlot, ConnectedAgent>> RULES = List.of(
+            (slot, agent) -> slot.isPlayer() && of(agent).isSamePlayer(slot),
+            (slot, agent) -> slot.id > 0
+                    && slot.id == agent.id()
+                    && !(slot.isPlayer() && agent.player().isPresent()),
+            (slot, agent) -> agent.robot().isEmpty(),
+            (slot, agent) -> slot.id == 0);
+
+    static AgentSlot of(ConnectedAgent agent) {
+        return new AgentSlot(
+                agent.id(),
+                agent.player().map(player -> player.team().name()).orElse(""),
+                agent.player().map(Player::number).orElse(0));
+    }
+
+    static void saveAll(List<ConnectedAgent> agents, List<Robot> robots, Match match, StateWriter out) {
+        out.putAll(agents, agent -> of(agent).save(out));
+        agents.forEach(agent -> agent.save(out, robots, match.teams().players()));
+    }
+
+    /**
+     * Restores the state of all agents.
+     *
+     * @param agents the connected agents; becomes the saved ones in their order, followed by agents without a slot
+     * @param robots the robots of the world, restored already
+     * @param match the game, restored already
+     * @param newCamera makes eyes for a robot that had none
+     * @param absent stands in for an agent that is not connected
+     * @param in holds the state of the agents
+     */
+    static void restoreAll(
+            List<ConnectedAgent> agents,
+            List<Robot> robots,
+            Match match,
+            Supplier<Camera> newCamera,
+            Supplier<ConnectedAgent> absent,
+            StateReader in) {
+        List<AgentSlot> slots = in.getAll(() -> restore(in));
+        List<ConnectedAgent> present = new ArrayList<>(agents);
+        agents.clear();
+        agents.addAll(List.of(fill(slots, present, absent)));
+        agents.forEach(agent -> agent.restore(in, robots, match.teams().players(), newCamera));
+        present.forEach(ConnectedAgent::loseRobot);
+        agents.addAll(present);
+    }
+
+    private static AgentSlot restore(StateReader in) {
+        return new AgentSlot(in.getInt(), in.getText(), in.getInt());
+    }
+
+    private void save(StateWriter out) {
+        out.putInt(id);
+        out.putText(team);
+        out.putInt(number);
+    }
+
+    /**
+     * Finds an agent for each slot.
+     *
+     * @param slots the saved agents
+     * @param agents the connected agents; those that get a slot are removed
+     * @param absent stands in for an agent that is not connected
+     * @return the agents of the slots, in their order
+     */
+    private static ConnectedAgent[] fill(
+            List<AgentSlot> slots, List<ConnectedAgent> agents, Supplier<ConnectedAgent> absent) {
+        ConnectedAgent[] found = new ConnectedAgent[slots.size()];
+        for (BiPredicate<AgentSlot, ConnectedAgent> rule : RULES) {
+            for (int i = 0; i < found.length; i++) {
+                AgentSlot slot = slots.get(i);
+                if (found[i] == null) {
+                    found[i] = agents.stream()
+                            .filter(agent -> rule.test(slot, agent))
+                            .findFirst()
+                            .orElse(null);
+                    agents.remove(found[i]);
+                }
+            }
+        }
+        for (int i = 0; i < found.length; i++) {
+            found[i] = found[i] == null ? absent.get() : found[i];
+        }
+        return found;
+    }
+
+    private boolean isPlayer() {
+        return !team.isEmpty();
+    }
+
+    private boolean isSamePlayer(AgentSlot other) {
+        return team.equals(other.team) && number == other.number;
+    }
+}

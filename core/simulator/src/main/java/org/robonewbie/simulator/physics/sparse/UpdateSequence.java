@@ -1,0 +1,37 @@
+package org.robonewbie.simulator.physics.sparse;
+
+import org.robonewbie.nao.state.Restorable;
+import org.robonewbie.nao.state.StateReader;
+import org.robonewbie.nao.state.StateWriter;
+
+/** Numbers the moves of shapes, so that the collision space receives them later in the same order. */
+final class UpdateSequence implements Restorable {
+
+    private int period;
+    private int moveNumber;
+
+    /** A period lasts from one search for contacts to the next. */
+    int period() {
+        return period;
+    }
+
+    void beginPeriod() {
+        period++;
+    }
+
+    int nextMoveNumber() {
+        return moveNumber++;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.putInt(period);
+        out.putInt(moveNumber);
+    }
+
+    @Override
+    public void restore(StateReader in) {
+        period = in.getInt();
+        moveNumber = in.getInt();
+    }
+}

@@ -1,0 +1,22 @@
+package org.robonewbie.trial;
+
+import org.robonewbie.agent.Agent;
+
+/** An agent that does nothing but walk with one velocity; from elsewhere it goes into the stance first. */
+final class WalkingAgent extends Agent {
+
+    private final double forward;
+    private final double left;
+    private final double turn;
+
+    WalkingAgent(double forwardMetresPerSecond, double leftMetresPerSecond, double turnDegreesPerSecond) {
+        forward = forwardMetresPerSecond;
+        left = leftMetresPerSecond;
+        turn = turnDegreesPerSecond;
+    }
+
+    @Override
+    protected void think() {
+        walk.towards(forward, left, turn);
+    }
+}
