@@ -146,7 +146,8 @@ class FormerFilesTest {
     @Test
     void trainingIsRefusedInOneSentence() throws Exception {
         assertThat(ends(2, List.of("learn Stand stand.policy --generations 3 --pairs 2 --hidden 4")))
-                .contains("belongs to another search, \"Stand --seed 1 --pairs 2 --spread 0.05 --rate 0.01 --hidden 4\"");
+                .contains(
+                        "belongs to another search, \"Stand --seed 1 --pairs 2 --spread 0.05 --rate 0.01 --hidden 4\"");
 
         assertThat(folder.resolve("stand.policy.csv")).content().hasLineCount(3);
     }

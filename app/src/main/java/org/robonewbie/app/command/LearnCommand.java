@@ -130,7 +130,8 @@ final class LearnCommand implements Callable<Integer> {
 
     private void learn(PolicyModel model, String name) throws IOException {
         if (SHIPPED.equals(name) || NONE.equals(name)) {
-            throw new CalledWronglyException("\"" + name + "\" cannot be written. Add --evaluate EPISODES to evaluate it.");
+            throw new CalledWronglyException(
+                    "\"" + name + "\" cannot be written. Add --evaluate EPISODES to evaluate it.");
         }
         Path output = Path.of(name);
         EvolutionStrategy strategy = new EvolutionStrategy(seed, pairs, sigma, learningRate);

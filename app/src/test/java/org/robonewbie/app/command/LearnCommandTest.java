@@ -88,12 +88,10 @@ class LearnCommandTest {
         assertThatThrownBy(() -> command("Stand", "shipped").call())
                 .isInstanceOf(CalledWronglyException.class)
                 .hasMessage("\"shipped\" cannot be written. Add --evaluate EPISODES to evaluate it.");
-        assertThatThrownBy(
-                        () -> command("Stand", "shipped", "--evaluate", "0").call())
+        assertThatThrownBy(() -> command("Stand", "shipped", "--evaluate", "0").call())
                 .isInstanceOf(CalledWronglyException.class)
                 .hasMessage("--evaluate 0: give a number from 1.");
-        assertThatThrownBy(() -> command(
-                                "WalkGait", folder.resolve("no.policy").toString(), "--evaluate", "1")
+        assertThatThrownBy(() -> command("WalkGait", folder.resolve("no.policy").toString(), "--evaluate", "1")
                         .call())
                 .isInstanceOf(CalledWronglyException.class)
                 .hasMessageContaining("no.policy does not exist");

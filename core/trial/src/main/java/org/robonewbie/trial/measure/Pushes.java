@@ -5,8 +5,8 @@ import java.util.function.IntFunction;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.trial.Place;
-import org.robonewbie.trial.TrialHook;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.TrialHook;
 
 /** Pushes the first robot from changing directions, for a tenth of a second each. The same seed pushes in the same way. */
 public final class Pushes implements TrialHook {

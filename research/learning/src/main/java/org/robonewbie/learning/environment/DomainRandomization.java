@@ -9,10 +9,10 @@ import java.util.Optional;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.text.Spelling;
-import org.robonewbie.trial.RandomSource;
-import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Options of a task. Each is a number, or a range {@code low..high} from which each episode draws.

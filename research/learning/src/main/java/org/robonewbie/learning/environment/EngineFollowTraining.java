@@ -4,9 +4,9 @@ import java.util.Optional;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.WorldState;
-import org.robonewbie.trial.Place;
 
 /**
  * Follow velocities that are too fast for the walk engine by correcting it: ahead with 0.6 to 1 m/s while turning by up to 30°/s,

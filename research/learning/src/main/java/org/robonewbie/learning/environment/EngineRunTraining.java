@@ -1,10 +1,10 @@
 package org.robonewbie.learning.environment;
 
 import org.robonewbie.agent.walk.WalkVelocity;
-import org.robonewbie.trial.RandomSource;
-import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Run straight ahead for 10 s by correcting the walk engine, which is asked for more than it can do: a robot that corrects nothing

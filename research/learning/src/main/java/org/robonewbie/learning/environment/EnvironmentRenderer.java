@@ -16,7 +16,7 @@ final class EnvironmentRenderer implements AutoCloseable {
     EnvironmentRenderer(TrainingEnvironment environment, Viewer viewer) throws IOException {
         this.environment = environment;
         view = viewer.open(watched, 0);
-        environment.setAudience(watched);
+        environment.setListener(watched);
     }
 
     boolean shows(TrainingEnvironment other) {

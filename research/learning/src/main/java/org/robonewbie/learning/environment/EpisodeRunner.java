@@ -14,10 +14,10 @@ import org.robonewbie.nao.motion.JointStates;
 import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.protocol.effector.EffectorCommand;
-import org.robonewbie.trial.Measure;
-import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.Controller;
+import org.robonewbie.trial.Measure;
 import org.robonewbie.trial.SensorReadings;
+import org.robonewbie.trial.WorldState;
 
 /** One learning robot in one episode: carries out actions, observes, and collects rewards. */
 final class EpisodeRunner implements Controller {

@@ -5,9 +5,9 @@ import java.util.Deque;
 import java.util.List;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
+import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.WorldState;
-import org.robonewbie.trial.Place;
 
 /**
  * Follow a commanded velocity, another one every 3 s. Each second pays 1, less the error of the velocity in the last 0.4 s (1 for 0.3

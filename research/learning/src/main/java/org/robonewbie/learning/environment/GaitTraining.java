@@ -10,13 +10,13 @@ import org.robonewbie.learning.environment.DomainRandomization.Range;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.soccer.SoccerParameters;
-import org.robonewbie.trial.RandomSource;
-import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
-import org.robonewbie.trial.TrialHook;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.TrialHook;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.Pushes;
 
 /**

@@ -7,12 +7,12 @@ import java.util.stream.DoubleStream;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.RandomSource;
-import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /**
  * Two teams learn at the same time until the first goal. For its team a robot earns 10 for a goal and 1 for each metre that the ball

@@ -3,8 +3,8 @@ package org.robonewbie.learning.environment;
 import java.util.List;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
-import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.WorldState;
 
 /** The true state of an episode in the world frame, without noise and delay, and whether the task has succeeded. */
 final class PrivilegedState {

@@ -5,14 +5,14 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.robonewbie.agent.policy.Policy;
-import org.robonewbie.trial.TrialListener;
-import org.robonewbie.trial.RandomSource;
-import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.Controller;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
-import org.robonewbie.trial.TrialHook;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.TrialHook;
+import org.robonewbie.trial.TrialListener;
+import org.robonewbie.trial.WorldState;
 
 /**
  * A world in which robots play episodes of a task; in most tasks it is one robot.
@@ -33,7 +33,7 @@ public final class TrainingEnvironment implements AutoCloseable {
     private List<EpisodeRunner> runners;
     private int cyclesPerAction = 1;
     private int cycles;
-    private TrialListener audience = TrialListener.NOBODY;
+    private TrialListener listener = TrialListener.NONE;
     private Scene scene;
     private Trial trial;
     private WorldState now;
@@ -128,7 +128,7 @@ public final class TrainingEnvironment implements AutoCloseable {
         });
         now = trial.now();
         runners.forEach(runner -> runner.begin(now, trial.readings(runner.task().robot()), sample, seed));
-        audience.cycleEnded(trial);
+        listener.cycleEnded(trial);
     }
 
     private int checkedCycles(int wanted) {
@@ -149,9 +149,9 @@ public final class TrainingEnvironment implements AutoCloseable {
     }
 
     /** Sets a listener for all cycles from now on. */
-    void setAudience(TrialListener watching) {
-        audience = watching;
-        audience.cycleEnded(trial);
+    void setListener(TrialListener watching) {
+        listener = watching;
+        listener.cycleEnded(trial);
     }
 
     /** The robots that learn, and others that hold still. */
@@ -189,7 +189,7 @@ public final class TrainingEnvironment implements AutoCloseable {
             runner.see(now, trial.readings(runner.task().robot()));
         }
         cycles++;
-        audience.cycleEnded(trial);
+        listener.cycleEnded(trial);
     }
 
     /** {@return the observation of the first robot, a new array} */

@@ -30,11 +30,11 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
-import org.robonewbie.trial.RandomSource;
-import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.Controller;
+import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /** A policy does in an agent what it has done in its task. */
 class PlayedPolicyTest {
@@ -80,8 +80,8 @@ class PlayedPolicyTest {
     }
 
     private static double secondsOnItsFeet(PolicyWalk manner, WalkVelocity velocity) {
-        try (Trial trial =
-                Trial.direct(new Marching().scene(new RandomSource(1)), 1, Controller.ofAgent(new Walker(manner, velocity)))) {
+        try (Trial trial = Trial.direct(
+                new Marching().scene(new RandomSource(1)), 1, Controller.ofAgent(new Walker(manner, velocity)))) {
             int cycles = 0;
             while (cycles < 250 && !trial.now().robot().isFallen()) {
                 trial.step();
