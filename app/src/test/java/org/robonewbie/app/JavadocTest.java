@@ -46,7 +46,8 @@ class JavadocTest {
     void internalPackagesDocumentTheirTypes(@TempDir Path folder) throws IOException {
         Files.writeString(folder.resolve("package-info.java"), "/** <strong>Internal</strong>. */ package inside;");
         Path file = Files.writeString(
-                folder.resolve("Quiet.java"), "public class Quiet { public int half(int angle) { return angle / 2; } }");
+                folder.resolve("Quiet.java"),
+                "public class Quiet { public int half(int angle) { return angle / 2; } }");
 
         assertThat(missing(List.of(file)))
                 .extracting(line -> line.replaceFirst(".*: ", ""))

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.TunableNumbers;
+import org.robonewbie.learning.optimise.AgentParametrization;
 import org.robonewbie.learning.optimise.AgentScene;
-import org.robonewbie.learning.optimise.AgentSubject;
 import org.robonewbie.learning.optimise.Objective;
 import org.robonewbie.nao.Vector3;
 import picocli.CommandLine.Mixin;
@@ -90,7 +90,7 @@ public final class OptimisedAgent {
      * @param objective what is to be improved
      * @return the program with its numbers
      */
-    public AgentSubject subject(Objective objective) {
+    public AgentParametrization subject(Objective objective) {
         if (pose.size() != 3 || ball.size() != 2) {
             throw new CalledWronglyException(
                     "Give --pose three numbers, such as -1,0,0, and --ball two, such as 0,0. Given: " + pose + " and "
@@ -105,7 +105,7 @@ public final class OptimisedAgent {
                 new Vector3(ball.get(0), ball.get(1), 0),
                 spread,
                 seconds);
-        return new AgentSubject(name, () -> made(agents), objective, scene);
+        return new AgentParametrization(name, () -> made(agents), objective, scene);
     }
 
     private static Agent made(StudentsAgents agents) {

@@ -8,14 +8,14 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import org.robonewbie.learning.optimise.Evaluation;
 import org.robonewbie.learning.optimise.Generation;
-import org.robonewbie.learning.optimise.MotionSubject;
+import org.robonewbie.learning.optimise.MotionParametrization;
 import org.robonewbie.learning.optimise.Objective;
 import org.robonewbie.learning.optimise.Optimisation;
 import org.robonewbie.learning.optimise.OptimisationListener;
 import org.robonewbie.learning.optimise.OptimisationPlan;
 import org.robonewbie.learning.optimise.OptimisationResult;
-import org.robonewbie.learning.optimise.Subject;
-import org.robonewbie.learning.optimise.SubjectNumber;
+import org.robonewbie.learning.optimise.Parameter;
+import org.robonewbie.learning.optimise.Parametrization;
 import org.robonewbie.studio.StudioFolders;
 import org.robonewbie.studio.search.SearchFeed;
 import org.robonewbie.studio.search.SearchNumber;
@@ -25,15 +25,16 @@ import org.robonewbie.studio.search.SearchTask;
 /** A studio that shows an optimisation while it runs, and opens the present motion in the motion editor. */
 public final class SearchStudio implements OptimisationListener, AutoCloseable {
 
-    private final Subject subject;
-    private final List<SubjectNumber> start;
+    private final Parametrization subject;
+    private final List<Parameter> start;
     private final SearchFeed board;
     private final Path fileSoFar;
     private final Path file;
     private final boolean withBrowser;
     private final BoardStudio studio;
 
-    private SearchStudio(Subject subject, SearchFeed board, Path fileSoFar, Path file, SearchStudioOptions options)
+    private SearchStudio(
+            Parametrization subject, SearchFeed board, Path fileSoFar, Path file, SearchStudioOptions options)
             throws IOException {
         this.subject = subject;
         this.start = subject.numbers(new double[subject.dimension()]);
@@ -59,7 +60,7 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
      */
     public static SearchStudio open(
             SearchStudioOptions options,
-            Subject subject,
+            Parametrization subject,
             Objective objective,
             OptimisationPlan plan,
             Optimisation optimisation,
@@ -125,7 +126,7 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
                 score.best(),
                 score.mean(),
                 score.success(),
-                generation.cloud().step(),
+                generation.distribution().step(),
                 generation.pace().trialsPerSecond(),
                 generation.pace().secondsLeft());
         board.reached(round, numbers(generation), generation.isRemembered() ? "" : place(fileSoFar));
@@ -143,13 +144,13 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
     }
 
     private List<SearchNumber> numbers(Generation generation) {
-        List<Double> middle = generation.cloud().middle();
-        List<Double> spread = generation.cloud().spread();
-        List<SubjectNumber> now =
+        List<Double> middle = generation.distribution().middle();
+        List<Double> spread = generation.distribution().spread();
+        List<Parameter> now =
                 subject.numbers(middle.stream().mapToDouble(Double::doubleValue).toArray());
         return IntStream.range(0, now.size())
                 .mapToObj(i -> {
-                    SubjectNumber number = now.get(i);
+                    Parameter number = now.get(i);
                     double size = number.coordinateSize();
                     return new SearchNumber(
                             number.name(),
@@ -163,7 +164,7 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
     }
 
     private String place(Path motion) {
-        return subject instanceof MotionSubject && motion.toString().endsWith(".txt")
+        return subject instanceof MotionParametrization && motion.toString().endsWith(".txt")
                 ? OpenedFile.motionPlace(motion)
                 : "";
     }

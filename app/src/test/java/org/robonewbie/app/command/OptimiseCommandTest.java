@@ -18,12 +18,12 @@ import org.robonewbie.app.studio.SearchStudio;
 import org.robonewbie.app.studio.SearchStudioOptions;
 import org.robonewbie.learning.optimise.Evaluation;
 import org.robonewbie.learning.optimise.Generation;
-import org.robonewbie.learning.optimise.MotionSubject;
+import org.robonewbie.learning.optimise.MotionParametrization;
 import org.robonewbie.learning.optimise.Objective;
 import org.robonewbie.learning.optimise.Optimisation;
 import org.robonewbie.learning.optimise.OptimisationPlan;
+import org.robonewbie.learning.optimise.Parametrization;
 import org.robonewbie.learning.optimise.SearchDistribution;
-import org.robonewbie.learning.optimise.Subject;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 import picocli.CommandLine;
@@ -103,7 +103,7 @@ class OptimiseCommandTest {
         Path output = folder.resolve("kick.txt");
         Objective objective = Objective.named("kick-distance", getClass().getClassLoader());
         MotionFile motion = ShippedMotions.file("kick-right");
-        Subject subject = new MotionSubject("kick-right", motion, objective);
+        Parametrization subject = new MotionParametrization("kick-right", motion, objective);
         OptimisationPlan plan = new OptimisationPlan(1, 2, 4, 1, 0.1, 1, false);
         var optimisation = new Optimisation(subject, objective, plan, output);
         try (SearchStudio studio =

@@ -8,10 +8,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
 import org.robonewbie.competition.contest.ChallengeContest;
 import org.robonewbie.competition.contest.Contest;
 import org.robonewbie.competition.contest.ContestTrial;
@@ -32,6 +28,9 @@ import org.robonewbie.competition.trial.ContestProgress;
 import org.robonewbie.competition.trial.TrialPlayer;
 import org.robonewbie.competition.trial.TrialRunner;
 import org.robonewbie.nao.text.PrintableText;
+import org.robonewbie.trial.batch.BatchProgress;
+import org.robonewbie.trial.batch.BatchRunner;
+import org.robonewbie.trial.batch.ThreadRunner;
 
 /**
  * Holds a contest from the first trial to the table. Finished trials are kept in its folder at once; whoever holds the same
@@ -82,18 +81,14 @@ public final class Competition {
      * @throws InterruptedException if this thread is interrupted
      */
     public Table hold() throws IOException, InterruptedException {
-        try (ResultFolder folder = ResultFolder.open(settings.results())) {
+        try (ResultFolder folder = ResultFolder.open(settings.results());
+                BatchRunner runner = new ThreadRunner(settings.parallelTrials())) {
             Map<String, TeamProgram> programs = programs(folder.file("work").resolve("programs"));
-            TrialPlayer runner = player(programs);
-            ExecutorService trials = Executors.newFixedThreadPool(settings.parallelTrials());
-            try {
-                List<ContestTrial> missing = missing(folder, programs);
-                while (!missing.isEmpty()) {
-                    runAll(missing, folder, programs, runner, trials);
-                    missing = missing(folder, programs);
-                }
-            } finally {
-                trials.shutdownNow();
+            TrialPlayer player = player(programs);
+            List<ContestTrial> missing = missing(folder, programs);
+            while (!missing.isEmpty()) {
+                runAll(missing, folder, programs, player, runner);
+                missing = missing(folder, programs);
             }
             Table table = contest.table(names(), folder);
             folder.repair().forEach(out::println);
@@ -170,35 +165,31 @@ public final class Competition {
             List<ContestTrial> missing,
             ResultFolder folder,
             Map<String, TeamProgram> programs,
-            TrialPlayer runner,
-            ExecutorService trials)
-            throws IOException, InterruptedException {
+            TrialPlayer player,
+            BatchRunner runner)
+            throws IOException {
         if (finished > 0) {
             out.println(finished + " of " + planned + " trials are over already; their results are kept.");
         }
         showProgress(folder, Optional.empty());
-        List<Future<TrialResult>> running = new ArrayList<>();
-        for (ContestTrial trial : missing) {
-            running.add(trials.submit(() -> {
-                TrialResult result = runner.run(trial, folder.filesOf(trial));
-                folder.save(result, circumstances(trial, programs));
-                tell(result, folder);
-                return result;
-            }));
+        try (BatchProgress progress = BatchProgress.of("trials", planned, finished)) {
+            runner.run(
+                    missing,
+                    trial -> {
+                        TrialResult result = player.run(trial, folder.filesOf(trial));
+                        folder.save(result, circumstances(trial, programs));
+                        return result;
+                    },
+                    (trial, result) -> {
+                        finished++;
+                        String line = String.format("[%d/%d] %s: %s", finished, planned, result.id(), result.inWords());
+                        progress.print(out::println, line);
+                        progress.advance(false);
+                        showProgress(folder, Optional.of(result));
+                    });
+        } catch (IOException | RuntimeException failed) {
+            throw new IOException("A trial could not be held: " + failed, failed);
         }
-        for (Future<TrialResult> one : running) {
-            try {
-                one.get();
-            } catch (ExecutionException failed) {
-                throw new IOException("A trial could not be held: " + failed.getCause(), failed);
-            }
-        }
-    }
-
-    private synchronized void tell(TrialResult result, ResultFolder folder) {
-        finished++;
-        out.printf("[%d/%d] %s: %s%n", finished, planned, result.id(), result.inWords());
-        showProgress(folder, Optional.of(result));
     }
 
     private void showProgress(ResultFolder folder, Optional<TrialResult> last) {

@@ -7,7 +7,6 @@ import com.google.gson.JsonParser;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -15,8 +14,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
 import org.robonewbie.nao.file.AtomicFile;
-import org.robonewbie.nao.file.UnwritableFileException;
+import org.robonewbie.trial.batch.Journal;
 
 /**
  * A folder of tables about many runs: {@code cycles/run-00001.parquet} and so on, {@code events/run-00001.parquet} and so on,
@@ -47,6 +47,7 @@ public final class DataSet {
     private final RunFiles cycles;
     private final RunFiles events;
     private final Map<Integer, RunResult> runs = new TreeMap<>();
+    private @Nullable Journal journal;
 
     private DataSet(Path folder, TableFormat format, boolean withMessages, Map<String, String> facts) {
         this.folder = folder;
@@ -85,16 +86,17 @@ public final class DataSet {
             throws IOException {
         DataSet set = new DataSet(folder, format, withMessages, facts);
         if (Files.exists(folder.resolve(DESCRIPTION))) {
-            set.goOn();
-            return set;
+            set.refuseAnother();
+        } else {
+            Files.createDirectories(folder.resolve(CYCLES));
+            Files.createDirectories(folder.resolve(EVENTS));
+            set.describe(false);
         }
-        Files.createDirectories(folder.resolve(CYCLES));
-        Files.createDirectories(folder.resolve(EVENTS));
-        set.describe(false);
+        set.resume();
         return set;
     }
 
-    private void goOn() throws IOException {
+    private void refuseAnother() throws IOException {
         JsonObject found = JsonParser.parseString(Files.readString(folder.resolve(DESCRIPTION)))
                 .getAsJsonObject();
         if (found.get("complete").getAsBoolean()) {
@@ -109,9 +111,6 @@ public final class DataSet {
                     folder + " holds a data set that is not complete and was made in another way: "
                             + difference(found, wanted) + ". Name another folder, or delete it first.");
         }
-        if (Files.exists(folder.resolve(JOURNAL))) {
-            keep(Files.readString(folder.resolve(JOURNAL)));
-        }
     }
 
     private static String difference(JsonObject found, JsonObject wanted) {
@@ -124,12 +123,13 @@ public final class DataSet {
                 .orElse("it tells more");
     }
 
-    /** Takes over each run whose line and tables are complete; the last line may have been broken off. */
-    private void keep(String journal) throws IOException {
+    /** Keeps each run whose line and tables are complete. */
+    private void resume() throws IOException {
+        Journal opened = Journal.open(folder.resolve(JOURNAL), "");
+        journal = opened;
         Set<Integer> complete = cycles.present();
         complete.retainAll(events.present());
-        journal.substring(0, journal.lastIndexOf('\n') + 1)
-                .lines()
+        opened.lines().stream()
                 .map(RunResult::read)
                 .flatMap(Optional::stream)
                 .filter(found -> complete.contains(found.run()))
@@ -171,21 +171,12 @@ public final class DataSet {
      * @throws IOException if a file cannot be written
      */
     public synchronized void add(RunResult result) throws IOException {
-        if (result.hasTables()) {
-            note(result);
-        } else {
+        if (!result.hasTables()) {
             discard(result.run());
+        } else if (journal != null) {
+            journal.add(result.line());
         }
         runs.put(result.run(), result);
-    }
-
-    private void note(RunResult result) throws IOException {
-        Path journal = folder.resolve(JOURNAL);
-        try {
-            Files.writeString(journal, result.line() + "\n", StandardOpenOption.CREATE, StandardOpenOption.APPEND);
-        } catch (IOException unwritable) {
-            throw UnwritableFileException.of(journal, unwritable);
-        }
     }
 
     /**
@@ -230,7 +221,9 @@ public final class DataSet {
         }
         writeRuns();
         describe(true);
-        Files.deleteIfExists(folder.resolve(JOURNAL));
+        if (journal != null) {
+            journal.delete();
+        }
     }
 
     /**

@@ -5,10 +5,10 @@ import java.util.List;
 import org.robonewbie.learning.search.AskAndTell;
 
 /**
- * From where the next candidates of a search are drawn, in coordinates of its {@link Subject}.
+ * The distribution of the next candidates of a search, in coordinates of its {@link Parametrization}.
  *
- * @param step size of the whole cloud (sigma); a search that has settled makes it small
- * @param middle the centre, which would be the result if the search ended now
+ * @param step step size (sigma); small when the search has converged
+ * @param middle the mean, which is the result if the search ends now
  * @param spread standard deviation in each coordinate
  */
 public record SearchDistribution(double step, List<Double> middle, List<Double> spread) {

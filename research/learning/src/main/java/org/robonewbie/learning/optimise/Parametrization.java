@@ -1,17 +1,18 @@
 package org.robonewbie.learning.optimise;
 
 import java.io.IOException;
+import java.io.Serializable;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 
 /**
- * Something that can be improved by changing numbers. Each number is a coordinate: its distance from the present value, in
- * steps that are noticeable but small. So all coordinates start at 0. Thread-safe.
+ * The parameters of a motion, of the walk engine or of a program, as coordinates of a search. A coordinate is the distance from the present
+ * value in noticeable but small steps, so all coordinates start at 0. Thread-safe.
  */
-public interface Subject {
+public interface Parametrization {
 
-    /** {@return the subject's name on the command line, such as {@code kick-right} or {@code my-walk.txt}} */
+    /** {@return the name on the command line, such as {@code kick-right} or {@code my-walk.txt}} */
     String name();
 
     /**
@@ -31,31 +32,45 @@ public interface Subject {
      * @param coordinates how far each number is changed
      * @return its numbers, in the order of the coordinates
      */
-    List<SubjectNumber> numbers(double[] coordinates);
+    List<Parameter> numbers(double[] coordinates);
 
     /**
-     * Identifies the present state, so that a search is not continued with something else.
+     * Identifies the present values, so that a search is not resumed with others.
      *
      * @return the same text as long as nothing changes
      */
     String fingerprint();
 
     /**
-     * Tries a candidate.
+     * Evaluates a candidate.
      *
      * @param coordinates how far each number is changed
-     * @param seed chooses the circumstances; the same seed gives the same result
-     * @return the outcome
+     * @param seed chooses all that is random; the same seed gives the same result
+     * @return the result
      */
     Evaluation evaluate(double[] coordinates, long seed);
 
+    /** Creates the same parametrization on another computer. */
+    @FunctionalInterface
+    interface Recipe extends Serializable {
+
+        /**
+         * Creates the parametrization.
+         *
+         * @param classes knows the classes of programs and measures
+         * @return the parametrization
+         * @throws IllegalArgumentException if a class is missing; the message names it
+         */
+        Parametrization create(ClassLoader classes);
+    }
+
     /**
-     * Returns what another computer needs to try the same candidates.
+     * Returns what another computer needs to evaluate the same candidates.
      *
-     * @return texts by their names
-     * @throws IllegalArgumentException if candidates can be tried in this program only
+     * @return the recipe
+     * @throws IllegalArgumentException if candidates can be evaluated in this program only
      */
-    default Map<String, String> recipe() {
+    default Recipe recipe() {
         throw new IllegalArgumentException(name() + " can be tried in this program only; use the engine local.");
     }
 

@@ -17,8 +17,8 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.trial.Measure;
 
-/** The numbers of the walk engine: it walks straight on as fast as it can, and must also stand what makes no sense. */
-public final class EngineSubject implements Subject {
+/** The numbers of the walk engine. The robot walks straight ahead at full speed, and must also survive erratic velocities. */
+public final class WalkParametrization implements Parametrization {
 
     /** What the walk engine is called on the command line. */
     public static final String NAME = "walk-engine";
@@ -31,11 +31,11 @@ public final class EngineSubject implements Subject {
     private final Objective objective;
 
     /**
-     * Takes the walk engine as subject.
+     * Creates the parametrization of the walk engine.
      *
      * @param objective what is measured
      */
-    public EngineSubject(Objective objective) {
+    public WalkParametrization(Objective objective) {
         this.objective = objective;
     }
 
@@ -50,10 +50,10 @@ public final class EngineSubject implements Subject {
     }
 
     @Override
-    public List<SubjectNumber> numbers(double[] coordinates) {
+    public List<Parameter> numbers(double[] coordinates) {
         double[] numbers = shifted(coordinates);
         return IntStream.range(0, numbers.length)
-                .mapToObj(i -> new SubjectNumber(WalkParameter.values()[i].description(), "", numbers[i], SIZE))
+                .mapToObj(i -> new Parameter(WalkParameter.values()[i].description(), "", numbers[i], SIZE))
                 .toList();
     }
 
@@ -86,8 +86,9 @@ public final class EngineSubject implements Subject {
     }
 
     @Override
-    public Map<String, String> recipe() {
-        return SubjectRecipe.ofEngine(objective);
+    public Recipe recipe() {
+        String label = objective.label();
+        return classes -> new WalkParametrization(Objective.named(label, classes));
     }
 
     @Override

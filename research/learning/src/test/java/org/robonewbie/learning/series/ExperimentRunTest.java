@@ -6,16 +6,17 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.robonewbie.trial.batch.BatchProgress;
+import org.robonewbie.trial.batch.BatchRunner;
+import org.robonewbie.trial.batch.ThreadRunner;
 
-class LocalEngineTest {
+class ExperimentRunTest {
 
     @TempDir
     private Path folder;
@@ -24,9 +25,9 @@ class LocalEngineTest {
     void tableIsTheSameForAnyNumberOfThreads() throws IOException {
         ExperimentPlan plan = plan("experiment=" + PushExperiment.class.getName(), "trials=12", "newtons=5, 150");
 
-        String one = table(plan, new LocalEngine(1)).csv();
+        String one = table(plan, 1).csv();
 
-        assertThat(table(plan, new LocalEngine(3)).csv()).isEqualTo(one);
+        assertThat(table(plan, 3).csv()).isEqualTo(one);
         assertThat(one).startsWith("trial,seed,newtons,side_degrees,fallen,largest_tilt_degrees\n0,");
         assertThat(one.lines()).hasSize(13);
     }
@@ -35,7 +36,7 @@ class LocalEngineTest {
     void strongPushesThrowRobotsAndWeakOnesDoNot() throws IOException {
         ExperimentPlan plan = plan("experiment=" + PushExperiment.class.getName(), "trials=8", "newtons=5,150");
 
-        ResultTable table = table(plan, new LocalEngine());
+        ResultTable table = table(plan, 2);
 
         for (int i = 0; i < 8; i++) {
             assertThat(table.measured().get(i)[1]).isEqualTo(i % 2);
@@ -58,7 +59,7 @@ class LocalEngineTest {
         ExperimentPlan plan =
                 plan("experiment=" + Wordy.class.getName(), "trials=4", "word=\"a, b\", \"cd\"", "times=1,2");
 
-        assertThat(table(plan, new LocalEngine(1)).csv().lines().map(line -> line.replaceFirst(",\\d+,", ",")))
+        assertThat(table(plan, 1).csv().lines().map(line -> line.replaceFirst(",\\d+,", ",")))
                 .containsExactly(
                         "trial,seed,times,word,length",
                         "0,1.0,\"a, b\",4.0",
@@ -94,21 +95,38 @@ class LocalEngineTest {
     @Test
     void trialThatFailsOnceIsTriedAgain() throws IOException {
         ExperimentPlan plan = plan("experiment=" + Shaky.class.getName(), "trials=20");
-        List<Integer> done = Collections.synchronizedList(new ArrayList<>());
 
-        List<double[]> measured = new LocalEngine(2).run(plan.experiment(), plan.all(), "", done::add);
+        ResultTable table = table(plan, 2);
 
-        assertThat(measured).hasSize(20).allMatch(row -> row[0] >= 0);
-        assertThat(done).hasSize(20).contains(20);
+        assertThat(table.measured()).hasSize(20).allMatch(row -> row[0] >= 0);
+        assertThat(table.failures()).isEmpty();
     }
 
     @Test
     void trialThatFailsAlwaysIsNamed() throws IOException {
         ExperimentPlan plan = plan("experiment=" + Broken.class.getName(), "trials=2", "seed=3", "a=4");
 
-        assertThatThrownBy(() -> table(plan, new LocalEngine(1)))
-                .hasMessageMatching(
-                        "Trial 0 \\(seed \\d+, \\{a=4.0}\\) failed 3 times: .*it gave 0 numbers for 1 columns");
+        assertThat(table(plan, 1).failures().get(0))
+                .matches("Trial 0 \\(seed \\d+, \\{a=4.0}\\) failed 3 times: .*it gave 0 numbers for 1 columns");
+    }
+
+    @Test
+    void trialWhoseLineIsDamagedIsRunAgain() throws IOException {
+        ExperimentPlan plan = plan("experiment=" + PushExperiment.class.getName(), "trials=4", "newtons=20");
+        String whole = table(plan, 2).csv();
+        Path file = folder.resolve("push.csv.trials");
+        String header;
+        try (ExperimentRun run = ExperimentRun.open(file, plan)) {
+            header = Files.readString(file);
+            run.run(new ThreadRunner(1), new BatchProgress("trials", 4, 0, false, System.err, () -> 0));
+        }
+        List<String> lines = Files.readAllLines(file);
+        Files.writeString(file, header + "0,1.5,many\nx,1.0,2.0\n" + lines.get(3) + "\n3,1.0");
+
+        try (ExperimentRun again = ExperimentRun.open(file, plan)) {
+            assertThat(again.missing()).extracting(PlannedTrial::number).containsExactly(0, 1, 3);
+        }
+        assertThat(table(file, plan, 2).csv()).isEqualTo(whole);
     }
 
     @Test
@@ -130,7 +148,7 @@ class LocalEngineTest {
         ExperimentPlan plan = plan("experiment=" + Shaky.class.getName(), "trials=2", "a=4");
         Path file = folder.resolve("table.json");
 
-        table(plan, new LocalEngine(1)).write(file);
+        table(plan, 1).write(file);
 
         assertThat(Files.readString(file))
                 .startsWith("[\n {\n  \"trial\": 0,\n  \"seed\": ")
@@ -141,9 +159,16 @@ class LocalEngineTest {
         return ExperimentPlan.read(Files.write(folder.resolve("plan.txt"), List.of(lines)));
     }
 
-    private static ResultTable table(ExperimentPlan plan, LocalEngine engine) {
-        List<double[]> measured = engine.run(plan.experiment(), plan.all(), "", count -> {});
-        return new ResultTable(Experiment.of(plan.experiment()).columns(), plan.all(), measured);
+    private ResultTable table(ExperimentPlan plan, int threads) throws IOException {
+        return table(folder.resolve(threads + ".trials"), plan, threads);
+    }
+
+    private static ResultTable table(Path journal, ExperimentPlan plan, int threads) throws IOException {
+        try (ExperimentRun run = ExperimentRun.open(journal, plan);
+                BatchRunner runner = new ThreadRunner(threads)) {
+            run.run(runner, new BatchProgress("trials", plan.trials(), 0, false, System.err, () -> 0));
+            return run.table(Experiment.of(plan.experiment()).columns());
+        }
     }
 
     /** Fails in the first attempt of each trial. */

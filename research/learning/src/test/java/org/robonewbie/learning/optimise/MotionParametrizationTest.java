@@ -16,7 +16,7 @@ import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.MotionFiles;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 
-class MotionSubjectTest {
+class MotionParametrizationTest {
 
     @TempDir
     private Path folder;
@@ -32,7 +32,7 @@ class MotionSubjectTest {
         "wave, stability"
     })
     void motionsOfTheLibrarySucceedAsTheyAre(String name, String objective) {
-        MotionSubject subject = subject(name, NamedObjective.named(objective));
+        MotionParametrization subject = subject(name, NamedObjective.named(objective));
 
         Evaluation evaluation = subject.evaluate(new double[subject.dimension()], 3);
 
@@ -42,14 +42,14 @@ class MotionSubjectTest {
 
     @Test
     void measuresAWalkAsFastAsItIs() {
-        MotionSubject subject = subject("walk-forward-fast", NamedObjective.named("walk-speed"));
+        MotionParametrization subject = subject("walk-forward-fast", NamedObjective.named("walk-speed"));
 
         assertThat(subject.evaluate(new double[subject.dimension()], 1).value()).isCloseTo(0.38, within(0.03));
     }
 
     @Test
     void aMotionThatShallNeedLessEnergyMustGoOnDoingWhatItDid() {
-        MotionSubject kick = subject("kick-right", NamedObjective.named("energy"));
+        MotionParametrization kick = subject("kick-right", NamedObjective.named("energy"));
         double[] other = new double[kick.dimension()];
         other[22 * 2] = 8;
 
@@ -72,7 +72,7 @@ class MotionSubjectTest {
     void refusesAMotionOfOneKeyframe() {
         MotionFile one = MotionFile.parse("one.txt", "200" + " 0".repeat(22) + "\n");
 
-        assertThatThrownBy(() -> new MotionSubject("one.txt", one, NamedObjective.named("energy")))
+        assertThatThrownBy(() -> new MotionParametrization("one.txt", one, NamedObjective.named("energy")))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageStartingWith("one.txt has less than two keyframes");
     }
@@ -83,7 +83,8 @@ class MotionSubjectTest {
                 "mine.txt",
                 "// measured: long ago\n// my kick\n"
                         + ShippedMotions.file("kick-right").text().replace("// measured", "// once measured"));
-        MotionSubject subject = new MotionSubject("mine.txt", file, NamedObjective.named("kick-distance"));
+        MotionParametrization subject =
+                new MotionParametrization("mine.txt", file, NamedObjective.named("kick-distance"));
         Path target = folder.resolve("new.txt");
 
         subject.save(new double[subject.dimension()], Map.of("made by", "test"), target);
@@ -117,7 +118,7 @@ class MotionSubjectTest {
                 .hasMessage("--both-sides needs an output with left or right in its name, not bow.txt.");
     }
 
-    private static MotionSubject subject(String name, Objective objective) {
-        return new MotionSubject(name, ShippedMotions.file(name), objective);
+    private static MotionParametrization subject(String name, Objective objective) {
+        return new MotionParametrization(name, ShippedMotions.file(name), objective);
     }
 }

@@ -11,7 +11,7 @@ import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.MotionFiles;
 
 /** A motion whose keyframes are changed: any motion of the library or of a file. */
-public final class MotionSubject implements Subject {
+public final class MotionParametrization implements Parametrization {
 
     private static final double FREE_CHANGE = 3;
     private static final double COST_OF_CHANGE = 0.05;
@@ -23,14 +23,14 @@ public final class MotionSubject implements Subject {
     private final Objective objective;
 
     /**
-     * Takes a motion as subject.
+     * Creates the parametrization of a motion.
      *
      * @param name what it is called on the command line
      * @param file the motion with what its file says about it; see {@link MotionScene} for what matters
      * @param objective what is measured
      * @throws IllegalArgumentException if the motion has nothing to change or cannot be tried for this objective
      */
-    public MotionSubject(String name, MotionFile file, Objective objective) {
+    public MotionParametrization(String name, MotionFile file, Objective objective) {
         this.name = name;
         this.file = file;
         this.space = new KeyframeSpace(file.motion());
@@ -54,7 +54,7 @@ public final class MotionSubject implements Subject {
     }
 
     @Override
-    public List<SubjectNumber> numbers(double[] coordinates) {
+    public List<Parameter> numbers(double[] coordinates) {
         return space.numbers(coordinates);
     }
 
@@ -83,8 +83,12 @@ public final class MotionSubject implements Subject {
     }
 
     @Override
-    public Map<String, String> recipe() {
-        return SubjectRecipe.ofMotion(file, objective);
+    public Recipe recipe() {
+        String title = file.name();
+        String text = file.text();
+        String label = objective.label();
+        return classes ->
+                new MotionParametrization(title, MotionFile.parse(title, text), Objective.named(label, classes));
     }
 
     @Override
@@ -96,7 +100,7 @@ public final class MotionSubject implements Subject {
         MotionFiles.save(changed, target);
     }
 
-    /** Leaves out what the file says about the motion as it was before. */
+    /** Leaves out facts about the original motion. */
     private MotionFile withoutOldNews() {
         String text = file.text()
                 .lines()

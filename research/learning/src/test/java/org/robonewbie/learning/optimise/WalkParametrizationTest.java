@@ -10,12 +10,12 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-class EngineSubjectTest {
+class WalkParametrizationTest {
 
     @TempDir
     private Path folder;
 
-    private final EngineSubject engine = new EngineSubject(NamedObjective.named("walk-speed"));
+    private final WalkParametrization engine = new WalkParametrization(NamedObjective.named("walk-speed"));
 
     @Test
     void theShippedWalkIsAsFastAsWeSay() {
@@ -39,6 +39,6 @@ class EngineSubjectTest {
         assertThat(engine.numbers(new double[engine.dimension()]))
                 .hasSize(engine.dimension())
                 .first()
-                .isEqualTo(new SubjectNumber("gait: height of the torso", "", 2.1, 0.5));
+                .isEqualTo(new Parameter("gait: height of the torso", "", 2.1, 0.5));
     }
 }

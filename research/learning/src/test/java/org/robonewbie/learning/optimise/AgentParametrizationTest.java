@@ -15,15 +15,15 @@ import org.robonewbie.agent.Agent;
 import org.robonewbie.nao.Vector3;
 
 /** A program whose numbers become better. */
-class AgentSubjectTest {
+class AgentParametrizationTest {
 
     private static final AgentScene SCENE = new AgentScene(new Vector3(-4, 0, 0), 0, new Vector3(0, 3, 0), 0.2, 4);
 
     @TempDir
     private Path folder;
 
-    private final AgentSubject walker =
-            new AgentSubject("Walker", Walker::new, NamedObjective.named("distance-walked"), SCENE);
+    private final AgentParametrization walker =
+            new AgentParametrization("Walker", Walker::new, NamedObjective.named("distance-walked"), SCENE);
 
     @Test
     void sameSeedIsTheSameTrial() {
@@ -54,9 +54,9 @@ class AgentSubjectTest {
     @Test
     void numbersStayWithinTheirRange() {
         assertThat(walker.numbers(new double[2]))
-                .containsExactly(new SubjectNumber("the speed", "", 0.1, 0.1), new SubjectNumber("turn", "", 0, 5));
+                .containsExactly(new Parameter("the speed", "", 0.1, 0.1), new Parameter("turn", "", 0, 5));
         assertThat(walker.numbers(new double[] {100, -100}))
-                .extracting(SubjectNumber::value)
+                .extracting(Parameter::value)
                 .containsExactly(0.4, -10.0);
         assertThat(walker.numbers(new double[] {1, 0.5}).get(0).value()).isCloseTo(0.2, within(1e-9));
     }
@@ -73,7 +73,8 @@ class AgentSubjectTest {
     @Test
     void programThatScoresSucceeds() {
         AgentScene near = new AgentScene(new Vector3(5.4, 0, 0), 0, new Vector3(5.65, 0, 0), 0, 12);
-        AgentSubject pusher = new AgentSubject("Walker", Walker::new, NamedObjective.named("time-to-score"), near);
+        AgentParametrization pusher =
+                new AgentParametrization("Walker", Walker::new, NamedObjective.named("time-to-score"), near);
 
         Evaluation fast = pusher.evaluate(new double[] {2, 0}, 1);
 
@@ -83,7 +84,7 @@ class AgentSubjectTest {
 
     @Test
     void programWithoutNumbersIsRefused() {
-        assertThatThrownBy(() -> new AgentSubject("Idle", Idle::new, NamedObjective.named("energy"), SCENE))
+        assertThatThrownBy(() -> new AgentParametrization("Idle", Idle::new, NamedObjective.named("energy"), SCENE))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageStartingWith("Idle declares no number that could be improved. Declare one as a field");
     }

@@ -17,7 +17,7 @@ import org.robonewbie.agent.TunableNumbers;
 import org.robonewbie.nao.file.AtomicFile;
 
 /** The numbers that a robot's program declares by {@code number(...)}. */
-public final class AgentSubject implements Subject {
+public final class AgentParametrization implements Parametrization {
 
     private static final int DIGITS_OF_RANGE = 3;
     private static final double COST_OF_BEYOND = 0.1;
@@ -29,7 +29,7 @@ public final class AgentSubject implements Subject {
     private final List<TunableNumber> numbers;
 
     /**
-     * Takes a program as subject.
+     * Creates the parametrization of a program.
      *
      * @param name how the program is called on the command line
      * @param maker makes a robot with the program, from any thread
@@ -37,12 +37,12 @@ public final class AgentSubject implements Subject {
      * @param scene where and how long
      * @throws IllegalArgumentException if the program declares no number
      */
-    public AgentSubject(String name, Supplier<Agent> maker, Objective objective, AgentScene scene) {
+    public AgentParametrization(String name, Supplier<Agent> maker, Objective objective, AgentScene scene) {
         this(name, maker, objective, scene, new AgentDriver(maker.get()).numbers());
     }
 
-    /** Takes a program whose numbers are known, whatever file with numbers lies beside it here. */
-    AgentSubject(
+    /** Creates the parametrization from known numbers, regardless of a file with numbers in this folder. */
+    AgentParametrization(
             String name, Supplier<Agent> maker, Objective objective, AgentScene scene, List<TunableNumber> numbers) {
         this.name = name;
         this.maker = maker;
@@ -72,10 +72,9 @@ public final class AgentSubject implements Subject {
     }
 
     @Override
-    public List<SubjectNumber> numbers(double[] coordinates) {
+    public List<Parameter> numbers(double[] coordinates) {
         return IntStream.range(0, numbers.size())
-                .mapToObj(i ->
-                        new SubjectNumber(numbers.get(i).name(), "", value(i, coordinates[i]), size(numbers.get(i))))
+                .mapToObj(i -> new Parameter(numbers.get(i).name(), "", value(i, coordinates[i]), size(numbers.get(i))))
                 .toList();
     }
 
@@ -95,8 +94,28 @@ public final class AgentSubject implements Subject {
     }
 
     @Override
-    public Map<String, String> recipe() {
-        return SubjectRecipe.ofAgent(maker.get().getClass().getName(), numbers, scene, objective);
+    public Recipe recipe() {
+        String className = maker.get().getClass().getName();
+        List<TunableNumber> known = numbers;
+        AgentScene where = scene;
+        String label = objective.label();
+        return classes -> new AgentParametrization(
+                className, () -> agent(className, classes), Objective.named(label, classes), where, known);
+    }
+
+    private static Agent agent(String className, ClassLoader classes) {
+        try {
+            return Class.forName(className, true, classes)
+                    .asSubclass(Agent.class)
+                    .getConstructor()
+                    .newInstance();
+        } catch (ReflectiveOperationException | ClassCastException wrong) {
+            throw new IllegalArgumentException(
+                    "The robot's class " + className + " cannot be created where the trials run (" + wrong
+                            + "). It has to be public, with a public constructor without parameters, in a jar that goes to"
+                            + " the workers.",
+                    wrong);
+        }
     }
 
     @Override
