@@ -79,7 +79,7 @@ class StartPlaceTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"doctor", "course --check", "course --headless"})
+    @ValueSource(strings = {"doctor", "doctor --course", "doctor --course --headless"})
     void checksNameTheEncodingAndEnd(String command) throws Exception {
         Ended ended = start("C", List.of(), folder("Übung 1"), command.split(" "));
 

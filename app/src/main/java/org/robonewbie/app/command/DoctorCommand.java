@@ -10,15 +10,18 @@ import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** Checks the installation and says what to mend. */
+/** Checks the installation. */
 @Command(
         name = "doctor",
-        description = "Check the installation and say what to mend.",
+        description = "Check the installation, or a computer room before a course, and say what to fix.",
         footer = {
             "",
             "Examples:",
             "  robonewbie doctor",
-            "  robonewbie doctor --headless     without studio and browser"
+            "  robonewbie doctor --headless     without studio and browser",
+            "  robonewbie doctor --course       on each computer of a room, from an account as students have it",
+            "",
+            "Exit code: 0 the computer is ready, 1 something has to be fixed first."
         })
 final class DoctorCommand implements Callable<Integer> {
 
@@ -28,13 +31,20 @@ final class DoctorCommand implements Callable<Integer> {
     @Option(names = "--headless", description = "Do not look at studio and browser.")
     private boolean headless;
 
+    @Option(
+            names = "--course",
+            description = "Check also what a course needs: rights, start time, graphics, a project and an exercise without a network.")
+    private boolean course;
+
     @Override
     public Integer call() {
-        return report(Checkup.of(headless), "All is well. Start with: robonewbie demo");
+        return course
+                ? report(Checkup.ofRoom(headless), "This computer is ready for the course.")
+                : report(Checkup.of(headless), "All is well. Start with: robonewbie demo");
     }
 
-    /** Prints each finding as soon as it is there, and then whether all is well. */
-    static int report(Checkup checkup, String success) {
+    /** Prints the findings one by one, then the verdict. */
+    private static int report(Checkup checkup, String success) {
         CommandWord word = CommandWord.here();
         Verdict worst = Verdict.WELL;
         for (Finding finding : checkup.findings()) {
@@ -45,7 +55,7 @@ final class DoctorCommand implements Callable<Integer> {
                 switch (worst) {
                     case WELL -> word.in(success);
                     case NOTABLE -> "It works, but not all of it: the lines with \"look\" say what to know.";
-                    case BROKEN -> "Something has to be mended: see the lines with FAIL.";
+                    case BROKEN -> "Something has to be fixed: see the lines with FAIL.";
                 });
         return worst == Verdict.BROKEN ? ExitCode.SOFTWARE : ExitCode.OK;
     }

@@ -1,17 +1,20 @@
 package org.robonewbie.app.command;
 
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.robonewbie.agent.Options;
 import org.robonewbie.app.program.CommandWord;
 import org.robonewbie.nao.file.PathEncoding;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Help;
 import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.Model.UsageMessageSpec;
 import picocli.CommandLine.TypeConversionException;
@@ -26,20 +29,19 @@ import picocli.CommandLine.TypeConversionException;
         subcommands = {
             DemoCommand.class,
             RunCommand.class,
-            SimulatorCommand.class,
             StudioCommand.class,
-            RecordCommand.class,
-            CompetitionCommand.class,
-            OptimiseCommand.class,
+            NewCommand.class,
             GradeCommand.class,
             ProgressCommand.class,
-            NewCommand.class,
-            CourseCommand.class,
+            DoctorCommand.class,
+            CompetitionCommand.class,
             EvaluationCommand.class,
+            SimulatorCommand.class,
+            RecordCommand.class,
             ExperimentCommand.class,
+            OptimiseCommand.class,
             LearnCommand.class,
-            GymCommand.class,
-            DoctorCommand.class
+            GymCommand.class
         },
         footer = {
             "",
@@ -55,7 +57,13 @@ public final class RoboNewbieCommand {
 
     private static final Set<String> OWN_OPTIONS = Set.of("-h", "--help", "-V", "--version");
 
-    private static final Set<String> CHECKS = Set.of("doctor", "course", "help");
+    private static final Set<String> CHECKS = Set.of("doctor", "help");
+
+    /** The groups of commands in the help text; what is in none of them is hidden. */
+    private static final List<Group> GROUPS = List.of(
+            new Group("Begin", List.of("demo", "run", "studio", "new", "grade", "progress", "doctor")),
+            new Group("Teach", List.of("competition", "evaluation")),
+            new Group("Explore", List.of("simulator", "record", "experiment", "optimise", "learn")));
 
     /** Commands that have to start fast: all others are not even looked at. */
     private static final Map<String, Supplier<Object>> AT_ONCE = Map.of(
@@ -109,11 +117,27 @@ public final class RoboNewbieCommand {
                 .setCaseInsensitiveEnumValuesAllowed(true)
                 .setUsageHelpAutoWidth(true);
         proposeWhatCanBeCopied(commandLine);
+        commandLine
+                .getCommandSpec()
+                .usageMessage()
+                .commandListHeading("")
+                .sectionMap()
+                .put(UsageMessageSpec.SECTION_KEY_COMMAND_LIST, RoboNewbieCommand::groupedCommands);
         subcommand(commandLine, RunCommand.NAME).ifPresent(run -> run.setStopAtPositional(true));
         appendToHelp(commandLine, DemoCommand.NAME, () -> "Options of the agent:%n" + Options.help());
         appendToHelp(commandLine, RunCommand.NAME, () -> "Options of the agent:%n" + Options.help());
         appendToHelp(commandLine, SimulatorCommand.NAME, SimulatorCommand::listOfParameters);
         return commandLine;
+    }
+
+    private static String groupedCommands(Help help) {
+        return GROUPS.stream()
+                .map(group -> {
+                    Map<String, Help> commands = new LinkedHashMap<>(help.subcommands());
+                    commands.keySet().retainAll(group.commands());
+                    return String.format("%n%s%n", group.title()) + help.commandList(commands);
+                })
+                .collect(Collectors.joining());
     }
 
     /** The examples below each help text name this program as it has to be written here. */
@@ -188,6 +212,9 @@ public final class RoboNewbieCommand {
                         .orElse("(not packaged)")
                 + ", Java " + Runtime.version();
     }
+
+    /** A group of commands in the help text, in the order in which they are declared. */
+    private record Group(String title, List<String> commands) {}
 
     /** The program with a single command. */
     @Command(name = "robonewbie")

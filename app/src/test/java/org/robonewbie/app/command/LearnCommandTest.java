@@ -44,8 +44,7 @@ class LearnCommandTest {
 
         assertThatThrownBy(() -> learn(file, "--sigma", "0.1").call())
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessageContaining("belongs to another search")
-                .hasMessageEndingWith(": choose another file, or delete it.");
+                .hasMessageContaining("belongs to another run");
     }
 
     @Test

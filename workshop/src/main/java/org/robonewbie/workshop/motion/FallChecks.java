@@ -9,8 +9,8 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.file.ShippedMotions;
-import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.Place;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.MeasureFromStart;
 
 /** Checks of the motions that end on the ground or begin there. */

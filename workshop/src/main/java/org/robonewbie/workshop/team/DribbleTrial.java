@@ -3,9 +3,9 @@ package org.robonewbie.workshop.team;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.team.skill.CloseDribbleNumbers;
-import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 
 /**
  * A robot dribbles 5 m on the league's pitch, with noise, from the stance.

@@ -12,12 +12,12 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.team.skill.CloseDribbleNumbers;
 import org.robonewbie.team.skill.KickKind;
-import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.workshop.motion.MotionCheck;
 import org.robonewbie.workshop.motion.Outcome;
 

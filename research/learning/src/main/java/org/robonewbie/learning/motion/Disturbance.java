@@ -5,8 +5,8 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.motion.Posture;
-import org.robonewbie.trial.TrialHook;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.TrialHook;
 
 /** Differences between trials: joints slightly off their posture, and a push of 0.1 s against the torso each second. The seed chooses them. */
 final class Disturbance implements TrialHook {

@@ -24,11 +24,11 @@ import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.trial.Measure;
-import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.BalanceMetrics;
 import org.robonewbie.trial.measure.Turn;
 

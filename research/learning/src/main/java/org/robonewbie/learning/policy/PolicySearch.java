@@ -11,12 +11,12 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
-import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.PolicyText;
 import org.robonewbie.agent.policy.file.PolicyFile;
 import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.trial.batch.Journal;
 
 /**
  * Searches for a policy by an {@link EvolutionStrategy}. After each generation it writes the policy so far, a line of the learning
@@ -32,8 +32,6 @@ import org.robonewbie.nao.file.AtomicFile;
  * @param output file of the policy; curve and checkpoint are written beside it
  */
 public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path output) {
-
-    private static final int CHECKPOINT_LINES = 5;
 
     /** {@return the learning curve, a CSV file beside the policy} */
     public Path curve() {
@@ -75,21 +73,26 @@ public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path o
      * @throws IllegalArgumentException if the checkpoint belongs to another search or is damaged
      */
     public Policy run(int generations, Optional<Policy> start, Consumer<String> progress) throws IOException {
-        boolean resumes = Files.exists(checkpoint());
-        EvolutionStrategy.State state = resumes ? resumed() : begin(start);
-        List<String> history = resumes ? former() : start.map(Policy::about).orElse(List.of());
-        beginCurve(state.generation());
-        try (RolloutWorkers workers = new RolloutWorkers(model)) {
+        try (Journal journal = Journal.open(checkpoint(), question());
+                RolloutWorkers workers = new RolloutWorkers(model)) {
+            boolean resumes = !journal.lines().isEmpty();
+            List<String> history = resumes ? former() : start.map(Policy::about).orElse(List.of());
+            EvolutionStrategy.State state = resumes ? replayed(journal.lines()) : begin(start);
+            if (!resumes) {
+                journal.add(line(state.mean()));
+            }
+            beginCurve(state.generation());
             while (state.generation() < generations) {
                 RolloutStatistics result = generation(workers, state);
-                state = strategy.tell(
-                        state,
-                        result.rollouts().stream().mapToDouble(Rollout::reward).toArray());
+                double[] returns =
+                        result.rollouts().stream().mapToDouble(Rollout::reward).toArray();
+                state = strategy.tell(state, returns);
                 keep(state, history, result);
+                journal.add(line(returns));
                 progress.accept(String.format(Locale.ROOT, "%4d/%d: %s", state.generation(), generations, result));
             }
+            return policy(state, history);
         }
-        return policy(state, history);
     }
 
     private EvolutionStrategy.State begin(Optional<Policy> start) {
@@ -130,15 +133,6 @@ public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path o
         String line = state.generation() + "," + result.row() + "\n";
         Files.writeString(curve(), line, StandardCharsets.UTF_8, StandardOpenOption.APPEND);
         AtomicFile.write(output, PolicyText.format(policy(state, history)));
-        AtomicFile.write(
-                checkpoint(),
-                Stream.of(
-                                question(),
-                                String.valueOf(state.generation()),
-                                line(state.mean()),
-                                line(state.firstMoment()),
-                                line(state.secondMoment()))
-                        .collect(Collectors.joining("\n", "", "\n")));
     }
 
     private Policy policy(EvolutionStrategy.State state, List<String> history) {
@@ -151,33 +145,17 @@ public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path o
         return model.task() + " " + strategy.words() + model.words();
     }
 
-    private EvolutionStrategy.State resumed() throws IOException {
-        List<String> lines = Files.readAllLines(checkpoint(), StandardCharsets.UTF_8);
-        String before = lines.isEmpty() ? "(empty file)" : lines.get(0);
-        if (!before.equals(question())) {
-            throw new IllegalArgumentException("The checkpoint " + checkpoint() + " belongs to another search, \""
-                    + before + "\", and not to \"" + question() + "\": choose another file, or delete it.");
-        }
+    /** The state after the generations of the checkpoint: its first line is the initial mean, the others are returns. */
+    private EvolutionStrategy.State replayed(List<String> lines) {
         try {
-            return state(lines);
+            EvolutionStrategy.State state = EvolutionStrategy.State.begin(numbers(lines.get(0)), model.scale());
+            for (String returns : lines.subList(1, lines.size())) {
+                state = strategy.tell(state, numbers(returns));
+            }
+            return state;
         } catch (IndexOutOfBoundsException | NumberFormatException damaged) {
-            throw new IllegalArgumentException("The checkpoint " + checkpoint() + " is damaged: delete it.", damaged);
+            throw new IllegalArgumentException(checkpoint() + " is damaged: delete it to begin again.", damaged);
         }
-    }
-
-    private EvolutionStrategy.State state(List<String> lines) {
-        double[] scale = model.scale();
-        EvolutionStrategy.State state = new EvolutionStrategy.State(
-                Integer.parseInt(lines.get(1)),
-                numbers(lines.get(2)),
-                scale,
-                numbers(lines.get(3)),
-                numbers(lines.get(CHECKPOINT_LINES - 1)));
-        if (DoubleStream.of(state.mean().length, state.firstMoment().length, state.secondMoment().length)
-                .anyMatch(length -> length != scale.length)) {
-            throw new IndexOutOfBoundsException("a line is too short");
-        }
-        return state;
     }
 
     private static String line(double... numbers) {

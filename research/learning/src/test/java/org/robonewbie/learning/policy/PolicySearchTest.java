@@ -29,6 +29,7 @@ class PolicySearchTest {
         PolicySearch broken = search("WalkGait", "broken.policy");
         broken.run(1, shipped, line -> {});
         Files.writeString(broken.curve(), "2,killed", StandardOpenOption.APPEND);
+        Files.writeString(broken.checkpoint(), "0.1 0.", StandardOpenOption.APPEND);
 
         broken.run(2, Optional.empty(), line -> {});
 
@@ -47,20 +48,19 @@ class PolicySearchTest {
 
         assertThatThrownBy(() -> search("RunGait", "walk.policy").run(1, Optional.empty(), line -> {}))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("belongs to another search, \"WalkGait --seed 1")
-                .hasMessageContaining("and not to \"RunGait --seed 1");
+                .hasMessageContaining("belongs to another run:\n  WalkGait --seed 1")
+                .hasMessageContaining("and not to:\n  RunGait --seed 1");
     }
 
     @Test
     void refusesADamagedCheckpoint() throws IOException {
         PolicySearch search = search("WalkGait", "walk.policy");
         search.run(1, Optional.empty(), line -> {});
-        String text = Files.readString(search.checkpoint());
-        Files.writeString(search.checkpoint(), text.substring(0, text.length() / 2));
+        Files.writeString(search.checkpoint(), "1.5\n", StandardOpenOption.APPEND);
 
         assertThatThrownBy(() -> search.run(2, Optional.empty(), line -> {}))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("is damaged: delete it.");
+                .hasMessageContaining("is damaged: delete it to begin again.");
     }
 
     @Tag("slow")

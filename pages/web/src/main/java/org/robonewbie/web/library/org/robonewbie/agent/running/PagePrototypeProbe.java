@@ -4,9 +4,9 @@ import java.util.Optional;
 import org.robonewbie.pagejvm.StudentFields;
 
 /** Makes robots of students' programs once more; compiled ones ask for their numbers in {@code think()}. */
-public final class PageMadeOnceMore {
+public final class PagePrototypeProbe {
 
-    private PageMadeOnceMore() {}
+    private PagePrototypeProbe() {}
 
     /**
      * Makes another robot of the same class by its constructor without parameters.
