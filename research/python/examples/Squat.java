@@ -10,7 +10,7 @@ public final class Squat extends TrainingTask {
     private double deepest;
 
     @Override
-    public Scene scene(RandomSource chance) {
+    public Scene scene(RandomSource random) {
         return Scene.of(RobotStart.at(0, 0).after("stand")).withBall(3, 0);
     }
 

@@ -146,8 +146,7 @@ class FormerFilesTest {
     @Test
     void trainingIsRefusedAndStays() throws Exception {
         assertThat(ends(2, List.of("learn Stand stand.policy --generations 3 --pairs 2 --hidden 4")))
-                .contains(
-                        "belongs to another run:");
+                .contains("belongs to another run:");
 
         assertThat(folder.resolve("stand.policy.csv")).content().hasLineCount(3);
     }

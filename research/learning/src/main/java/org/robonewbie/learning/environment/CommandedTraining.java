@@ -44,7 +44,7 @@ abstract class CommandedTraining extends TrainingTask {
     }
 
     private void choose() {
-        wanted = fixed.orElseGet(() -> any(chance(), wanted));
+        wanted = fixed.orElseGet(() -> any(random(), wanted));
     }
 
     @Override

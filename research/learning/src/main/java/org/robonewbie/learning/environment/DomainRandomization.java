@@ -117,8 +117,8 @@ public final class DomainRandomization {
             return this;
         }
 
-        double draw(RandomSource chance) {
-            return low == high ? low : chance.between(low, high);
+        double draw(RandomSource random) {
+            return low == high ? low : random.between(low, high);
         }
     }
 
@@ -164,9 +164,9 @@ public final class DomainRandomization {
 
     /** Draws the numbers of an episode, independently of the task's own random numbers. */
     Sample draw(long seed) {
-        RandomSource chance = new RandomSource(~seed);
+        RandomSource random = new RandomSource(~seed);
         Map<Name, Double> numbers = new EnumMap<>(Name.class);
-        ranges.forEach((name, range) -> numbers.put(name, range.draw(chance)));
+        ranges.forEach((name, range) -> numbers.put(name, range.draw(random)));
         return new Sample(numbers);
     }
 

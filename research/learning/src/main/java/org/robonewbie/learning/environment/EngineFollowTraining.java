@@ -9,9 +9,9 @@ import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Follow velocities that are too fast for the walk engine by correcting it: ahead with 0.6 to 1 m/s while turning by up to 30°/s,
- * another one every 3 s. A robot that corrects nothing falls within a few seconds. It pays 1 per metre into the direction in which
- * the robot would look if it had turned as it was told, and a fall costs 3.
+ * Follow velocities that are too fast for the walk engine by correcting it: ahead with 0.6 to 1 m/s while turning by up to
+ * 30°/s, another one every 3 s. A robot that corrects nothing falls within a few seconds. Reward: 1 per metre in the
+ * commanded heading; −3 for a fall.
  */
 class EngineFollowTraining extends EngineTraining {
 
@@ -26,8 +26,8 @@ class EngineFollowTraining extends EngineTraining {
     private double metres;
 
     @Override
-    WalkVelocity any(RandomSource chance, WalkVelocity last) {
-        return new WalkVelocity(chance.between(MIN, MAX), 0, chance.between(-MAX_TURN, MAX_TURN));
+    WalkVelocity any(RandomSource random, WalkVelocity last) {
+        return new WalkVelocity(random.between(MIN, MAX), 0, random.between(-MAX_TURN, MAX_TURN));
     }
 
     @Override

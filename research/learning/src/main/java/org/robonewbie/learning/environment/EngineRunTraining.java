@@ -7,9 +7,9 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Run straight ahead for 10 s by correcting the walk engine, which is asked for more than it can do: a robot that corrects nothing
- * falls within two seconds. It pays 1 per metre along the first heading, and a fall costs 3. The robot is pushed once at the
- * beginning, from any side.
+ * Run straight ahead for 10 s by correcting the walk engine at speeds that it cannot do: a robot that corrects nothing falls
+ * within two seconds. Reward: 1 per metre along the first heading; −3 for a fall. The robot is pushed once at the beginning,
+ * from any side.
  */
 final class EngineRunTraining extends EngineFollowTraining {
 
@@ -20,15 +20,15 @@ final class EngineRunTraining extends EngineFollowTraining {
     private double metres;
 
     @Override
-    WalkVelocity any(RandomSource chance, WalkVelocity before) {
-        return before.equals(WalkVelocity.ZERO) ? new WalkVelocity(chance.between(MIN, MAX), 0, 0) : before;
+    WalkVelocity any(RandomSource random, WalkVelocity before) {
+        return before.equals(WalkVelocity.ZERO) ? new WalkVelocity(random.between(MIN, MAX), 0, 0) : before;
     }
 
     @Override
     public void begin(Trial trial) {
         super.begin(trial);
-        Place centre = new Place(0, 0, chance().between(-180, 180));
-        trial.robot(0).push(centre.point(chance().between(0, MAX_NEWTONS), 0, 0));
+        Place centre = new Place(0, 0, random().between(-180, 180));
+        trial.robot(0).push(centre.point(random().between(0, MAX_NEWTONS), 0, 0));
     }
 
     @Override

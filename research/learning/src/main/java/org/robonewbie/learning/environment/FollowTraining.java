@@ -10,9 +10,8 @@ import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Follow a commanded velocity, another one every 3 s. Each second pays 1, less the error of the velocity in the last 0.4 s (1 for 0.3
- * m/s or 90°/s, together 1.5 at most); a fall costs 5, so that a dive never pays. The options {@code forward}, {@code left}
- * and {@code turn} set one command for the whole episode.
+ * Follow a commanded velocity, another one every 3 s. Reward per second: 1 less the error of the velocity in the last 0.4 s
+ * (1 for 0.3 m/s or 90°/s, together 1.5 at most); −5 for a fall, so that a dive has no gain.
  */
 class FollowTraining extends CommandedTraining {
 
@@ -26,25 +25,25 @@ class FollowTraining extends CommandedTraining {
 
     private final Deque<Place> places = new ArrayDeque<>();
     private final double toleratedMetresPerSecond;
-    private double earned;
-    private double possible;
+    private double totalReward;
+    private double maxReward;
 
     /** Creates the task. */
     FollowTraining() {
         this(DEFAULT_METRES_PER_SECOND);
     }
 
-    /** Creates a task in which an error of the velocity of this size costs all that can be earned. */
+    /** Creates a task with another tolerance: the error of the velocity that leaves no reward. */
     FollowTraining(double toleratedMetresPerSecond) {
         this.toleratedMetresPerSecond = toleratedMetresPerSecond;
     }
 
     @Override
-    WalkVelocity any(RandomSource chance, WalkVelocity before) {
+    WalkVelocity any(RandomSource random, WalkVelocity before) {
         return new WalkVelocity(
-                        chance.between(-BACKWARD, MAX.forward()),
-                        chance.between(-MAX.left(), MAX.left()),
-                        chance.between(-MAX.turn(), MAX.turn()))
+                        random.between(-BACKWARD, MAX.forward()),
+                        random.between(-MAX.left(), MAX.left()),
+                        random.between(-MAX.turn(), MAX.turn()))
                 .within(MAX, BACKWARD);
     }
 
@@ -73,8 +72,8 @@ class FollowTraining extends CommandedTraining {
     protected void see(WorldState first, WorldState now) {
         places.addLast(now.place(robot()));
         if (places.size() > WINDOW) {
-            possible += Cycle.SECONDS;
-            earned += Cycle.SECONDS
+            maxReward += Cycle.SECONDS;
+            totalReward += Cycle.SECONDS
                     * (1
                             - VelocityError.between(
                                             places.removeFirst(), places.getLast(), WINDOW * Cycle.SECONDS, velocity())
@@ -82,14 +81,14 @@ class FollowTraining extends CommandedTraining {
         }
     }
 
-    /** {@return whether the robot is on its feet and has earned half of what it could: a mean error of 0.15 m/s, or of 45°/s, or a part of both} */
+    /** {@return whether the robot is on its feet and has half of the largest return: a mean error of 0.15 m/s, or of 45°/s, or a part of both} */
     @Override
     public boolean isDone() {
-        return !hasFallen() && possible > 0 && earned >= DONE_PART * possible;
+        return !hasFallen() && maxReward > 0 && totalReward >= DONE_PART * maxReward;
     }
 
     @Override
     public double value() {
-        return earned - (hasFallen() ? FALL_PENALTY : 0);
+        return totalReward - (hasFallen() ? FALL_PENALTY : 0);
     }
 }

@@ -20,9 +20,9 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.Pushes;
 
 /**
- * Follow velocities that change every 3 s, with a learned gait and corrections of the walk engine, while the robot is pushed once per
- * second. Each 0.4 s pay 1, less the error of the velocity (1 for the tolerance or 30°/s, together 1.5 at most) and a little for a torso
- * that leans. A fall costs 4, and 1 for each 0.4 s that are lost, so that it never pays.
+ * Follow velocities that change every 3 s, with a learned gait and corrections of the walk engine, while the robot is pushed
+ * once per second. Reward for each window of 0.4 s: 1 less the error of the velocity (1 for the tolerance or 30°/s, together
+ * 1.5 at most) and a little for a torso that leans. A fall costs 4, and 1 for each window that is lost.
  */
 final class GaitTraining extends EngineTraining {
 
@@ -48,13 +48,13 @@ final class GaitTraining extends EngineTraining {
     private Range types = new Range(0, 0);
     private Optional<Policy> policy = Optional.empty();
 
-    private Random random = new Random(0);
+    private Random draws = new Random(0);
     private boolean isConstant;
     private boolean hasBegun;
     private WalkVelocity command = WalkVelocity.ZERO;
     private WalkVelocity followed = WalkVelocity.ZERO;
     private Optional<Place> before = Optional.empty();
-    private double earned;
+    private double totalReward;
     private double fallCost;
     private VelocityError settledError = VelocityError.NONE;
 
@@ -144,9 +144,9 @@ final class GaitTraining extends EngineTraining {
 
     @Override
     public void begin(Trial trial) {
-        random = new Random(31 * chance().seed() + 7);
-        random.nextLong();
-        isConstant = random.nextDouble() < constantShare;
+        draws = new Random(31 * random().seed() + 7);
+        draws.nextLong();
+        isConstant = draws.nextDouble() < constantShare;
         super.begin(trial);
         command = super.velocity();
     }
@@ -158,14 +158,14 @@ final class GaitTraining extends EngineTraining {
 
     @Override
     TrialHook pushes(double newtons, long seed) {
-        return Pushes.random(random, newtons);
+        return Pushes.random(draws, newtons);
     }
 
     @Override
-    WalkVelocity any(RandomSource chance, WalkVelocity last) {
+    WalkVelocity any(RandomSource random, WalkVelocity last) {
         if (!hasBegun) {
             hasBegun = true;
-            return isConstant && random.nextDouble() < 0.5
+            return isConstant && draws.nextDouble() < 0.5
                     ? new WalkVelocity(max.forward(), 0, 0)
                     : commands.apply(this);
         }
@@ -174,21 +174,21 @@ final class GaitTraining extends EngineTraining {
 
     /** Draws a stop, a velocity slower than usual, or one as at first. */
     private WalkVelocity later() {
-        double slow = slowShare > 0 ? random.nextDouble() : 1;
+        double slow = slowShare > 0 ? draws.nextDouble() : 1;
         if (slow < slowShare / 2) {
             return WalkVelocity.ZERO;
         }
         return slow < slowShare
-                ? new WalkVelocity(max.forward() * minShare * random.nextDouble(), 0, 0)
+                ? new WalkVelocity(max.forward() * minShare * draws.nextDouble(), 0, 0)
                 : commands.apply(this);
     }
 
-    /** Ahead, back, aside, around, nothing, or all at once within what is possible. */
+    /** Ahead, back, aside, around, nothing, or all at once within the limits. */
     private WalkVelocity anywhere() {
-        double kind = random.nextDouble();
-        double forward = random.nextDouble();
-        double left = max.left() * (2 * random.nextDouble() - 1);
-        double turn = max.turn() * (2 * random.nextDouble() - 1);
+        double kind = draws.nextDouble();
+        double forward = draws.nextDouble();
+        double left = max.left() * (2 * draws.nextDouble() - 1);
+        double turn = max.turn() * (2 * draws.nextDouble() - 1);
         if (kind < 0.35) {
             return new WalkVelocity(ahead(forward), 0, 0);
         } else if (kind < 0.5) {
@@ -206,17 +206,17 @@ final class GaitTraining extends EngineTraining {
 
     /** Ahead, in half of the cases straight, else in a bend. */
     private WalkVelocity bends() {
-        double forward = ahead(random.nextDouble());
-        double kind = random.nextDouble();
-        double turn = 2 * random.nextDouble() - 1;
+        double forward = ahead(draws.nextDouble());
+        double kind = draws.nextDouble();
+        double turn = 2 * draws.nextDouble() - 1;
         return new WalkVelocity(forward, 0, kind < 0.5 ? 0 : turn * (kind < 0.8 ? 15 : 45));
     }
 
     /** Ahead, in three of five cases straight. */
     private WalkVelocity almostStraight() {
-        double forward = ahead(random.nextDouble());
-        double turn = 20 * (2 * random.nextDouble() - 1);
-        return new WalkVelocity(forward, 0, random.nextDouble() < 0.6 ? 0 : turn);
+        double forward = ahead(draws.nextDouble());
+        double turn = 20 * (2 * draws.nextDouble() - 1);
+        return new WalkVelocity(forward, 0, draws.nextDouble() < 0.6 ? 0 : turn);
     }
 
     private double ahead(double share) {
@@ -256,7 +256,8 @@ final class GaitTraining extends EngineTraining {
     private void addWindow(VelocityError error, double tiltDegrees) {
         boolean settled = (cycle() - 1) % CYCLES_PER_COMMAND >= CYCLES_TO_SETTLE + WINDOW - 1;
         double leanPenalty = settled && followed.isZero() ? restLeanPenalty : LEAN_PENALTY;
-        earned += 1 - error.cost(toleratedMetresPerSecond, TOLERATED_DEGREES_PER_SECOND) - leanPenalty * tiltDegrees;
+        totalReward +=
+                1 - error.cost(toleratedMetresPerSecond, TOLERATED_DEGREES_PER_SECOND) - leanPenalty * tiltDegrees;
         if (settled) {
             settledError = settledError.plus(error);
         }
@@ -269,6 +270,6 @@ final class GaitTraining extends EngineTraining {
 
     @Override
     public double value() {
-        return earned - fallCost;
+        return totalReward - fallCost;
     }
 }

@@ -18,8 +18,8 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Get up from the front and stay up. Each second pays how upright the torso is times how high: 1 for a robot that stands. The
- * episode goes on to its end, so getting up early and standing long pays most.
+ * Get up from the front and stay up. Reward per second: how upright the torso is times how high, 1 for a robot that stands.
+ * The episode is never terminated, so getting up early and standing long has the largest return.
  */
 class GetUpTraining extends TrainingTask {
 
@@ -36,7 +36,7 @@ class GetUpTraining extends TrainingTask {
             .filter(joint -> !joint.name().startsWith("NECK"))
             .toList();
 
-    private double earned;
+    private double totalReward;
     private boolean up;
 
     /** The scene of a robot that has leaned forward until it fell, with postures that are changed in some way. */
@@ -63,7 +63,7 @@ class GetUpTraining extends TrainingTask {
     public void begin(Trial trial) {
         trial.robot(0)
                 .push(new Vector3(
-                        chance().between(-MAX_NEWTONS, MAX_NEWTONS), chance().between(-MAX_NEWTONS, MAX_NEWTONS), 0));
+                        random().between(-MAX_NEWTONS, MAX_NEWTONS), random().between(-MAX_NEWTONS, MAX_NEWTONS), 0));
     }
 
     @Override
@@ -81,7 +81,7 @@ class GetUpTraining extends TrainingTask {
         BodyState body = watched(now);
         double upright = Math.max(0, 1 - body.tiltDegrees() / 90);
         double high = Math.max(0, Math.min(1, body.position().z() / HIGH_METRES));
-        earned += Cycle.SECONDS * upright * high;
+        totalReward += Cycle.SECONDS * upright * high;
         up = body.tiltDegrees() < UPRIGHT_DEGREES && body.position().z() > 0.9 * HIGH_METRES;
     }
 
@@ -98,6 +98,6 @@ class GetUpTraining extends TrainingTask {
 
     @Override
     public double value() {
-        return earned;
+        return totalReward;
     }
 }

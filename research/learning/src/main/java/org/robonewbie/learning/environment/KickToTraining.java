@@ -12,9 +12,9 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.KickDistance;
 
 /**
- * Kick the ball as far ahead as is wanted, by correcting the motion {@code kick-right}: each episode wants another distance, and
- * the option {@code distance} sets one. The episode pays 1 less the distance from where the ball will lie to where it is wanted, as a
- * part of the distance wanted (2 at most); a fall costs 1. Only the end counts, so that nothing on the way can be collected twice.
+ * Kick the ball to a wanted distance by correcting the motion {@code kick-right}: each episode wants another distance, and
+ * the option {@code distance} sets one. Return: 1 less the distance from where the ball will lie to where it is wanted, as a
+ * part of the wanted distance (2 at most); −1 for a fall. Only the end counts.
  */
 final class KickToTraining extends TrainingTask {
 
@@ -39,7 +39,7 @@ final class KickToTraining extends TrainingTask {
     public void begin(Trial trial) {
         scatterBall(trial, SPREAD_METRES);
         if (wanted == 0) {
-            wanted = chance().between(MIN_METRES, MAX_METRES);
+            wanted = random().between(MIN_METRES, MAX_METRES);
         }
     }
 

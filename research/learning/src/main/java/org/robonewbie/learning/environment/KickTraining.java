@@ -8,8 +8,8 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.KickDistance;
 
 /**
- * Kick the ball in front of the right foot ahead. Each metre that it gets ahead pays 1, what it will still roll included; a fall
- * costs 1.
+ * Kick the ball in front of the right foot ahead. Reward: 1 per metre that it gets ahead, what it will still roll included;
+ * −1 for a fall.
  */
 final class KickTraining extends TrainingTask {
 

@@ -15,9 +15,9 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Two teams learn at the same time until the first goal. For its team a robot earns 10 for a goal and 1 for each metre that the ball
- * gets ahead, what the other team loses; and for itself 0.2 for each metre that it gets nearer to the ball, and −1 for a fall. A ball
- * that leaves the pitch beside the goal is put back.
+ * Two teams learn at the same time until the first goal. Reward of a team: 10 for a goal and 1 per metre that the ball gets
+ * ahead, the negative for the other team. Reward of a robot besides: 0.2 per metre that it gets nearer to the ball, and −1
+ * for a fall. A ball that leaves the pitch beside the goal is put back.
  */
 final class MatchTraining extends TrainingTask {
 

@@ -9,8 +9,8 @@ import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.Scene;
 
 /**
- * Get up from the front by correcting the motion {@code quick-stand-up-from-front}, and stay up, for 4 s in all. It pays as {@link
- * GetUpTraining}. The robot has fallen with its arms anywhere, so that it lies differently in each episode.
+ * Get up from the front by correcting the motion {@code quick-stand-up-from-front}, and stay up, for 4 s in all, with the
+ * reward of {@link GetUpTraining}. The robot has fallen with its arms anywhere, so that it lies differently in each episode.
  */
 final class QuickGetUpTraining extends GetUpTraining {
 

@@ -13,7 +13,8 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Bring the left lower arm to a random point in front of and beside the left shoulder. Each cycle costs the distance in metres.
+ * Bring the left lower arm to a random point in front of and beside the left shoulder. Reward per cycle: minus the distance
+ * in metres.
  */
 final class ReachTraining extends TrainingTask {
 
@@ -25,12 +26,12 @@ final class ReachTraining extends TrainingTask {
 
     private Vector3 target = Vector3.ZERO;
     private Vector3 arm = Vector3.ZERO;
-    private double earned;
+    private double totalReward;
 
     @Override
     public void begin(Trial trial) {
-        double height = PortableMath.toRadians(chance().between(-60, 60));
-        Vector3 aside = new Place(0, 0, chance().between(-22.5, 67.5))
+        double height = PortableMath.toRadians(random().between(-60, 60));
+        Vector3 aside = new Place(0, 0, random().between(-22.5, 67.5))
                 .point(REACH_METRES * PortableMath.cos(height), 0, REACH_METRES * PortableMath.sin(height));
         target = SHOULDER.plus(aside);
     }
@@ -69,7 +70,7 @@ final class ReachTraining extends TrainingTask {
                 .poses(robot.joints())
                 .link(BodyPart.LEFT_LOWER_ARM.simSparkName())
                 .position();
-        earned -= arm.distanceTo(target);
+        totalReward -= arm.distanceTo(target);
     }
 
     /** {@return whether the arm is within 3 cm of the target} */
@@ -80,6 +81,6 @@ final class ReachTraining extends TrainingTask {
 
     @Override
     public double value() {
-        return earned;
+        return totalReward;
     }
 }

@@ -4,8 +4,8 @@ import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.trial.RandomSource;
 
 /**
- * Run straight ahead with a commanded speed from 0.9 to 1.3 m/s, the same for the whole episode. It pays as {@link FollowTraining}, but an
- * error of 0.6 m/s costs 1. A robot that stands still earns nothing, one that dives loses 5.
+ * Run straight ahead with a commanded speed from 0.9 to 1.3 m/s, the same for the whole episode, with the reward of {@link
+ * FollowTraining} and a tolerance of 0.6 m/s.
  */
 final class RunTraining extends FollowTraining {
 
@@ -18,7 +18,7 @@ final class RunTraining extends FollowTraining {
     }
 
     @Override
-    WalkVelocity any(RandomSource chance, WalkVelocity before) {
-        return before.equals(WalkVelocity.ZERO) ? new WalkVelocity(chance.between(MIN, MAX), 0, 0) : before;
+    WalkVelocity any(RandomSource random, WalkVelocity before) {
+        return before.equals(WalkVelocity.ZERO) ? new WalkVelocity(random.between(MIN, MAX), 0, 0) : before;
     }
 }

@@ -5,15 +5,15 @@ import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Stay on your feet while someone pushes you from any side once per second, each time harder. Each cycle pays 1, less what the
- * torso leans (1 for 60°).
+ * Stay upright while pushes come from any side once per second, each time harder. Reward per cycle: 1 less the lean of the
+ * torso (1 for 60°).
  */
 final class StandTraining extends TrainingTask {
 
     private static final double STEP_NEWTONS = 8;
     private static final double BORNE_SECONDS = 6;
 
-    private double earned;
+    private double totalReward;
     private int cyclesOnItsFeet;
 
     @Override
@@ -31,7 +31,7 @@ final class StandTraining extends TrainingTask {
         if (!hasFallen()) {
             cyclesOnItsFeet++;
         }
-        earned += 1 - now.robot().tiltDegrees() / BodyState.FALLEN_DEGREES;
+        totalReward += 1 - now.robot().tiltDegrees() / BodyState.FALLEN_DEGREES;
     }
 
     /** {@return whether the robot has stood for 6 s, in which it was pushed with up to 40 N} */
@@ -42,6 +42,6 @@ final class StandTraining extends TrainingTask {
 
     @Override
     public double value() {
-        return earned;
+        return totalReward;
     }
 }

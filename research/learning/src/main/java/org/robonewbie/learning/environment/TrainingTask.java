@@ -77,7 +77,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
     }
 
     /** {@return what differs from episode to episode} */
-    protected final RandomSource chance() {
+    protected final RandomSource random() {
         return random;
     }
 

@@ -7,8 +7,8 @@ import org.robonewbie.trial.measure.Distance;
 import org.robonewbie.trial.measure.Standing;
 
 /**
- * Walk ahead. Each metre along the first heading pays 10, each second on the feet 1; a fall costs 5, so that a dive never pays. An
- * episode begins with a light push from any side, so that no two are equal.
+ * Walk ahead. Reward: 10 per metre along the first heading and 1 per second on the feet; −5 for a fall, so that a dive has no
+ * gain. An episode begins with a light push from any side, so that no two are equal.
  */
 final class WalkTraining extends TrainingTask {
 
@@ -22,8 +22,8 @@ final class WalkTraining extends TrainingTask {
 
     @Override
     public void begin(Trial trial) {
-        Place centre = new Place(0, 0, chance().between(-180, 180));
-        trial.robot(0).push(centre.point(chance().between(0, MAX_NEWTONS), 0, 0));
+        Place centre = new Place(0, 0, random().between(-180, 180));
+        trial.robot(0).push(centre.point(random().between(0, MAX_NEWTONS), 0, 0));
     }
 
     @Override
