@@ -62,7 +62,7 @@ class TextReadersTest {
             Map.entry("competition/result/ResultFolder", WRITTEN),
             Map.entry("exercises/progress/Worksheet", RESOURCE),
             Map.entry("exercises/progress/ProgressFile", WRITTEN),
-            Map.entry("exercises/Phrasebook", RESOURCE),
+            Map.entry("exercises/Translations", RESOURCE),
             Map.entry("exercises/Exercise", RESOURCE),
             Map.entry("studio/AccessToken", WRITTEN),
             Map.entry("studio/WebFiles", RESOURCE),

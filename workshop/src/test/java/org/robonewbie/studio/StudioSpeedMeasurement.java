@@ -32,7 +32,7 @@ class StudioSpeedMeasurement {
             browser.visit(studio.oneTimeAddress() + "&theme=light" + (quality.isEmpty() ? "" : "&quality=" + quality));
             browser.await("studio.state.scene?.robots.length === " + robots
                     + " && studio.state.frame && studio.view.drawCalls > 0");
-            browser.evaluate("studio.desk.setMode('free')");
+            browser.evaluate("studio.camera.setMode('free')");
             browser.rest(SETTLING_SECONDS);
             browser.evaluate(COUNT_PICTURES);
             long cycle = simulation.latest().cycle();

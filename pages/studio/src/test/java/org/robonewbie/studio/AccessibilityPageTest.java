@@ -110,7 +110,7 @@ class AccessibilityPageTest {
     void mistakeInAProgramHasNoViolation(String theme) {
         visit(theme, "#program", PROGRAM_IS_THERE);
         browser.evaluate("studio.rooms.program.editor.replace('int angle = " + SmallWorkshop.MISTAKE + ";')");
-        browser.await("document.querySelector('#program-state').innerText.includes('1 mistake')");
+        browser.await("document.querySelector('#program-state').innerText.includes('1 error')");
         assertClean("a mistake");
         browser.fill("#program-file", "exercise kick");
         browser.await("document.querySelector('#program-check') && !document.querySelector('#program-remarks li')");

@@ -18,7 +18,7 @@ import org.robonewbie.studio.monitor.MonitoredSimulation;
 @InBrowser
 class AttachedStudioTest {
 
-    private static final String NO_CLOCK = "The server that is watched keeps its own clock; a monitor cannot stop it.";
+    private static final String NO_CLOCK = "The watched server has its own clock; a monitor cannot stop it.";
 
     @TempDir
     private Path folder;

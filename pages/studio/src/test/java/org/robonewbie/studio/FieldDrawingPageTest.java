@@ -87,7 +87,7 @@ class FieldDrawingPageTest {
         visit();
         drawBoth();
         browser.press("3");
-        browser.await("studio.desk.isStill && studio.desk.mode !== 'follow' && !studio.session.stale");
+        browser.await("studio.camera.isStill && studio.camera.mode !== 'follow' && !studio.session.stale");
 
         JsonArray circle = browser.evaluate("(() => { const { view } = studio; const head ="
                         + " studio.state.scene.models.TYPE_0.links.findIndex(({name}) => name === 'head');"

@@ -69,9 +69,9 @@ class LandscapePictureTest {
                         + landscape.things().size() + " && studio.state.frame");
                 browser.press("1");
                 browser.evaluate(
-                        "studio.desk.jumpTo({target: [-2.9, 0, 0.1], azimuthDegrees: -65, elevationDegrees: 24,"
+                        "studio.camera.jumpTo({target: [-2.9, 0, 0.1], azimuthDegrees: -65, elevationDegrees: 24,"
                                 + " distance: 4.6}); studio.touch()");
-                browser.await("studio.desk.isStill");
+                browser.await("studio.camera.isStill");
                 byte[] png = browser.screenshot();
                 Path folder = Path.of(System.getProperty("studio.pictures", "target/pictures"));
                 Files.write(Files.createDirectories(folder).resolve("scene-" + landscape.name() + ".png"), png);

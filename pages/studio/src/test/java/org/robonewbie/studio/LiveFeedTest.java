@@ -6,8 +6,6 @@ import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.lang.management.ManagementFactory;
-import java.lang.management.ThreadMXBean;
 import java.nio.ByteBuffer;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
@@ -94,15 +92,6 @@ class LiveFeedTest {
     }
 
     @Test
-    void pageThatDoesNotAnswerGetsNoSecondFrame() throws InterruptedException {
-        try (TestPage frozen = new TestPage(studio.oneTimeAddress())) {
-            frozen.nextFrame();
-
-            assertThat(frozen.framesWithin(1500)).isFalse();
-        }
-    }
-
-    @Test
     void pageThatAnswersLateGetsTheNewestFrame() throws InterruptedException {
         try (TestPage slow = new TestPage(studio.oneTimeAddress())) {
             slow.nextFrame();
@@ -130,24 +119,6 @@ class LiveFeedTest {
 
             assertThat(frozen.framesWithin(1)).isFalse();
             assertThat(studio.spectators()).isEqualTo(2);
-        }
-    }
-
-    @Test
-    void reportingACycleCostsTheSimulationNextToNothing() {
-        try (LiveFeed feed = new LiveFeed(simulation)) {
-            WorldSnapshot snapshot = simulation.latest();
-            ThreadMXBean work = ManagementFactory.getThreadMXBean();
-            for (int i = 0; i < 100_000; i++) {
-                feed.cycleEnded(snapshot);
-            }
-            long start = work.getCurrentThreadCpuTime();
-            for (int i = 0; i < 100_000; i++) {
-                feed.cycleEnded(snapshot);
-            }
-            double microseconds = (work.getCurrentThreadCpuTime() - start) / 1e3 / 100_000;
-
-            assertThat(microseconds).isLessThan(20);
         }
     }
 

@@ -197,7 +197,7 @@ class MotionSafetyPageTest {
         press("Enter", false);
 
         browser.await(
-                "document.querySelector('#toast').textContent === '“abc” is not an angle in degrees; neck yaw stays as it is.'");
+                "document.querySelector('#toast').textContent === '“abc” is not an angle in degrees: neck yaw stays as it is.'");
         browser.await(YAW + ".value === '0'");
     }
 
@@ -219,7 +219,7 @@ class MotionSafetyPageTest {
 
         browser.click("#save");
 
-        browser.await("document.querySelector('#toast').textContent.endsWith('instead of the library’s.')");
+        browser.await("document.querySelector('#toast').textContent.endsWith('replaces the library’s.')");
     }
 
     @Test
@@ -282,7 +282,7 @@ class MotionSafetyPageTest {
         for (int i = 0; i <= 12; i++) {
             double turn = Math.PI * i / 6;
             browser.mouse("mouseMoved", x + 170 * Math.cos(turn), y + 170 * Math.sin(turn));
-            browser.await("performance.now() - studio.motion.hand.lastKnead < 1000");
+            browser.await("performance.now() - studio.motion.pointer.lastDrag < 1000");
         }
 
         browser.await("/The left .* is at its limit/.test(window.signs)");
@@ -314,7 +314,7 @@ class MotionSafetyPageTest {
         studio.close();
         browser.await("!document.querySelector('#gone').hidden");
         browser.fill("[data-joint='NECK_YAW']", "44");
-        browser.await("document.querySelector('#toast').textContent.includes('cannot be kept just now')");
+        browser.await("document.querySelector('#toast').textContent.includes('The draft could not be saved')");
 
         assertThat(isAskedBeforeClosing()).isTrue();
         browser.forgetComplaints();

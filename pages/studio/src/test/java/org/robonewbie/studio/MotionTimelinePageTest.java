@@ -241,7 +241,7 @@ class MotionTimelinePageTest {
         browser.click("#trial");
 
         browser.await(
-                "document.querySelector('#toast').textContent.includes('Most behind the plan: left shoulder pitch')");
+                "document.querySelector('#toast').textContent.includes('Largest lag behind the plan: left shoulder pitch')");
         browser.await("document.querySelectorAll('.late').length > 0");
         browser.click("#timeline-curves");
         browser.evaluate("document.querySelector('[data-row=\"2\"]').click()");

@@ -109,8 +109,9 @@ class ProgramEncodingPageTest {
 
         typeAndSave("// Привет");
 
-        browser.await(NOTE
-                + ".includes('Lat.java is saved as UTF-8 now, since Windows-1252 cannot hold all of its letters')");
+        browser.await(
+                NOTE
+                        + ".includes('Lat.java is saved as UTF-8 now, because Windows-1252 cannot represent all of its characters')");
         assertThat(file).hasBinaryContent((PROGRAM + "// Привет").getBytes(StandardCharsets.UTF_8));
     }
 

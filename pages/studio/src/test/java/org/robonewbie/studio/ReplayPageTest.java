@@ -354,7 +354,7 @@ class ReplayPageTest {
         browser.visit(studio.oneTimeAddress() + "&quality=high&theme=light#replay/game");
         browser.await("studio.replay?.file?.isWhole");
         browser.evaluate("studio.replay.actions.find(action => action.shown === 'End').act()");
-        browser.await("studio.desk.isStill && " + STATE + ".index === " + STATE + ".count - 1"
+        browser.await("studio.camera.isStill && " + STATE + ".index === " + STATE + ".count - 1"
                 + " && document.querySelector('#toast').hidden");
         Path pictures = Path.of(System.getProperty("studio.pictures", "target/pictures"));
         Files.write(Files.createDirectories(pictures).resolve("studio-replay.png"), browser.screenshot());

@@ -105,7 +105,7 @@ class ReplayVideoTest {
 
         browser.click("#export-progress button");
 
-        browser.await("document.querySelector('#toast').textContent === 'No file was made.'");
+        browser.await("document.querySelector('#toast').textContent === 'The export was cancelled.'");
         assertThat(browser.evaluate("document.querySelector('#export-progress').hidden"
                                 + " && !document.querySelector('.video-stage') && window.givenName === ''")
                         .getAsBoolean())
@@ -120,6 +120,6 @@ class ReplayVideoTest {
         browser.click("#export-video");
 
         browser.await("document.querySelector('#toast').textContent"
-                + ".startsWith('The file cannot be made: this browser cannot encode videos.')");
+                + ".startsWith('The export failed: this browser cannot encode videos.')");
     }
 }

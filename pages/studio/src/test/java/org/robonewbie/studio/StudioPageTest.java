@@ -58,7 +58,7 @@ class StudioPageTest {
     private void openStudioWithRobot() {
         simulation.withRobot();
         openStudio();
-        browser.await("studio.desk.scene?.robots.length === 1 && studio.state.frame"
+        browser.await("studio.camera.scene?.robots.length === 1 && studio.state.frame"
                 + " && !document.querySelector('#toggle').disabled");
     }
 
@@ -69,7 +69,7 @@ class StudioPageTest {
 
         browser.await("document.querySelector('#banner').hidden");
         browser.await("document.querySelector('.team.left').textContent === 'Blue Newbies'");
-        browser.await("studio.desk.mode === 'follow'");
+        browser.await("studio.camera.mode === 'follow'");
         assertThat(browser.complaints()).isEmpty();
     }
 
@@ -99,11 +99,11 @@ class StudioPageTest {
     void keysFollowTheNextRobot() {
         simulation.withRobot().withRobot(RobotType.TYPE_0, TeamSide.RIGHT, 5, 1, 0, 180, Posture.STANDING);
         openStudio();
-        browser.await("studio.desk.scene?.robots.length === 2");
+        browser.await("studio.camera.scene?.robots.length === 2");
 
         browser.press("n");
 
-        browser.await("studio.desk.mode === 'follow' && studio.desk.chosen === 1");
+        browser.await("studio.camera.mode === 'follow' && studio.camera.chosen === 1");
     }
 
     @Tag("slow")
@@ -176,7 +176,7 @@ class StudioPageTest {
     void ballIsDraggedWithTheMouse() {
         openStudioWithRobot();
         browser.press("3");
-        browser.await("studio.desk.mode === 'top' && studio.desk.isStill");
+        browser.await("studio.camera.mode === 'top' && studio.camera.isStill");
 
         drag(onScreen("studio.view.ball.position"), 0, 60);
 
@@ -189,7 +189,7 @@ class StudioPageTest {
     void robotIsDraggedWithTheMouseAndStaysUpright() {
         openStudioWithRobot();
         browser.press("3");
-        browser.await("studio.desk.mode === 'top' && studio.desk.isStill");
+        browser.await("studio.camera.mode === 'top' && studio.camera.isStill");
 
         drag(onScreen("new studio.view.camera.position.constructor(...studio.view.robots.poses[0])"), 60, 0);
 
@@ -222,7 +222,7 @@ class StudioPageTest {
 
         browser.press(key);
 
-        browser.await("studio.desk.mode === '" + mode + "'");
+        browser.await("studio.camera.mode === '" + mode + "'");
         browser.await("document.querySelector('[data-camera=" + mode + "]').ariaPressed === 'true'");
         assertThat(browser.complaints()).isEmpty();
     }
@@ -231,11 +231,11 @@ class StudioPageTest {
     @Test
     void arrowKeysTurnTheView() {
         openStudioWithRobot();
-        double before = browser.evaluate("studio.desk.view.azimuthDegrees").getAsDouble();
+        double before = browser.evaluate("studio.camera.view.azimuthDegrees").getAsDouble();
 
         browser.press("ArrowRight");
 
-        browser.await("studio.desk.view.azimuthDegrees > " + (before + 3));
+        browser.await("studio.camera.view.azimuthDegrees > " + (before + 3));
     }
 
     @Tag("slow")

@@ -25,7 +25,7 @@ class StudioPictureTest {
 
     private static final int WIDTH = 1280;
     private static final int HEIGHT = 720;
-    private static final String VIEW = "studio.desk.jumpTo({target: [-3.3, 0.12, 0.27], azimuthDegrees: -29,"
+    private static final String VIEW = "studio.camera.jumpTo({target: [-3.3, 0.12, 0.27], azimuthDegrees: -29,"
             + " elevationDegrees: 9.5, distance: 1.68}); studio.touch()";
 
     @Test
@@ -59,7 +59,7 @@ class StudioPictureTest {
                 browser.await("studio.state.scene.robots.length === 2 && studio.state.frame");
                 browser.press("1");
                 browser.evaluate(VIEW);
-                browser.await("studio.desk.isStill");
+                browser.await("studio.camera.isStill");
                 return browser.screenshot();
             }
         }

@@ -112,7 +112,7 @@ class UndoPageTest {
         browser.click("#toggle");
         browser.click("#add-puppet");
         browser.await("studio.state.scene.robots[1]?.side === 'left' && studio.state.frame.robots[1].torso[0] > -1.5");
-        browser.await("studio.desk.chosen === 1");
+        browser.await("studio.camera.chosen === 1");
 
         browser.click("#remove-puppet");
         browser.await("studio.state.scene.robots.length === 1");

@@ -101,11 +101,11 @@ class WorkspacePageTest {
         simulation.withRobot(RobotType.TYPE_0, TeamSide.RIGHT, 4, 1, 1, 180, Posture.STANDING);
         browser.await("document.querySelector('#robot-choice').options.length === 2");
 
-        browser.evaluate("studio.desk.choose(1); studio.touch()");
+        browser.evaluate("studio.camera.choose(1); studio.touch()");
         browser.await("document.querySelector('#robot-choice').value === '1'");
         browser.press("n");
 
-        browser.await("document.querySelector('#robot-choice').value === '0' && studio.desk.chosen === 0");
+        browser.await("document.querySelector('#robot-choice').value === '0' && studio.camera.chosen === 0");
     }
 
     @Test

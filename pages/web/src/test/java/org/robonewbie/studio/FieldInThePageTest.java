@@ -134,7 +134,7 @@ class FieldInThePageTest {
     @Test
     void puppetIsSteeredBySlidersAndKeysAndTakenAway() {
         browser.click("#add-puppet");
-        browser.await("studio.state.scene.robots[1]?.puppet && studio.desk.chosen === 1");
+        browser.await("studio.state.scene.robots[1]?.puppet && studio.camera.chosen === 1");
         browser.await(NEXT + "'Undo: puppet added (Ctrl+Z)'");
 
         browser.evaluate("document.querySelector('#puppet-joints').open = true");

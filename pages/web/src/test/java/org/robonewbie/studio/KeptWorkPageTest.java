@@ -61,7 +61,7 @@ class KeptWorkPageTest {
         open(browser, linkTo(browser, "MyAgent.java", "// theirs"));
 
         browser.await(EDITOR + ".text === '// theirs'");
-        browser.await(NOTES + ".includes('A program that was shared with you.')");
+        browser.await(NOTES + ".includes('This program was shared with you.')");
         assertThat(all(browser)).contains("draft:MyAgent.java=// unsaved", "draft:MyAgent2.java=// theirs");
         clickNote(browser, "Back to mine");
         browser.await(EDITOR + ".text === '// unsaved'");
@@ -134,7 +134,7 @@ class KeptWorkPageTest {
         browser.evaluate(EDITOR + ".replace('// second, and longer than the first')");
         browser.click("#program-save");
 
-        browser.await(TOAST + ".includes('This browser has no room left for this page')");
+        browser.await(TOAST + ".includes('This browser has no space left for this page')");
         assertThat(browser.evaluate(EDITOR + ".text").getAsString()).isEqualTo("// second, and longer than the first");
         assertThat(browser.evaluate("studio.rooms.isAtRisk").getAsBoolean()).isTrue();
         assertThat(all(browser)).contains("file:MyAgent.java=// first");

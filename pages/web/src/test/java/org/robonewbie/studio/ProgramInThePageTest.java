@@ -168,7 +168,7 @@ class ProgramInThePageTest {
         browser.await("studio.state.scene?.robots.length === 0");
         browser.evaluate("location.hash = '#field'");
 
-        browser.await("document.querySelector('#banner').innerText.includes('Choose an agent in the bar')");
+        browser.await("document.querySelector('#banner').innerText.includes('Choose an agent in the toolbar')");
     }
 
     @Test

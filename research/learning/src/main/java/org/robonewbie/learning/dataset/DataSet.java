@@ -19,11 +19,11 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.trial.batch.Journal;
 
 /**
- * A folder of tables about many runs: {@code cycles/run-00001.parquet} and so on, {@code events/run-00001.parquet} and so on,
- * {@code runs.parquet}, and {@code dataset.json}, which explains them all. Each file is there completely or not at all.
+ * A folder of tables about many runs: {@code cycles/run-00001.csv} and so on, {@code events/run-00001.csv} and so on,
+ * {@code runs.csv}, and {@code dataset.json}, which explains them all. Each file is there completely or not at all.
  *
  * <pre>{@code
- * DataSet set = DataSet.create(folder, TableFormat.PARQUET, false, facts);
+ * DataSet set = DataSet.create(folder, false, facts);
  * try (RunTables tables = set.begin(1, seed)) {
  *     simulator.control().addObserver(tables); // then let the simulation run to its end
  *     set.add(tables.finish());
@@ -41,7 +41,6 @@ public final class DataSet {
     private static final String JOURNAL = "runs.txt";
 
     private final Path folder;
-    private final TableFormat format;
     private final CycleTable table;
     private final Map<String, String> facts;
     private final RunFiles cycles;
@@ -49,42 +48,39 @@ public final class DataSet {
     private final Map<Integer, RunResult> runs = new TreeMap<>();
     private @Nullable Journal journal;
 
-    private DataSet(Path folder, TableFormat format, boolean withMessages, Map<String, String> facts) {
+    private DataSet(Path folder, boolean withMessages, Map<String, String> facts) {
         this.folder = folder;
-        this.format = format;
         this.table = new CycleTable(withMessages);
         this.facts = new LinkedHashMap<>(facts);
-        this.cycles = new RunFiles(folder.resolve(CYCLES), format);
-        this.events = new RunFiles(folder.resolve(EVENTS), format);
+        this.cycles = new RunFiles(folder.resolve(CYCLES));
+        this.events = new RunFiles(folder.resolve(EVENTS));
     }
 
     /**
      * Takes part in a data set that another process has created: for writing the tables of single runs.
      *
      * @param folder the folder
-     * @param format how its tables are written
      * @param withMessages whether the messages of robots and programs are kept as text too
      * @param facts what it records about how it was made
      * @return the data set
      */
-    public static DataSet joined(Path folder, TableFormat format, boolean withMessages, Map<String, String> facts) {
-        return new DataSet(folder, format, withMessages, facts);
+    public static DataSet joined(Path folder, boolean withMessages, Map<String, String> facts) {
+        return new DataSet(folder, withMessages, facts);
     }
 
     /**
      * Creates a data set in a folder that has none yet, or goes on with one that was broken off: its complete runs are kept.
      *
      * @param folder the folder; it is created if it is missing
-     * @param format how its tables are written
      * @param withMessages whether the messages of robots and programs are kept as text too
      * @param facts what it records about how it was made, such as versions and settings
      * @return the data set
      * @throws IOException if the folder cannot be written
      * @throws IllegalArgumentException if there is a complete data set already, or one that was made in another way
      */
-    public static DataSet create(Path folder, TableFormat format, boolean withMessages, Map<String, String> facts)
+    public static DataSet create(Path folder, boolean withMessages, Map<String, String> facts)
             throws IOException {
-        DataSet set = new DataSet(folder, format, withMessages, facts);
+        DataSet set = new DataSet(folder, withMessages, facts);
         if (Files.exists(folder.resolve(DESCRIPTION))) {
             set.refuseAnother();
         } else {
@@ -156,11 +152,8 @@ public final class DataSet {
      * @throws IOException if a file cannot be written
      */
     public RunTables begin(int run, long seed) throws IOException {
-        Map<String, String> known = new LinkedHashMap<>(facts);
-        known.put("run", Integer.toString(run));
-        known.put("seed", Long.toString(seed));
-        TableFile ofCycles = format.begin(cycles.of(run), table.columns(), known);
-        TableFile ofEvents = format.begin(events.of(run), RunTables.eventColumns(), known);
+        TableFile ofCycles = new TableFile(cycles.of(run), table.columns());
+        TableFile ofEvents = new TableFile(events.of(run), RunTables.eventColumns());
         return new RunTables(run, seed, table, ofCycles, ofEvents);
     }
 
@@ -213,10 +206,8 @@ public final class DataSet {
         for (int first = 1; first <= last; first += runsPerFile) {
             int end = Math.min(last, first + runsPerFile - 1);
             if (end > first) {
-                Map<String, String> known = new LinkedHashMap<>(facts);
-                known.put("run", first + " to " + end);
-                cycles.join(first, end, table.columns(), known);
-                events.join(first, end, RunTables.eventColumns(), known);
+                cycles.join(first, end, table.columns());
+                events.join(first, end, RunTables.eventColumns());
             }
         }
         writeRuns();
@@ -237,7 +228,7 @@ public final class DataSet {
     }
 
     private void writeRuns() throws IOException {
-        try (TableFile file = format.begin(folder.resolve("runs"), RunResult.columns(), facts)) {
+        try (TableFile file = new TableFile(folder.resolve("runs" + TableFile.EXTENSION), RunResult.columns())) {
             for (RunResult run : runs.values()) {
                 file.add(run.row());
             }
@@ -258,9 +249,9 @@ public final class DataSet {
         facts.forEach(all::addProperty);
         all.addProperty("runs", runs());
         JsonObject tables = new JsonObject();
-        tables.add(CYCLES, described("cycles/run-*." + format, table.columns()));
-        tables.add(EVENTS, described("events/run-*." + format, RunTables.eventColumns()));
-        tables.add("runs", described("runs." + format, RunResult.columns()));
+        tables.add(CYCLES, described("cycles/run-*" + TableFile.EXTENSION, table.columns()));
+        tables.add(EVENTS, described("events/run-*" + TableFile.EXTENSION, RunTables.eventColumns()));
+        tables.add("runs", described("runs" + TableFile.EXTENSION, RunResult.columns()));
         all.add("tables", tables);
         return all;
     }
