@@ -34,10 +34,10 @@ test('a page that was never connected keeps looking', () => {
 });
 
 test('a refused page shows the reason until it is accepted', () => {
-  const refused = withRefusal(withoutConnection(live()), 'This browser has not been let in yet.');
+  const refused = withRefusal(withoutConnection(live()), 'This browser is not signed in.');
 
-  assert.equal(message(refused, 0)?.text, 'This browser has not been let in yet.');
-  assert.notEqual(message(withConnection(refused), 0)?.text, 'This browser has not been let in yet.');
+  assert.equal(message(refused, 0)?.text, 'This browser is not signed in.');
+  assert.notEqual(message(withConnection(refused), 0)?.text, 'This browser is not signed in.');
 });
 
 test('an empty field waits for a robot', () => {

@@ -5,7 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.robonewbie.app.program.ProgramFile;
+import org.robonewbie.app.command.ProgramFile;
 
 /**
  * The archive of loaded classes that halves the time of a start: Java's application class-data sharing (JEP 310, JEP 350). The

@@ -17,7 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.agent.policy.file.PolicyFile;
-import org.robonewbie.app.program.StudentJava;
+import org.robonewbie.app.command.ProgramFile;
 import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.motion.file.MotionFiles;
 import org.robonewbie.simulator.file.RecordingFile;
@@ -178,7 +178,7 @@ class FormerFilesTest {
 
     /** Runs a command in a folder; returns what it printed. */
     private String ends(int exitCode, Path place, String... arguments) throws Exception {
-        ProcessBuilder builder = new ProcessBuilder(StudentJava.command(List.of(), List.of(arguments)));
+        ProcessBuilder builder = new ProcessBuilder(ProgramFile.command(List.of(arguments)));
         builder.environment()
                 .put("ROBONEWBIE_PROGRESS", folder.resolve("progress.json").toString());
         Process process =

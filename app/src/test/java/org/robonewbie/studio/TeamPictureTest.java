@@ -19,12 +19,12 @@ import org.junit.jupiter.api.Test;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.AgentDriver;
 import org.robonewbie.agent.Options;
-import org.robonewbie.agent.StartPose;
 import org.robonewbie.examples.Agent_BetterSoccer;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
@@ -36,7 +36,6 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.team.Agent_Team;
 import org.robonewbie.team.talk.TeamMessage;
 import org.robonewbie.trial.Controller;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.SensorReadings;
@@ -158,8 +157,8 @@ class TeamPictureTest {
             for (int i = 0; i < 2 * PLAYERS; i++) {
                 int side = i < PLAYERS ? 1 : -1;
                 int number = i % PLAYERS + 1;
-                StartPose pose = StartPose.ofNumber(number);
-                Place place = new Place(side * pose.x(), side * pose.y(), side > 0 ? 0 : 180);
+                Pose2d pose = Options.none().pose(number);
+                Pose2d place = new Pose2d(side * pose.x(), side * pose.y(), side > 0 ? 0 : 180);
                 String team = side > 0 ? "Team" : "Others";
                 robots.add(new RobotStart(team, number, Agent_Team.type(number), place, List.of()));
             }

@@ -4,7 +4,6 @@ import java.util.concurrent.Callable;
 import org.robonewbie.app.doctor.Checkup;
 import org.robonewbie.app.doctor.Finding;
 import org.robonewbie.app.doctor.Verdict;
-import org.robonewbie.app.program.CommandWord;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -33,7 +32,8 @@ final class DoctorCommand implements Callable<Integer> {
 
     @Option(
             names = "--course",
-            description = "Check also what a course needs: rights, start time, graphics, a project and an exercise without a network.")
+            description =
+                    "Check also what a course needs: rights, start time, graphics, a project and an exercise without a network.")
     private boolean course;
 
     @Override

@@ -1,7 +1,7 @@
 package org.robonewbie.app.command;
 
 import java.util.ServiceLoader;
-import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.trial.batch.BatchRunner;
 import org.robonewbie.trial.batch.ThreadRunner;
 import picocli.CommandLine.Option;

@@ -5,13 +5,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
-import org.robonewbie.app.program.AgentFinder;
-import org.robonewbie.app.program.CalledWronglyException;
-import org.robonewbie.app.program.ClassPathOption;
 import org.robonewbie.learning.series.Experiment;
 import org.robonewbie.learning.series.ExperimentPlan;
 import org.robonewbie.learning.series.ExperimentRun;
 import org.robonewbie.learning.series.ResultTable;
+import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.programs.ProgramFinder;
 import org.robonewbie.trial.batch.BatchProgress;
 import org.robonewbie.trial.batch.BatchRunner;
 import picocli.CommandLine.Command;
@@ -71,7 +70,7 @@ final class ExperimentCommand implements Callable<Integer> {
                     "There is no plan \"" + planFile + "\". See robonewbie experiment --help.");
         }
         List<Path> folders = classPath.folders();
-        Thread.currentThread().setContextClassLoader(AgentFinder.loaderOf(folders));
+        Thread.currentThread().setContextClassLoader(ProgramFinder.loaderOf(folders));
         try (BatchRunner runner = where.runner()) {
             return run(ExperimentPlan.read(planFile), runner);
         } catch (IllegalArgumentException wrong) {

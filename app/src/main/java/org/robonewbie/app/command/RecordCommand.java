@@ -8,18 +8,16 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.function.Supplier;
-import org.robonewbie.app.program.AgentFinder;
-import org.robonewbie.app.program.AgentProgram;
-import org.robonewbie.app.program.CalledWronglyException;
-import org.robonewbie.app.program.ClassPathOption;
-import org.robonewbie.app.program.ExampleCatalogue;
-import org.robonewbie.app.program.StudentJava;
 import org.robonewbie.app.recording.ParallelRecording;
 import org.robonewbie.app.recording.RecordingGuard;
 import org.robonewbie.app.recording.RunOrder;
 import org.robonewbie.app.recording.RunsOnCall;
 import org.robonewbie.learning.dataset.DataSet;
 import org.robonewbie.nao.file.FolderLock;
+import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.programs.ExampleCatalogue;
+import org.robonewbie.programs.Program;
+import org.robonewbie.programs.ProgramFinder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -104,8 +102,8 @@ final class RecordCommand implements Callable<Integer> {
     public Integer call() throws IOException, InterruptedException {
         check();
         RunOrder order = new RunOrder(agentAndOptions, robots, seconds, seed);
-        Supplier<AgentProgram> programs =
-                new AgentFinder(ExampleCatalogue.load(), classPath.folders()).findRepeatedly(order.agent());
+        Supplier<Program> programs =
+                new ProgramFinder(ExampleCatalogue.load(), classPath.folders()).findRepeatedly(order.agent());
         if (onCall) {
             new RunsOnCall(order, programs, DataSet.joined(folder, messages, facts(order))).serve();
         }
@@ -118,7 +116,7 @@ final class RecordCommand implements Callable<Integer> {
             if (set.runs() > 0) {
                 System.out.println(set.runs() + " runs are complete already and kept.");
             }
-            new ParallelRecording(order, runs, set, StudentJava.command(List.of(), argumentsOnCall())).run(threads);
+            new ParallelRecording(order, runs, set, ProgramFile.command(argumentsOnCall())).run(threads);
             return end(set);
         } finally {
             guard.close();

@@ -12,15 +12,17 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.robonewbie.app.course.GradingConditions;
 import org.robonewbie.app.course.GradingProcess;
-import org.robonewbie.app.program.CalledWronglyException;
-import org.robonewbie.app.program.TemporaryFolder;
 import org.robonewbie.competition.team.Fingerprint;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Grade;
 import org.robonewbie.nao.file.FolderLock;
 import org.robonewbie.nao.file.SubmittedFolder;
+import org.robonewbie.nao.file.TemporaryFolder;
 import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.nao.text.PrintableText;
+import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.programs.process.RobotProcess;
+import org.robonewbie.programs.process.Sandbox;
 import org.robonewbie.trial.batch.BatchProgress;
 import org.robonewbie.trial.batch.BatchRunner;
 import org.robonewbie.trial.batch.ThreadRunner;
@@ -38,6 +40,7 @@ public final class ClassMarking {
     private final int seeds;
     private final Path results;
     private final String version;
+    private final Sandbox sandbox;
     private final Consumer<String> progress;
     private int done;
     private int reused;
@@ -50,15 +53,23 @@ public final class ClassMarking {
      * @param seeds how many trials each program has
      * @param results folder for tables and kept marks
      * @param version this version of the judge; a mark of another one is not reused
-     * @param progress hears a sentence for each mark
+     * @param sandbox where programs run, if there is a sandbox
+     * @param progress receives a sentence for each mark
      */
     public ClassMarking(
-            Path folder, List<Exercise> exercises, int seeds, Path results, String version, Consumer<String> progress) {
+            Path folder,
+            List<Exercise> exercises,
+            int seeds,
+            Path results,
+            String version,
+            Sandbox sandbox,
+            Consumer<String> progress) {
         this.folder = folder;
         this.exercises = List.copyOf(exercises);
         this.seeds = seeds;
         this.results = results;
         this.version = version;
+        this.sandbox = sandbox;
         this.progress = progress;
     }
 
@@ -149,10 +160,11 @@ public final class ClassMarking {
 
     private Mark grade(Submission submission, Path copy) throws IOException {
         FirstLines output = new FirstLines();
-        GradingConditions conditions = new GradingConditions(seeds, 1, "", copy, true, Optional.empty(), output);
+        GradingConditions conditions = new GradingConditions(seeds, 1, sandbox, Optional.empty(), output);
         Path file =
                 copy.resolve(submission.folder().relativize(submission.file()).toString());
-        Optional<Grade> grade = new GradingProcess(submission.exercise(), file.toString(), conditions).run();
+        RobotProcess.Request program = new RobotProcess.Request(file.toString(), List.of(copy), copy, true);
+        Optional<Grade> grade = new GradingProcess(submission.exercise(), program, conditions).run();
         return grade.isPresent()
                 ? new Mark(submission.student(), submission.exercise().name(), grade, "")
                 : broken(submission, output.reason(file).orElse(NO_REASON));

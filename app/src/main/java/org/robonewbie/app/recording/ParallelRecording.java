@@ -79,7 +79,7 @@ public final class ParallelRecording {
     private Optional<RunResult> record(int run) throws IOException {
         RecordingProcess process = idle.poll();
         if (process == null) {
-            process = RecordingProcess.start(command);
+            process = new RecordingProcess(command);
             processes.add(process);
         }
         Optional<RunResult> result = process.record(run, order.seed(run));

@@ -10,7 +10,7 @@ import org.robonewbie.learning.optimise.OptimisationListener;
 import org.robonewbie.learning.optimise.OptimisationResult;
 import org.robonewbie.trial.batch.BatchProgress;
 
-/** Prints the progress of an optimisation; what was printed before an interruption is not printed again. */
+/** Prints the progress of an optimisation. Generations from before an interruption are not printed again. */
 public final class SearchConsole implements OptimisationListener {
 
     private final PrintStream out;
@@ -21,9 +21,9 @@ public final class SearchConsole implements OptimisationListener {
     /**
      * Creates a console.
      *
-     * @param out where progress is printed
-     * @param unit of the values
-     * @param file where the best candidate is written
+     * @param out the output
+     * @param unit unit of the values
+     * @param file file of the best result
      */
     public SearchConsole(PrintStream out, String unit, Path file) {
         this.out = out;
@@ -64,11 +64,10 @@ public final class SearchConsole implements OptimisationListener {
         }
     }
 
-    /** The outcome in words. */
     static String outcome(OptimisationResult result, Path file) {
         return result.isBetter()
                 ? "Written to " + file + "."
-                : "Nothing better was found, so nothing is written. More --generations or another --seed may help.";
+                : "No improvement was found, so nothing is written. More --generations or another --seed may help.";
     }
 
     private String line(Generation generation) {

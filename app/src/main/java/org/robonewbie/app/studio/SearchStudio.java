@@ -22,7 +22,7 @@ import org.robonewbie.studio.search.SearchNumber;
 import org.robonewbie.studio.search.SearchRound;
 import org.robonewbie.studio.search.SearchTask;
 
-/** A studio that shows an optimisation while it runs, and opens the present motion in the motion editor. */
+/** Studio that shows the progress of an optimisation and opens the current motion in the motion editor. */
 public final class SearchStudio implements OptimisationListener, AutoCloseable {
 
     private final Parametrization subject;
@@ -48,14 +48,14 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
     }
 
     /**
-     * Opens the studio with an empty pitch, since the trials have worlds of their own.
+     * Opens the studio with an empty pitch; the trials run in separate worlds.
      *
-     * @param options how it is shown
-     * @param subject what is improved
-     * @param objective what is measured
-     * @param plan how long the search continues
+     * @param options display options
+     * @param subject what is optimised
+     * @param objective the measure
+     * @param plan size of the search
      * @param optimisation the search
-     * @param file where the best one is written
+     * @param file file of the best result
      * @return the open studio
      */
     public static SearchStudio open(
@@ -82,12 +82,12 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
         return new SearchStudio(subject, board, optimisation.fileSoFar(), file, options);
     }
 
-    /** {@return what to print: an address that lets one browser in, and how to get another one} */
+    /** {@return the text to print: a one-time address, and how to get another one} */
     public String invitation() {
         return studio.invitation();
     }
 
-    /** Opens the page in the browser, unless the options ask for no browser. */
+    /** Opens the page in the browser, unless the options disable it. */
     public void showBrowser() {
         if (withBrowser) {
             studio.showBrowser();
@@ -95,17 +95,17 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
     }
 
     /**
-     * Reports to another listener as well.
+     * Adds another listener.
      *
-     * @param other called after this page
-     * @return both
+     * @param other called after this one
+     * @return a listener that calls both
      */
     public OptimisationListener and(OptimisationListener other) {
         return new Both(this, other);
     }
 
     /**
-     * Waits until no page is open any more.
+     * Waits until no page is open.
      *
      * @throws InterruptedException if the thread is interrupted while it waits
      */

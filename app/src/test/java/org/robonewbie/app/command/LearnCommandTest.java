@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.agent.policy.file.PolicyFile;
 import org.robonewbie.agent.walk.PolicyWalk;
-import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.programs.CalledWronglyException;
 import picocli.CommandLine;
 
 class LearnCommandTest {

@@ -13,7 +13,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.BoardPage;
-import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.app.studio.SearchStudio;
 import org.robonewbie.app.studio.SearchStudioOptions;
 import org.robonewbie.learning.optimise.Evaluation;
@@ -26,6 +25,7 @@ import org.robonewbie.learning.optimise.Parametrization;
 import org.robonewbie.learning.optimise.SearchDistribution;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.ShippedMotions;
+import org.robonewbie.programs.CalledWronglyException;
 import picocli.CommandLine;
 
 class OptimiseCommandTest {

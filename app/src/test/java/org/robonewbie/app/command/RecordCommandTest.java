@@ -26,7 +26,6 @@ import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.Printed;
 import org.robonewbie.app.Project;
 import org.robonewbie.app.Python;
-import org.robonewbie.app.program.StudentJava;
 
 class RecordCommandTest {
 
@@ -118,9 +117,7 @@ class RecordCommandTest {
                     }
                 }
                 """.formatted(folder.toString().replace('\\', '/')));
-        String[] words = {
-            "record", agent.toString(), "--runs", "3", "--seconds", "2", "--threads", "1", "--out"
-        };
+        String[] words = {"record", agent.toString(), "--runs", "3", "--seconds", "2", "--threads", "1", "--out"};
 
         Printed first = Printed.by(with(words, folder.resolve("set")));
         List<String> rows = Files.readAllLines(folder.resolve("set/runs.csv"));
@@ -209,7 +206,8 @@ class RecordCommandTest {
         assertThat(Printed.by("record", "Agent_BasicStructure", "--seconds", "0")
                         .err())
                 .contains("give a number greater than 0");
-        assertThat(record(folder.resolve("x"), "--format", "parquet").err()).contains("The option --format is unknown.");
+        assertThat(record(folder.resolve("x"), "--format", "parquet").err())
+                .contains("The option --format is unknown.");
         assertThat(folder.resolve("x")).doesNotExist();
     }
 
@@ -258,8 +256,7 @@ class RecordCommandTest {
         String[] words = {
             "record", "Agent_BasicStructure", "--runs", "12", "--seconds", "5", "--runs-per-file", "4", "--out"
         };
-        Process process = new ProcessBuilder(
-                        StudentJava.command(List.of(), List.of(with(words, folder.resolve("one")))))
+        Process process = new ProcessBuilder(ProgramFile.command(List.of(with(words, folder.resolve("one")))))
                 .redirectError(ProcessBuilder.Redirect.DISCARD)
                 .start();
         List<ProcessHandle> helpers;

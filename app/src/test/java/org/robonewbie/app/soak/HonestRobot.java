@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
@@ -81,7 +82,7 @@ final class HonestRobot implements Callable<HonestRobot.Count> {
         if (heard == 1) {
             writer.joinTeam(number, "Honest");
         } else if (heard == 2) {
-            writer.beam(-1 - number, number % 5 - 2.0, 0);
+            writer.beam(new Pose2d(-1 - number, number % 5 - 2.0, 0));
         } else {
             double speed = BEND_RADIANS_PER_SECOND * Math.cos(heard * 0.1);
             writer.hingeSpeed("lle4", -speed).hingeSpeed("rle4", -speed).hingeSpeed("he1", speed);

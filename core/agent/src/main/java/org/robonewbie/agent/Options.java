@@ -12,6 +12,7 @@ import java.util.OptionalInt;
 import java.util.OptionalLong;
 import java.util.stream.Collectors;
 import org.robonewbie.agent.running.Surroundings;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
 
 /**
@@ -25,6 +26,20 @@ import org.robonewbie.nao.model.RobotType;
  * }</pre>
  */
 public final class Options {
+
+    /** A line-up for numbers 1 to 11 that fits on the small pitch; number 1 keeps the goal. */
+    private static final List<Pose2d> LINE_UP = List.of(
+            new Pose2d(-5, 0, 0),
+            new Pose2d(-0.6, 0, 0),
+            new Pose2d(-1, 2, 0),
+            new Pose2d(-1, -2, 0),
+            new Pose2d(-3, 0, 0),
+            new Pose2d(-3, -1.5, 0),
+            new Pose2d(-3, 1.5, 0),
+            new Pose2d(-4, -2, 0),
+            new Pose2d(-4, 0, 0),
+            new Pose2d(-4, 2, 0),
+            new Pose2d(-2, 0, 0));
 
     private static final String DEFAULT_TEAM = "RoboNewbie";
     private static final int MAX_X = 20;
@@ -206,8 +221,22 @@ public final class Options {
     }
 
     /** {@return where the robot starts; empty if the user leaves it open} */
-    public Optional<StartPose> pose() {
+    public Optional<Pose2d> pose() {
         return text(Option.POSE).map(Options::parsePose);
+    }
+
+    /**
+     * Returns where the robot starts, in the coordinates of its team.
+     *
+     * @param number the robot's number, 1 to 11
+     * @return the pose that the user wants, else the usual place of this number in the own half
+     * @throws IllegalArgumentException if there is no such number
+     */
+    public Pose2d pose(int number) {
+        if (number < 1 || number > LINE_UP.size()) {
+            throw new IllegalArgumentException("Robots have the numbers 1 to 11, not " + number);
+        }
+        return pose().orElse(LINE_UP.get(number - 1));
     }
 
     /** {@return the build of the robot, 0 to 4, see {@code org.robonewbie.nao.model.RobotType}} */
@@ -294,13 +323,13 @@ public final class Options {
         return Optional.ofNullable(values.get(option)).map(OptionSource.Value::text);
     }
 
-    private static StartPose parsePose(String text) {
+    private static Pose2d parsePose(String text) {
         double[] numbers =
                 Arrays.stream(text.split(",")).mapToDouble(Double::parseDouble).toArray();
         if (Math.abs(numbers[0]) > MAX_X || Math.abs(numbers[1]) > MAX_Y) {
             throw new StartUpException("--pose " + text + " is far outside of every pitch: x is at most " + MAX_X
                     + " m from the centre, y " + MAX_Y + " m; your own half has negative x, such as --pose -2,1,90.");
         }
-        return new StartPose(numbers[0], numbers[1], numbers[2]);
+        return new Pose2d(numbers[0], numbers[1], numbers[2]);
     }
 }

@@ -14,8 +14,8 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
-import org.robonewbie.protocol.telemetry.BelievedPose;
 import org.robonewbie.protocol.telemetry.Drawing;
 
 /**
@@ -231,7 +231,7 @@ public class Robot {
      *
      * @param pose where to stand
      */
-    public final void beam(StartPose pose) {
+    public final void beam(Pose2d pose) {
         beam(pose.x(), pose.y(), pose.degrees());
     }
 
@@ -311,6 +311,6 @@ public class Robot {
      * @param headingDegrees heading of the torso; 0 is towards the opponents' goal, positive is left
      */
     public final void tellPose(double x, double y, double headingDegrees) {
-        runtime.telemetry().locate(new BelievedPose(x, y, headingDegrees));
+        runtime.telemetry().locate(new Pose2d(x, y, headingDegrees));
     }
 }

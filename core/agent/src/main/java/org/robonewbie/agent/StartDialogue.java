@@ -17,8 +17,6 @@ import org.robonewbie.protocol.effector.EffectorCommand.Synchronise;
  */
 final class StartDialogue {
 
-    private static final String SCENE = "rsg/agent/nao/nao.rsg";
-    private static final String SCENE_OF_TYPE = "rsg/agent/nao/nao_hetero.rsg";
     private static final int PATIENCE_MESSAGES = 100;
     private static final int MESSAGES_TO_SETTLE = 15;
 
@@ -41,14 +39,12 @@ final class StartDialogue {
     void run(Runnable atFirstMessage, Runnable inPlace) throws IOException {
         robot.sensors().setTeam(options.team());
         robot.sensors().setType(options.robotType());
-        answer(Optional.of(createRobot()));
+        answer(Optional.of(CreateRobot.of(options.type())));
         receive();
         atFirstMessage.run();
         answer(Optional.of(new JoinTeam(options.number(), options.team())));
         waitForNumber();
-        StartPose pose = options.pose()
-                .orElseGet(() -> StartPose.ofNumber(robot.sensors().number()));
-        answer(Optional.of(new Beam(pose.x(), pose.y(), pose.degrees())));
+        answer(Optional.of(new Beam(options.pose(robot.sensors().number()))));
         for (int i = 0; i < MESSAGES_TO_SETTLE; i++) {
             receive();
             answer(Optional.empty());
@@ -57,12 +53,6 @@ final class StartDialogue {
             }
         }
         robot.sensors().falls().reset();
-    }
-
-    private CreateRobot createRobot() {
-        return options.type() == 0
-                ? new CreateRobot(SCENE, List.of())
-                : new CreateRobot(SCENE_OF_TYPE, List.of(Integer.toString(options.type())));
     }
 
     private void waitForNumber() throws IOException {

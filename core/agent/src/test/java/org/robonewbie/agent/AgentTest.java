@@ -15,6 +15,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.effector.EffectorCommand.Beam;
@@ -256,7 +257,7 @@ class AgentTest {
         int warningsWhileAllowed = printedLines().size();
         agent.respond(Messages.standing().in(PlayMode.PLAY_ON).build());
 
-        assertThat(allowed).containsExactly(new Beam(-1, 0.5, 90), new Synchronise());
+        assertThat(allowed).containsExactly(new Beam(new Pose2d(-1, 0.5, 90)), new Synchronise());
         assertThat(warningsWhileAllowed).isZero();
         assertThat(printedLines().get(0)).contains("does not allow a beam in play mode PLAY_ON");
     }

@@ -10,12 +10,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.robonewbie.agent.running.WantedSimulator;
 import org.robonewbie.agent.running.WantedSimulator.Kind;
+import org.robonewbie.nao.geometry.Pose2d;
 
 class OptionsTest {
 
@@ -27,7 +29,7 @@ class OptionsTest {
         Options options = read("--number", "7", "--pose", "-0.5,0.4,-40", "--seed=12", "--fast", "--seconds", "1.5");
 
         assertThat(options.number()).isEqualTo(7);
-        assertThat(options.pose()).contains(new StartPose(-0.5, 0.4, -40));
+        assertThat(options.pose()).contains(new Pose2d(-0.5, 0.4, -40));
         assertThat(options.seed()).hasValue(12);
         assertThat(options.isFast()).isTrue();
         assertThat(options.seconds()).hasValue(1.5);
@@ -49,7 +51,7 @@ class OptionsTest {
         assertThat(options.team()).isEqualTo("Line");
         assertThat(options.number()).isEqualTo(5);
         assertThat(options.type()).isEqualTo(2);
-        assertThat(options.pose()).contains(new StartPose(-1, 0, 0));
+        assertThat(options.pose()).contains(new Pose2d(-1, 0, 0));
     }
 
     @Test
@@ -68,7 +70,7 @@ class OptionsTest {
     void takesThePlaceThatTheUserNamesForAnyNumber() {
         Options striker = Options.none().withPose(-0.5, 0.4, -40);
 
-        assertThat(with(striker, "--number", "7", "--pose", "-3,0,0").pose()).contains(new StartPose(-3, 0, 0));
+        assertThat(with(striker, "--number", "7", "--pose", "-3,0,0").pose()).contains(new Pose2d(-3, 0, 0));
         assertThat(with(striker, "--number", "7", "--pose", "-0.5,0.4,-40").pose())
                 .isPresent();
     }
@@ -209,5 +211,19 @@ class OptionsTest {
 
     private Path file() {
         return folder.resolve("robonewbie.properties");
+    }
+
+    @Test
+    void eachNumberHasAPlaceOfItsOwnInTheOwnHalf() {
+        List<Pose2d> places = IntStream.rangeClosed(1, 11)
+                .mapToObj(number -> Options.none().pose(number))
+                .toList();
+
+        assertThat(places).allSatisfy(one -> {
+            assertThat(one.x()).isNegative();
+            assertThat(places)
+                    .filteredOn(other -> one.translation().distanceTo(other.translation()) < 0.5)
+                    .containsExactly(one);
+        });
     }
 }

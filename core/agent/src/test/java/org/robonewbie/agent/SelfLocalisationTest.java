@@ -141,8 +141,8 @@ class SelfLocalisationTest {
             agent.respond(Messages.standing().at(1 + 0.02 * i).gyro(0, 0, 45).build());
         }
 
-        assertThat(self.pose().headingDegrees()).isCloseTo(45, within(1e-6));
-        assertThat(self.odometry().pose().headingDegrees()).isCloseTo(45, within(1e-6));
+        assertThat(self.pose().degrees()).isCloseTo(45, within(1e-6));
+        assertThat(self.odometry().pose().degrees()).isCloseTo(45, within(1e-6));
     }
 
     @Test
@@ -168,7 +168,7 @@ class SelfLocalisationTest {
     private void assertIs(Pose2d truth, double tolerance) {
         assertThat(self.pose().x()).isCloseTo(truth.x(), within(tolerance));
         assertThat(self.pose().y()).isCloseTo(truth.y(), within(tolerance));
-        assertThat(self.pose().headingDegrees()).isCloseTo(truth.headingDegrees(), within(tolerance * 100));
+        assertThat(self.pose().degrees()).isCloseTo(truth.degrees(), within(tolerance * 100));
     }
 
     private static PerceptorMessage seeing(Pose2d truth, TeamSide side, double seconds, Landmark... landmarks) {

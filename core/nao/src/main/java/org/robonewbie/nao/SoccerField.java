@@ -25,6 +25,9 @@ public record SoccerField(
         double penaltyWidth,
         double centreCircleRadius) {
 
+    /** Radius of the ball, metres. */
+    public static final double BALL_RADIUS = 0.042;
+
     /** The league's pitch, 30 m × 20 m. */
     public static final SoccerField LEAGUE = new SoccerField(30, 20, 2.1, 0.6, 0.8, 1.8, 3.9, 2.0);
 

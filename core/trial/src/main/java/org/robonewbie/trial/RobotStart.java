@@ -2,6 +2,7 @@ package org.robonewbie.trial;
 
 import java.util.List;
 import java.util.stream.Stream;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.file.ShippedMotions;
@@ -15,7 +16,7 @@ import org.robonewbie.nao.motion.file.ShippedMotions;
  * @param place where it starts, standing with all joints at 0
  * @param prelude motions that it plays before the trial begins, such as one into the stance
  */
-public record RobotStart(String team, int number, RobotType type, Place place, List<Motion> prelude) {
+public record RobotStart(String team, int number, RobotType type, Pose2d place, List<Motion> prelude) {
 
     /** The team of robots that are alone on the pitch. */
     public static final String TEAM = "Students";
@@ -33,7 +34,7 @@ public record RobotStart(String team, int number, RobotType type, Place place, L
      * @return the start
      */
     public static RobotStart at(double x, double y) {
-        return at(new Place(x, y, 0));
+        return at(new Pose2d(x, y, 0));
     }
 
     /**
@@ -42,7 +43,7 @@ public record RobotStart(String team, int number, RobotType type, Place place, L
      * @param place where it stands
      * @return the start
      */
-    public static RobotStart at(Place place) {
+    public static RobotStart at(Pose2d place) {
         return new RobotStart(TEAM, 1, RobotType.TYPE_0, place, List.of());
     }
 
@@ -52,7 +53,7 @@ public record RobotStart(String team, int number, RobotType type, Place place, L
      * @param other where the robot stands
      * @return a changed copy
      */
-    public RobotStart withPlace(Place other) {
+    public RobotStart withPlace(Pose2d other) {
         return new RobotStart(team, number, type, other, prelude);
     }
 

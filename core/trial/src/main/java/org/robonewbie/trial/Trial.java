@@ -9,6 +9,7 @@ import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.frame.AgentLink;
@@ -358,11 +359,11 @@ public final class Trial implements AutoCloseable {
      * @param index its index in the scene
      * @param place where to
      */
-    public void moveRobot(int index, Place place) {
+    public void moveRobot(int index, Pose2d place) {
         move(bodies.get(index), place);
     }
 
-    private static void move(TrialBody body, Place place) {
+    private static void move(TrialBody body, Pose2d place) {
         body.robot().moveUpright(new Vector3(place.x(), place.y(), TORSO_METRES), place.degrees() - 90);
         body.robot().wake();
     }

@@ -5,6 +5,7 @@ import java.io.UncheckedIOException;
 import java.util.List;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
 import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
@@ -12,9 +13,6 @@ import org.robonewbie.simulator.world.Robot;
 
 /** One robot of a trial: its connection to the simulator, its body in the world, and who moves it. */
 final class TrialBody {
-
-    private static final String SCENE = "rsg/agent/nao/nao.rsg";
-    private static final String SCENE_OF_TYPE = "rsg/agent/nao/nao_hetero.rsg";
 
     private final AgentLink link;
     private final RobotStart start;
@@ -39,13 +37,7 @@ final class TrialBody {
     /** Asks for a robot. */
     static void create(AgentLink link, RobotType type) {
         MessageBuffer message = new MessageBuffer();
-        EffectorMessageWriter writer = new EffectorMessageWriter(message);
-        if (type == RobotType.TYPE_0) {
-            writer.createRobot(SCENE, List.of());
-        } else {
-            writer.createRobot(SCENE_OF_TYPE, List.of(Integer.toString(type.ordinal())));
-        }
-        writer.synchronise();
+        new EffectorMessageWriter(message).write(CreateRobot.of(type.ordinal())).synchronise();
         send(link, message);
     }
 

@@ -4,6 +4,7 @@ import java.util.List;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.simulator.landscape.Thing;
 
@@ -64,7 +65,7 @@ public record WorldState(
     }
 
     /** {@return where the first robot stands} */
-    public Place place() {
+    public Pose2d place() {
         return place(0);
     }
 
@@ -74,9 +75,9 @@ public record WorldState(
      * @param index the robot's index in the scene
      * @return the place of its torso
      */
-    public Place place(int index) {
+    public Pose2d place(int index) {
         BodyState body = robots.get(index);
-        return new Place(body.position().x(), body.position().y(), body.headingDegrees());
+        return new Pose2d(body.position().x(), body.position().y(), body.headingDegrees());
     }
 
     /**

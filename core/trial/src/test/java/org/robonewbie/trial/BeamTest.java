@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.order.Order;
 
@@ -16,7 +17,7 @@ class BeamTest {
 
     @Test
     void robotStaysWhereTheSceneSaysUntilBeamsAreAllowed() {
-        Controller beaming = readings -> List.of(new EffectorCommand.Beam(-3, 1, 0));
+        Controller beaming = readings -> List.of(new EffectorCommand.Beam(new Pose2d(-3, 1, 0)));
         try (Trial trial = Trial.served(Scene.of(RobotStart.at(-2, 0)), 1, beaming)) {
             trial.order(new Order.ChangePlayMode(PlayMode.BEFORE_KICK_OFF));
             double before = xAfterSomeCycles(trial);

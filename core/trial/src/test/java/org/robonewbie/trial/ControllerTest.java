@@ -2,7 +2,6 @@ package org.robonewbie.trial;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -101,15 +100,5 @@ class ControllerTest {
         assertThat(one.shuffled(List.of(1, 2, 3, 4)))
                 .isEqualTo(same.shuffled(List.of(1, 2, 3, 4)))
                 .containsExactlyInAnyOrder(1, 2, 3, 4);
-    }
-
-    @Test
-    void placeMeasuresFromItself() {
-        Place place = new Place(1, 2, 90);
-
-        assertThat(place.ahead(place.pointAt(3, 0))).isEqualTo(3, within(1e-9));
-        assertThat(place.left(place.pointAt(0, 2))).isEqualTo(2, within(1e-9));
-        assertThat(place.bearing(place.point(1, 30, 0))).isEqualTo(30, within(1e-9));
-        assertThat(place.distance(place.point(4, 30, 0))).isEqualTo(4, within(1e-9));
     }
 }

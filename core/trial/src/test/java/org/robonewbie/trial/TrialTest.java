@@ -9,6 +9,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.recording.RecordingTarget;
@@ -88,7 +89,7 @@ class TrialTest {
 
         try (Trial trial = Trial.served(ALONE, 1, speaker)) {
             assertThat(trial.said(0)).isEmpty();
-            trial.moveRobot(0, new Place(1, 0.5, 90));
+            trial.moveRobot(0, new Pose2d(1, 0.5, 90));
             trial.step();
 
             assertThat(trial.said(0)).contains("hello");
@@ -130,7 +131,7 @@ class TrialTest {
 
         assertThat(scene.robots().get(0).team()).isEqualTo("Reds");
         assertThat(TWO.withTeam("Reds").robots()).extracting(RobotStart::team).containsExactly("Reds", "Others");
-        assertThat(ALONE.robots().get(0).withPlace(new Place(0, 1, 2)).place()).isEqualTo(new Place(0, 1, 2));
+        assertThat(ALONE.robots().get(0).withPlace(new Pose2d(0, 1, 2)).place()).isEqualTo(new Pose2d(0, 1, 2));
     }
 
     @Test

@@ -19,15 +19,15 @@ import org.robonewbie.competition.contest.TrialResult;
 import org.robonewbie.competition.result.ResultFolder;
 import org.robonewbie.competition.result.TableFiles;
 import org.robonewbie.competition.team.Fingerprint;
-import org.robonewbie.competition.team.ProcessTree;
-import org.robonewbie.competition.team.ProgramFinder;
 import org.robonewbie.competition.team.TeamEntry;
 import org.robonewbie.competition.team.TeamProgram;
+import org.robonewbie.competition.team.TeamPrograms;
 import org.robonewbie.competition.trial.ChallengePlayer;
 import org.robonewbie.competition.trial.ContestProgress;
 import org.robonewbie.competition.trial.TrialPlayer;
 import org.robonewbie.competition.trial.TrialRunner;
 import org.robonewbie.nao.text.PrintableText;
+import org.robonewbie.programs.process.ProcessTree;
 import org.robonewbie.trial.batch.BatchProgress;
 import org.robonewbie.trial.batch.BatchRunner;
 import org.robonewbie.trial.batch.ThreadRunner;
@@ -68,9 +68,13 @@ public final class Competition {
     private TrialPlayer player(Map<String, TeamProgram> programs) {
         return contest instanceof ChallengeContest challenges
                 ? new ChallengePlayer(
-                        challenges.challenge(), programs, settings.limits(), settings.fence(), settings.spectators())
+                        challenges.challenge(), programs, settings.limits(), settings.sandbox(), settings.spectators())
                 : new TrialRunner(
-                        (JudgedContest) contest, programs, settings.limits(), settings.fence(), settings.spectators());
+                        (JudgedContest) contest,
+                        programs,
+                        settings.limits(),
+                        settings.sandbox(),
+                        settings.spectators());
     }
 
     /**
@@ -99,13 +103,13 @@ public final class Competition {
 
     /** How far the result can be trusted. */
     private List<String> notes() {
-        if (settings.fence().isUp()) {
+        if (settings.sandbox().isUp()) {
             return List.of("Programs were fenced in by bubblewrap; each team had a port that no other one can reach.");
         }
         String connections = ProcessTree.knowsConnections()
                 ? "Whose connection came to the port of a team was checked."
                 : "Whose connection came to the port of a team was not checked, since this system does not tell.";
-        return List.of("Programs were not fenced in (" + settings.fence().absence() + ").", connections);
+        return List.of("Programs were not fenced in (" + settings.sandbox().absence() + ").", connections);
     }
 
     private List<String> names() {
@@ -113,7 +117,7 @@ public final class Competition {
     }
 
     private Map<String, TeamProgram> programs(Path copies) throws IOException {
-        ProgramFinder finder = new ProgramFinder(settings.teamsFolder(), copies, settings.examples(), settings.fence());
+        TeamPrograms finder = new TeamPrograms(settings.teamsFolder(), copies, settings.examples(), settings.sandbox());
         List<Path> foreign = new ArrayList<>(finder.folders(teams));
         foreign.add(settings.results());
         Map<String, TeamProgram> programs = new LinkedHashMap<>();
@@ -208,7 +212,7 @@ public final class Competition {
                 .add(trial.ball().toString())
                 .add(trial.parameters().assignments().toString())
                 .add(settings.limits().toString())
-                .add(settings.fence().isUp() ? "fenced in" : "");
+                .add(settings.sandbox().isUp() ? "fenced in" : "");
         for (Entrant entrant : trial.entrants()) {
             TeamProgram program = programs.get(entrant.team());
             all.add(program == null ? "" : program.fingerprint());

@@ -2,7 +2,6 @@ package org.robonewbie.examples;
 
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.Options;
-import org.robonewbie.agent.StartPose;
 import org.robonewbie.agent.localisation.SelfLocalisation;
 import org.robonewbie.agent.perception.CameraTransformation;
 import org.robonewbie.agent.perception.FieldItem;
@@ -140,7 +139,7 @@ public class Agent_BetterSoccer extends Agent {
     }
 
     private void goToStart() {
-        StartPose start = options().pose().orElseGet(() -> StartPose.ofNumber(nao.getNumber()));
+        Pose2d start = options().pose(nao.getNumber());
         if (placed) {
             nao.beam(start);
             motions.reset();

@@ -50,7 +50,7 @@ public final class Agent_PenaltyGoalkeeper extends Agent {
     @Override
     protected Options defaults() {
         Pose2d place = place();
-        return Options.none().withTeam("Keepers").withNumber(1).withPose(place.x(), place.y(), place.headingDegrees());
+        return Options.none().withTeam("Keepers").withNumber(1).withPose(place.x(), place.y(), place.degrees());
     }
 
     @Override
@@ -127,7 +127,7 @@ public final class Agent_PenaltyGoalkeeper extends Agent {
     private void goToPlace() {
         Pose2d place = place();
         if (placed) {
-            nao.beam(place.x(), place.y(), place.headingDegrees());
+            nao.beam(place.x(), place.y(), place.degrees());
             motions.reset();
             motions.start("stand");
         }
@@ -137,7 +137,7 @@ public final class Agent_PenaltyGoalkeeper extends Agent {
 
     private void returnToPlace(FieldItem ball) {
         Vector3 way = self.pose().fromFrame(new Vector3(place().x(), coveringY(ball), 0));
-        double turn = -self.pose().headingDegrees();
+        double turn = -self.pose().degrees();
         boolean atPlace = Math.hypot(way.x(), way.y()) < (walk.isWalking() ? 0.05 : 0.15);
         if (atPlace && Math.abs(turn) < (walk.isWalking() ? 5 : 15)) {
             walk.stop();

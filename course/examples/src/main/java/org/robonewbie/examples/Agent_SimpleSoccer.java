@@ -2,7 +2,6 @@ package org.robonewbie.examples;
 
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.Options;
-import org.robonewbie.agent.StartPose;
 import org.robonewbie.agent.motion.LookAround;
 import org.robonewbie.agent.perception.FieldItem;
 import org.robonewbie.nao.Joint;
@@ -49,7 +48,7 @@ public class Agent_SimpleSoccer extends Agent {
     protected void think() {
         lookAround.look();
         if (hasToGoToStart()) {
-            nao.beam(start());
+            nao.beam(options().pose(nao.getNumber()));
             motions.reset();
         } else if (motions.isFinished() && looksBeforeTheFeet()) {
             decide();
@@ -105,9 +104,5 @@ public class Agent_SimpleSoccer extends Agent {
 
     private boolean hasToGoToStart() {
         return nao.getPlayMode() == PlayMode.GOAL_LEFT || nao.getPlayMode() == PlayMode.GOAL_RIGHT;
-    }
-
-    private StartPose start() {
-        return options().pose().orElseGet(() -> StartPose.ofNumber(nao.getNumber()));
     }
 }

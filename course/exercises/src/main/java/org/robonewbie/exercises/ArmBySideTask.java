@@ -5,7 +5,7 @@ import java.util.Locale;
 import java.util.stream.IntStream;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.Place;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -17,7 +17,7 @@ import org.robonewbie.trial.WorldState;
  */
 final class ArmBySideTask implements Task {
 
-    private static final Place STUDENT = new Place(-3, 0, 0);
+    private static final Pose2d STUDENT = new Pose2d(-3, 0, 0);
     private static final double PHASE_SECONDS = 3;
     private static final double JUDGED_FROM_SECONDS = 2;
     private static final double UP_DEGREES = 50;
@@ -91,10 +91,10 @@ final class ArmBySideTask implements Task {
     }
 
     /** Left, right, or behind the student's robot, where its camera does not see it. */
-    private Place dummyPlace(int side) {
+    private Pose2d dummyPlace(int side) {
         double distance = places.between(1.2, 2.2);
         double bearing = side == 0 ? places.between(150, 210) : side * places.between(15, 40);
         Vector3 point = STUDENT.point(distance, bearing, 0);
-        return new Place(point.x(), point.y(), 180);
+        return new Pose2d(point.x(), point.y(), 180);
     }
 }

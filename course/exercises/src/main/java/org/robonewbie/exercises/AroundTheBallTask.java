@@ -2,8 +2,8 @@ package org.robonewbie.exercises;
 
 import java.util.Locale;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Place;
+import org.robonewbie.nao.geometry.Angles;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -14,7 +14,7 @@ import org.robonewbie.trial.WorldState;
  */
 final class AroundTheBallTask implements Task {
 
-    private static final Place STUDENT = new Place(-0.8, 0, 0);
+    private static final Pose2d STUDENT = new Pose2d(-0.8, 0, 0);
     private static final double MOVED_METRES = 0.002;
     private static final double NEAR_METRES = 0.9;
     private static final double FAR_METRES = 2;
@@ -40,7 +40,7 @@ final class AroundTheBallTask implements Task {
             directionBefore = direction;
         }
         if (state.place().distance(state.ball()) <= NEAR_METRES) {
-            turned += PortableMath.IEEEremainder(direction - directionBefore, 360);
+            turned += Angles.wrap(direction - directionBefore);
         }
         directionBefore = direction;
         moved = Math.max(moved, state.ball().distanceTo(ballStart));
@@ -81,8 +81,8 @@ final class AroundTheBallTask implements Task {
     }
 
     private static double direction(WorldState state) {
-        Place here = state.place();
+        Pose2d here = state.place();
         Vector3 ball = state.ball();
-        return PortableMath.toDegrees(PortableMath.atan2(here.y() - ball.y(), here.x() - ball.x()));
+        return Angles.atan2(here.y() - ball.y(), here.x() - ball.x());
     }
 }

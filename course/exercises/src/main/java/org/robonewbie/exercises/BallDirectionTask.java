@@ -7,6 +7,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.kinematics.ForwardKinematics;
 import org.robonewbie.nao.model.RobotType;
@@ -14,7 +15,6 @@ import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.nao.motion.file.ShippedMotions;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -27,7 +27,7 @@ import org.robonewbie.trial.WorldState;
  */
 final class BallDirectionTask implements Task {
 
-    private static final Place STUDENT = new Place(-2, 0, 0);
+    private static final Pose2d STUDENT = new Pose2d(-2, 0, 0);
     private static final Pattern WORDS = Pattern.compile("ball:(-?\\d{1,3}(\\.\\d+)?)");
     private static final double GOOD_DEGREES = 0.5;
     private static final double ANKLE_SHARE = 0.5;
@@ -92,7 +92,7 @@ final class BallDirectionTask implements Task {
     private static double bearing(WorldState state) {
         BodyState robot = state.robot();
         Vector3 head = robot.torso().transform(HEAD);
-        return new Place(head.x(), head.y(), robot.headingDegrees()).bearing(state.ball());
+        return new Pose2d(head.x(), head.y(), robot.headingDegrees()).bearing(state.ball());
     }
 
     @Override

@@ -5,8 +5,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -20,7 +20,7 @@ import org.robonewbie.trial.WorldState;
  */
 final class BetterPassTask implements Task {
 
-    private static final Place PASSER = new Place(-1.5, 0, 0);
+    private static final Pose2d PASSER = new Pose2d(-1.5, 0, 0);
     private static final Vector3 BALL = new Vector3(-1.05, 0.05, 0);
     private static final int PASSES = 2;
     private static final double PASS_SECONDS = 25;
@@ -31,7 +31,7 @@ final class BetterPassTask implements Task {
     private static final int OPPONENT = 3;
 
     /** The passer, both mates, the opponent: where they stand at the beginning of a pass. */
-    private final List<List<Place>> starts = new ArrayList<>();
+    private final List<List<Pose2d>> starts = new ArrayList<>();
 
     private final double[] nearest = new double[PASSES];
     private int pass;
@@ -46,8 +46,8 @@ final class BetterPassTask implements Task {
     @Override
     public Scene scene(RandomSource random) {
         int nearSide = random.isSeedOdd() ? 1 : -1;
-        Place near = mate(nearSide * random.between(38, 44), random.between(1.5, 1.6));
-        Place far = mate(-nearSide * random.between(38, 44), random.between(1.8, 1.9));
+        Pose2d near = mate(nearSide * random.between(38, 44), random.between(1.5, 1.6));
+        Pose2d far = mate(-nearSide * random.between(38, 44), random.between(1.8, 1.9));
         starts.add(List.of(PASSER, near, far, before(near)));
         starts.add(List.of(PASSER, near, far, before(far)));
         return Scene.of(
@@ -58,19 +58,19 @@ final class BetterPassTask implements Task {
                 .withBall(BALL);
     }
 
-    private static Place mate(double degrees, double metres) {
+    private static Pose2d mate(double degrees, double metres) {
         double angle = PortableMath.toRadians(degrees);
-        return new Place(
+        return new Pose2d(
                 BALL.x() + metres * PortableMath.cos(angle),
                 BALL.y() + metres * PortableMath.sin(angle),
                 180 + degrees);
     }
 
     /** Where an opponent stands in the way to a mate. */
-    private static Place before(Place mate) {
+    private static Pose2d before(Pose2d mate) {
         Vector3 way = mate.point(0, 0, 0).minus(BALL);
         Vector3 place = BALL.plus(way.times(OPPONENT_METRES / way.length()));
-        return new Place(place.x(), place.y(), mate.degrees());
+        return new Pose2d(place.x(), place.y(), mate.degrees());
     }
 
     @Override
@@ -87,14 +87,14 @@ final class BetterPassTask implements Task {
 
     @Override
     public void see(WorldState state) {
-        List<Place> places = starts.get(pass);
+        List<Pose2d> places = starts.get(pass);
         for (int i = 0; i < places.size() && nearest[pass] > REACHED_METRES; i++) {
             strayed = Math.max(
                     strayed, places.get(i).distance(state.robots().get(i).position()));
         }
         stopped |= places.get(OPPONENT).distance(state.ball()) < STOPPED_METRES;
         if (!stopped) {
-            Place free = places.get(freeMate(pass));
+            Pose2d free = places.get(freeMate(pass));
             nearest[pass] = Math.min(nearest[pass], free.distance(state.ball()));
         }
     }

@@ -9,8 +9,8 @@ import java.util.Map;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -33,7 +33,7 @@ final class DanceTask implements Task {
     private static final double MOST_METRES = 0.3;
     private static final int FEWEST_LIMBS = 3;
 
-    private Place start = new Place(-1, 0, 0);
+    private Pose2d start = new Pose2d(-1, 0, 0);
     private double period = 2;
     private final Map<Joint, List<Double>> angles = new EnumMap<>(Joint.class);
     private Vector3 first = Vector3.ZERO;
@@ -67,7 +67,7 @@ final class DanceTask implements Task {
 
     @Override
     public Scene scene(RandomSource random) {
-        start = new Place(random.between(-3, -1), random.between(-2, 2), random.between(-180, 180));
+        start = new Pose2d(random.between(-3, -1), random.between(-2, 2), random.between(-180, 180));
         period = 1.6 + 0.5 * Math.floorMod(random.seed(), 3L) + random.between(0, 0.1);
         return Scene.of(RobotStart.at(start).after("stand")).withBall(start.point(BALL_METRES, 0, 0));
     }

@@ -2,7 +2,7 @@ package org.robonewbie.exercises;
 
 import java.util.Locale;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.Place;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -18,7 +18,7 @@ final class DribblePastTask implements Task {
     private static final double EDGE_METRES = 3;
     private static final double PUSHED_METRES = 0.1;
 
-    private Place opponent = new Place(0, 0, 180);
+    private Pose2d opponent = new Pose2d(0, 0, 180);
     private double x = Double.NEGATIVE_INFINITY;
     private double farthest;
     private double aside;
@@ -30,9 +30,9 @@ final class DribblePastTask implements Task {
     @Override
     public Scene scene(RandomSource random) {
         double y = random.between(0, 0.3);
-        opponent = new Place(random.between(-0.5, -0.3), y + random.between(0.15, 0.3), 180);
+        opponent = new Pose2d(random.between(-0.5, -0.3), y + random.between(0.15, 0.3), 180);
         return Scene.of(
-                        RobotStart.at(new Place(-3.2, y, random.between(-10, 10)))
+                        RobotStart.at(new Pose2d(-3.2, y, random.between(-10, 10)))
                                 .after("stand"),
                         RobotStart.at(opponent).after("stand").withTeam("Others", 2))
                 .withBall(START_X, y);

@@ -2,8 +2,8 @@ package org.robonewbie.exercises;
 
 import java.util.Locale;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -22,14 +22,14 @@ final class FasterWalkTask implements Task {
     private static final double GIVEN_POINTS = 3;
 
     private final RecognisedGait gait = new RecognisedGait();
-    private Place start = new Place(-5, 0, 0);
+    private Pose2d start = new Pose2d(-5, 0, 0);
     private double metres;
     private double aside;
     private boolean fallen;
 
     @Override
     public Scene scene(RandomSource random) {
-        start = new Place(-5, random.between(-2, 2), random.between(-15, 15));
+        start = new Pose2d(-5, random.between(-2, 2), random.between(-15, 15));
         return Scene.of(RobotStart.at(start).after("stand")).withBall(5.5, 3.7);
     }
 

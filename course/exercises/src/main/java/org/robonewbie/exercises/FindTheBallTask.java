@@ -1,7 +1,7 @@
 package org.robonewbie.exercises;
 
 import java.util.Locale;
-import org.robonewbie.trial.Place;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -13,7 +13,7 @@ import org.robonewbie.trial.measure.SustainedCondition;
  */
 final class FindTheBallTask implements Task {
 
-    private static final Place STUDENT = new Place(-0.5, 0, 30);
+    private static final Pose2d STUDENT = new Pose2d(-0.5, 0, 30);
     private static final double FACING_DEGREES = 10;
     private static final double HELD_SECONDS = 1;
     private static final double LIMIT_SECONDS = 8;

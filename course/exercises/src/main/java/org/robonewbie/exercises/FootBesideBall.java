@@ -2,17 +2,17 @@ package org.robonewbie.exercises;
 
 import java.util.Locale;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyPoses;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.simulator.world.BallProperties;
-import org.robonewbie.trial.Place;
 
 /** Where a foot that swung at a ball and did not touch it was in relation to the ball, when it was furthest forward. */
 final class FootBesideBall {
 
-    private final Place start;
+    private final Pose2d start;
     private final Vector3 ball;
     private double furthest = -Double.MAX_VALUE;
     private Vector3 nearest = Vector3.ZERO;
@@ -23,7 +23,7 @@ final class FootBesideBall {
      * @param start where the robot stood in the beginning, and faced the ball
      * @param ball the centre of the ball
      */
-    FootBesideBall(Place start, Vector3 ball) {
+    FootBesideBall(Pose2d start, Vector3 ball) {
         this.start = start;
         this.ball = ball;
     }

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.function.Predicate;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyState;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -59,14 +59,14 @@ final class FormationTask implements Task {
     }
 
     private static RobotStart player(int number, double x, double y) {
-        return RobotStart.at(new Place(x, y, 0)).after("stand").withTeam(RobotStart.TEAM, number);
+        return RobotStart.at(new Pose2d(x, y, 0)).after("stand").withTeam(RobotStart.TEAM, number);
     }
 
     /** An opponent stands between the ball and its goal. */
-    private static Place opponent(Vector3 ball) {
+    private static Pose2d opponent(Vector3 ball) {
         Vector3 way = THEIR_GOAL.minus(ball);
         Vector3 place = ball.plus(way.times(OPPONENT_METRES / way.length()));
-        return new Place(place.x(), place.y(), 180);
+        return new Pose2d(place.x(), place.y(), 180);
     }
 
     @Override

@@ -3,7 +3,7 @@ package org.robonewbie.exercises;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
-import org.robonewbie.trial.Place;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -33,7 +33,7 @@ final class GetUpTask implements Task {
     @Override
     public Scene scene(RandomSource random) {
         onBack = random.isSeedOdd();
-        return Scene.of(RobotStart.at(new Place(-1, 0, random.between(-180, 180)))
+        return Scene.of(RobotStart.at(new Pose2d(-1, 0, random.between(-180, 180)))
                 .after("stand", onBack ? "fall-back" : "fall-forward"));
     }
 

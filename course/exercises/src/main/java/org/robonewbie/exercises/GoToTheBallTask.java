@@ -3,7 +3,7 @@ package org.robonewbie.exercises;
 import java.util.Locale;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.Place;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -27,7 +27,7 @@ final class GoToTheBallTask implements Task {
 
     @Override
     public Scene scene(RandomSource random) {
-        Place start = new Place(-2.5, random.between(-1, 1), random.between(-60, 60));
+        Pose2d start = new Pose2d(-2.5, random.between(-1, 1), random.between(-60, 60));
         return Scene.of(RobotStart.at(start).after("stand"))
                 .withBall(start.point(random.between(1.5, 2.5), random.between(-50, 50), 0));
     }

@@ -4,7 +4,7 @@ import java.util.Locale;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.Place;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -17,7 +17,7 @@ import org.robonewbie.trial.WorldState;
  */
 final class GoalkeeperTask implements Task {
 
-    private static final Place KEEPER = new Place(-5.75, 0, 0);
+    private static final Pose2d KEEPER = new Pose2d(-5.75, 0, 0);
     private static final double METRES_PER_SECOND = 6.6;
     private static final double SECOND_SCENE_SECONDS = 16;
     private static final double FLIGHT_SECONDS = 6;

@@ -2,9 +2,9 @@ package org.robonewbie.exercises;
 
 import java.util.Locale;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.landscape.Thing;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -20,13 +20,13 @@ final class HillTask implements Task {
     private static final double LEAST_TORSO_METRES = 0.25;
 
     private final SustainedCondition standing = new SustainedCondition(HELD_SECONDS, this::isStandingOnTop);
-    private Place anchor = new Place(0, 0, 0);
+    private Pose2d anchor = new Pose2d(0, 0, 0);
     private double highest;
     private boolean fallen;
 
     @Override
     public Scene scene(RandomSource random) {
-        Place start = new Place(random.between(-5.1, -4.7), random.between(-0.8, 0.8), random.between(-40, 40));
+        Pose2d start = new Pose2d(random.between(-5.1, -4.7), random.between(-0.8, 0.8), random.between(-40, 40));
         return Scene.of(RobotStart.at(start).after("stand"))
                 .withLandscape(Landscape.SLOPE)
                 .withBall(0, random.between(-1, 1));
@@ -42,14 +42,14 @@ final class HillTask implements Task {
     }
 
     private static boolean isOverTop(WorldState state) {
-        Place place = state.place();
+        Pose2d place = state.place();
         return Math.abs(place.x() - TOP.centre().x()) < TOP.size().x() / 2
                 && Math.abs(place.y() - TOP.centre().y()) < TOP.size().y() / 2;
     }
 
     /** Whether the robot has hardly moved since it was seen at the anchor; whoever walks on takes the anchor along. */
     private boolean isStandingOnTop(WorldState state) {
-        Place place = state.place();
+        Pose2d place = state.place();
         boolean still = place.distance(new Vector3(anchor.x(), anchor.y(), 0)) <= STILL_METRES;
         anchor = still ? anchor : place;
         boolean high = state.robot().position().z() > TOP.size().z() + LEAST_TORSO_METRES;

@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.motion.file.ShippedMotions;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -32,7 +32,7 @@ final class KickTask implements Task {
             .map(RecognisedMotion::new)
             .toList();
 
-    private Place start = new Place(-3, 0, 0);
+    private Pose2d start = new Pose2d(-3, 0, 0);
     private Vector3 ballStart = Vector3.ZERO;
     private FootBesideBall foot = new FootBesideBall(start, ballStart);
     private double ahead;
@@ -46,7 +46,7 @@ final class KickTask implements Task {
     public Scene scene(RandomSource random) {
         ahead = BALL_AHEAD + random.between(-ERROR_METRES, ERROR_METRES);
         left = (random.isSeedOdd() ? 1 : -1) * BALL_ASIDE + random.between(-ERROR_METRES, ERROR_METRES);
-        Place place = new Place(random.between(-4, -1), random.between(-2, 2), random.between(-45, 45));
+        Pose2d place = new Pose2d(random.between(-4, -1), random.between(-2, 2), random.between(-45, 45));
         return Scene.of(RobotStart.at(place).after("stand")).withBall(5.5, 3.7);
     }
 

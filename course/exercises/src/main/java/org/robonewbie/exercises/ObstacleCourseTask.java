@@ -3,9 +3,9 @@ package org.robonewbie.exercises;
 import java.util.List;
 import java.util.Locale;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.landscape.Thing;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -21,7 +21,7 @@ final class ObstacleCourseTask implements Task {
     private record Gate(Thing wall, Thing post) {
 
         /** Whether the robot has just walked through. */
-        boolean isPassed(Place before, Place now) {
+        boolean isPassed(Pose2d before, Pose2d now) {
             double line = post.centre().x();
             double nearWall = wall.centre().y()
                     + Math.signum(post.centre().y() - wall.centre().y())
@@ -37,7 +37,7 @@ final class ObstacleCourseTask implements Task {
     private static final List<Gate> GATES =
             List.of(new Gate(THINGS.get(0), THINGS.get(1)), new Gate(THINGS.get(2), THINGS.get(3)));
 
-    private Place before = new Place(0, 0, 0);
+    private Pose2d before = new Pose2d(0, 0, 0);
     private int passed;
     private double moved;
     private double nearest = Double.POSITIVE_INFINITY;
@@ -45,7 +45,7 @@ final class ObstacleCourseTask implements Task {
 
     @Override
     public Scene scene(RandomSource random) {
-        Place start = new Place(random.between(-4.9, -4.6), random.between(-1, 1), random.between(-30, 30));
+        Pose2d start = new Pose2d(random.between(-4.9, -4.6), random.between(-1, 1), random.between(-30, 30));
         return Scene.of(RobotStart.at(start).after("stand"))
                 .withLandscape(Landscape.OBSTACLES)
                 .withBall(random.between(-0.6, 0.2), random.between(-1, 1));
@@ -54,7 +54,7 @@ final class ObstacleCourseTask implements Task {
     @Override
     public void see(WorldState state) {
         seconds = state.seconds();
-        Place now = state.place();
+        Pose2d now = state.place();
         if (seconds > 0 && passed < GATES.size() && GATES.get(passed).isPassed(before, now)) {
             passed++;
         }

@@ -2,7 +2,7 @@ package org.robonewbie.exercises;
 
 import java.util.Locale;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.Place;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -20,8 +20,8 @@ final class PassingTask implements Task {
     private static final double CAME_METRES = 0.2;
     private static final double STAYED_METRES = 0.4;
 
-    private Place passer = new Place(-2, 0, 0);
-    private Place mate = passer;
+    private Pose2d passer = new Pose2d(-2, 0, 0);
+    private Pose2d mate = passer;
     private Vector3 ballStart = Vector3.ZERO;
     private double metres;
     private double nearest = Double.POSITIVE_INFINITY;
@@ -32,9 +32,9 @@ final class PassingTask implements Task {
 
     @Override
     public Scene scene(RandomSource random) {
-        passer = new Place(random.between(-3, -2), random.between(-1.5, 1.5), random.between(-40, 40));
+        passer = new Pose2d(random.between(-3, -2), random.between(-1.5, 1.5), random.between(-40, 40));
         Vector3 place = passer.pointAt(random.between(2.6, 2.9), random.between(-0.7, 0.7));
-        mate = new Place(place.x(), place.y(), passer.degrees() + 180);
+        mate = new Pose2d(place.x(), place.y(), passer.degrees() + 180);
         return Scene.of(
                         RobotStart.at(passer).after("stand"),
                         RobotStart.at(mate).after("stand").withTeam(RobotStart.TEAM, 2))

@@ -1,9 +1,9 @@
 package org.robonewbie.exercises;
 
 import java.util.Locale;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.landscape.Thing;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -24,8 +24,8 @@ final class PushTogetherTask implements Task {
     @Override
     public Scene scene(RandomSource random) {
         double side = random.side();
-        Place near = new Place(-4, side * APART_METRES, random.between(-8, 8));
-        Place far = new Place(-4 - random.between(0.6, 1), -side * APART_METRES, random.between(-8, 8));
+        Pose2d near = new Pose2d(-4, side * APART_METRES, random.between(-8, 8));
+        Pose2d far = new Pose2d(-4 - random.between(0.6, 1), -side * APART_METRES, random.between(-8, 8));
         boolean firstIsNear = random.side() > 0;
         return Scene.of(
                         RobotStart.at(firstIsNear ? near : far).after("stand"),

@@ -6,8 +6,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -17,7 +17,7 @@ import org.robonewbie.trial.WorldState;
 /** Say where a ball is that rolls past and out of sight, once on each side. */
 final class RollingBallTask implements Task {
 
-    private static final Place STUDENT = new Place(-1, 0, 0);
+    private static final Pose2d STUDENT = new Pose2d(-1, 0, 0);
     private static final Pattern WORDS = Pattern.compile("ball:(-?\\d{1,2}(?:\\.\\d+)?):(-?\\d{1,2}(?:\\.\\d+)?)");
     private static final double[] SHOT_SECONDS = {3, 10};
     private static final double UNSEEN_DEGREES = 65;

@@ -5,8 +5,8 @@ import java.util.Locale;
 import java.util.stream.IntStream;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -18,7 +18,7 @@ import org.robonewbie.trial.WorldState;
  */
 final class ScoreAGoalTask implements Task {
 
-    private static final Place STUDENT = new Place(-0.5, 0.4, -40);
+    private static final Pose2d STUDENT = new Pose2d(-0.5, 0.4, -40);
     private static final double GOAL_X = 6;
     private static final double PUSHED_METRES = 0.1;
     private static final double WALL_METRES = 0.45;
@@ -36,7 +36,7 @@ final class ScoreAGoalTask implements Task {
     private Vector3 lastBall = Vector3.ZERO;
     private Vector3 lastTorso = Vector3.ZERO;
     private double lastMoved;
-    private List<Place> wall = List.of();
+    private List<Pose2d> wall = List.of();
     private boolean pushed;
 
     @Override
@@ -52,7 +52,7 @@ final class ScoreAGoalTask implements Task {
     }
 
     private static RobotStart defender(int number, double x, double y) {
-        return RobotStart.at(new Place(x, y, 180)).withTeam("Others", number);
+        return RobotStart.at(new Pose2d(x, y, 180)).withTeam("Others", number);
     }
 
     @Override
@@ -72,7 +72,7 @@ final class ScoreAGoalTask implements Task {
         }
     }
 
-    private static List<Place> wall(WorldState state) {
+    private static List<Pose2d> wall(WorldState state) {
         return IntStream.range(1, state.robots().size()).mapToObj(state::place).toList();
     }
 

@@ -2,8 +2,8 @@ package org.robonewbie.exercises;
 
 import java.util.Locale;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyState;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -13,8 +13,8 @@ import org.robonewbie.trial.WorldState;
 /** Number 2 sees the ball behind number 1 and says so; number 1, who may not look, raises the arm on the ball's side. */
 final class TeamEyesTask implements Task {
 
-    private static final Place BLIND = new Place(-1, 0, 0);
-    private static final Place SEEING = new Place(1, 0, 180);
+    private static final Pose2d BLIND = new Pose2d(-1, 0, 0);
+    private static final Pose2d SEEING = new Pose2d(1, 0, 180);
     private static final double PHASE_SECONDS = 6;
     private static final double JUDGED_FROM_SECONDS = 3.5;
     private static final double UP_DEGREES = 50;

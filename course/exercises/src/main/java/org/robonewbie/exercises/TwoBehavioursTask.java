@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -18,7 +18,7 @@ import org.robonewbie.trial.WorldState;
  */
 final class TwoBehavioursTask implements Task {
 
-    private static final Place STUDENT = new Place(-3, 0, 0);
+    private static final Pose2d STUDENT = new Pose2d(-3, 0, 0);
     private static final double FROM_SECONDS = 3;
     private static final double AT_BALL_DEGREES = 15;
     private static final double SWING_DEGREES = 30;

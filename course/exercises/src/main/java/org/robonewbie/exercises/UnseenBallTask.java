@@ -5,8 +5,8 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyState;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -16,7 +16,7 @@ import org.robonewbie.trial.WorldState;
 /** Turn away from a ball that lies still, and go on saying where it is. */
 final class UnseenBallTask implements Task {
 
-    private static final Place STUDENT = new Place(-2, 0, 0);
+    private static final Pose2d STUDENT = new Pose2d(-2, 0, 0);
     private static final Pattern WORDS = Pattern.compile("ball:(-?\\d{1,3}(\\.\\d+)?)");
     private static final double UNSEEN_DEGREES = 70;
     private static final double TURN_DEGREES = 150;

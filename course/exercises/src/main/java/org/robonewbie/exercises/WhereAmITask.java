@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.Place;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -83,7 +83,7 @@ final class WhereAmITask implements Task {
         return Double.isInfinite(error) ? "not said" : String.format(Locale.ROOT, "%.2f m wrong", error);
     }
 
-    private Place somewhere() {
-        return new Place(places.between(-4.5, 3), places.between(-2.5, 2.5), places.between(-180, 180));
+    private Pose2d somewhere() {
+        return new Pose2d(places.between(-4.5, 3), places.between(-2.5, 2.5), places.between(-180, 180));
     }
 }

@@ -158,10 +158,10 @@ public class Agent_Team extends Agent {
     private void lineUp() {
         boolean small = !Roles.isKeeper(world, 1);
         Pose2d place = KickOffPlaces.place(world.number(), !world.hasScored(), small, world.field());
-        boolean away = world.place().distanceTo(Translation2d.of(place)) > 0.3 || nao.isFallen();
+        boolean away = world.place().distanceTo(place.translation()) > 0.3 || nao.isFallen();
         boolean free = motions.isFinished() || nao.isFallen();
         if (away && free && world.seconds() - beamedSeconds > BEAM_AGAIN_SECONDS) {
-            nao.beam(place.x(), place.y(), place.headingDegrees());
+            nao.beam(place.x(), place.y(), place.degrees());
             motions.reset();
             motions.start("stand");
             world.beamed(place);

@@ -9,11 +9,11 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.team.talk.TeamMessage;
 import org.robonewbie.trial.Controller;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
@@ -81,13 +81,13 @@ class TeamPlaysTest {
         List<RobotStart> robots = new ArrayList<>();
         List<Controller> controllers = new ArrayList<>();
         for (int number = 1; number <= PLAYERS; number++) {
-            Place place = number == 1 ? new Place(-14, 0, 0) : new Place(5.5 + number, 3.0 * number - 7.5, 0);
+            Pose2d place = number == 1 ? new Pose2d(-14, 0, 0) : new Pose2d(5.5 + number, 3.0 * number - 7.5, 0);
             robots.add(new RobotStart("Team", number, RobotType.TYPE_0, place, List.of()));
             controllers.add(Controller.ofAgent(new Agent_Team(number)));
         }
         for (int number = 1; number <= PLAYERS; number++) {
             robots.add(new RobotStart(
-                    "Others", number, RobotType.TYPE_0, new Place(12, 3.0 * number - 7.5, 180), List.of()));
+                    "Others", number, RobotType.TYPE_0, new Pose2d(12, 3.0 * number - 7.5, 180), List.of()));
             controllers.add(Controller.ofSpeeds());
         }
         Scene scene = new Scene(SoccerParameters.league(), true, robots, Optional.of(new Vector3(9, 0, 0)));

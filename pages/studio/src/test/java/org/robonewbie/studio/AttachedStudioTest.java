@@ -13,7 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.studio.monitor.MonitoredSimulation;
 
-/** The studio that looks at something that is not its own: a server with a monitor port, or a recording of somebody. */
+/** The studio attached to a foreign simulation: a server with a monitor port, or a given recording. */
 @Tag("slow")
 @InBrowser
 class AttachedStudioTest {

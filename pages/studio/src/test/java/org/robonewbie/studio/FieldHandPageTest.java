@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
 
-/** Names and trail in the picture, and what the mouse does to robots and ball. */
+/** Names and trail in the 3D view, and mouse operations on robots and ball. */
 @Tag("slow")
 @InBrowser(width = 1440, height = 900)
 class FieldHandPageTest {
@@ -141,7 +141,7 @@ class FieldHandPageTest {
     }
 
     @Test
-    void listOfKeysTellsWhatTheRingsDo() {
+    void keyboardHelpExplainsTheRings() {
         browser.press("?");
 
         browser.await("document.querySelector('#help').open && /Pull the ball’s ring.*throw the ball/s"

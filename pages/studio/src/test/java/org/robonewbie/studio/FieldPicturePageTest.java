@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What the picture of the field shows: all that matters, beside the panels, in all its pixels. */
+/** The 3D view of the field shows the whole pitch beside the panels, at full resolution. */
 @Tag("slow")
 @InBrowser(width = 1440, height = 900)
 class FieldPicturePageTest {
@@ -165,7 +165,7 @@ class FieldPicturePageTest {
     }
 
     @Test
-    void wheelGoesNearerToWhatIsUnderThePointer() {
+    void wheelZoomsToThePointer() {
         openWithRobot(CHEAP);
         browser.press("1");
         browser.await("studio.camera.mode === 'orbit' && studio.camera.isStill");

@@ -20,7 +20,6 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.SimulationControl;
-import org.robonewbie.simulator.WorldSnapshot;
 
 class LiveFeedTest {
 
@@ -253,7 +252,7 @@ class LiveFeedTest {
     }
 
     @Test
-    void nonsenseIsAnsweredAndDoesNoHarm() throws InterruptedException {
+    void invalidCommandsAreRefused() throws InterruptedException {
         try (TestPage page = new TestPage(studio.oneTimeAddress())) {
             page.nextFrame();
             page.nextMessage();
@@ -283,7 +282,7 @@ class LiveFeedTest {
     }
 
     @Test
-    void pagesAreToldWhenTheSimulatorEnds() throws Exception {
+    void pagesAreClosedWhenTheSimulatorEnds() throws Exception {
         try (TestPage page = new TestPage(studio.oneTimeAddress())) {
             page.nextFrame();
 

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.simulator.file.RecordingRepository;
 
-/** Videos of recordings, made and played by a real browser. */
+/** Videos of recordings, encoded and played by a real browser. */
 @Tag("slow")
 @InBrowser
 class ReplayVideoTest {
@@ -114,7 +114,7 @@ class ReplayVideoTest {
     }
 
     @Test
-    void browserWithoutAnEncoderSaysSo() {
+    void browserWithoutAnEncoderShowsAMessage() {
         browser.evaluate("delete window.VideoEncoder");
 
         browser.click("#export-video");

@@ -13,15 +13,15 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.order.Order;
-import org.robonewbie.protocol.telemetry.BelievedPose;
 import org.robonewbie.protocol.telemetry.BelievedThing;
 import org.robonewbie.protocol.telemetry.Drawing;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 
-/** The room of one robot as people have it: in a real browser, with what robots tell. */
+/** The room of one robot in a real browser with telemetry. */
 @InBrowser
 class RobotPageTest {
 
@@ -55,7 +55,7 @@ class RobotPageTest {
         studio.telemetry().accept(new TelemetryMessage(TEAM, number, seconds, item));
     }
 
-    /** Says something again and again until the page shows it: what is no log is not kept for pages that come later. */
+    /** Repeats a message until the page shows it, since only log entries are kept for pages that subscribe later. */
     private void tellUntil(String condition, TelemetryItem item) {
         double now = now();
         simulation.awaitTrue(() -> {
@@ -64,7 +64,7 @@ class RobotPageTest {
         });
     }
 
-    /** Stops the world, and returns when the page shows that it stands. */
+    /** Pauses the world and returns when the page shows it. */
     private void pause() {
         simulation.order(new Order.Pause());
         browser.await("studio.state.frame.paused");
@@ -85,7 +85,7 @@ class RobotPageTest {
     }
 
     @Test
-    void robotTellsWhatItThinks() {
+    void robotShowsItsTelemetry() {
         pause();
         double now = now();
 
@@ -101,7 +101,7 @@ class RobotPageTest {
                 "document.querySelector('.map .belief.ball')",
                 new TelemetryItem.Belief(
                         List.of(new BelievedThing("ball", new Vector3(1, 0.2, -0.4), 0, true)),
-                        Optional.of(new BelievedPose(-0.5, 0.4, 20))));
+                        Optional.of(new Pose2d(-0.5, 0.4, 20))));
         browser.await("document.querySelectorAll('.map .belief.ball').length === 1");
         browser.await("document.querySelectorAll('.map .belief-self').length === 1");
         browser.await("document.querySelectorAll('.map .truth').length === 6");
@@ -109,7 +109,7 @@ class RobotPageTest {
 
     @Tag("slow")
     @Test
-    void onlyTheChosenRobotIsHeard() {
+    void onlyTheWatchedRobotIsSent() {
         browser.press("n");
         browser.await("studio.robot.watch.watched.endsWith('2')");
         browser.await("document.querySelectorAll('.joint-row').length === 24");
@@ -161,7 +161,7 @@ class RobotPageTest {
         }
         browser.await("studio.robot.plots.rows[3]?.plot?.series.length === 3");
         browser.await("studio.robot.plots.rows[3].plot.data[2].length > 10");
-        browser.await("studio.robot.plots.moment.seconds > 1"); // no curve shows less than a second
+        browser.await("studio.robot.plots.moment.seconds > 1"); // curves show at least one second
 
         browser.click("#hold-curves");
         browser.await("studio.robot.plots.rows[3].plot.scales.x.max === studio.robot.plots.heldAt");
@@ -180,7 +180,7 @@ class RobotPageTest {
 
     @Tag("slow")
     @Test
-    void allRoomsFollowOneMomentWhileTheSimulationGoesOn() {
+    void allRoomsFollowTheCursorWhileTheSimulationRuns() {
         double then = now();
         tell(1, then, new TelemetryItem.LogEntry("INFO", "here I was"));
         browser.await("studio.cursor.history.last * 0.02 > " + (then + 1));
@@ -202,7 +202,7 @@ class RobotPageTest {
 
     @Tag("slow")
     @Test
-    void roomIsWorthAPicture() throws IOException {
+    void takesScreenshotOfTheRoom() throws IOException {
         browser.drawSharply();
         try (PlayingRobot robot = PlayingRobot.start();
                 StudioServer other = StudioServer.start(robot.simulator().control(), 0, AccessToken.random())) {
@@ -222,7 +222,7 @@ class RobotPageTest {
             browser.await("studio.state.frame.paused && studio.robot.plots.moment.frame === studio.state.frame");
             List<BelievedThing> things = List.of(new BelievedThing("ball", new Vector3(1.9, -0.2, -0.4), 0.1, true));
             double now = browser.evaluate("studio.robot.plots.moment.seconds").getAsDouble();
-            TelemetryItem belief = new TelemetryItem.Belief(things, Optional.of(new BelievedPose(-1.6, 0.3, 10)));
+            TelemetryItem belief = new TelemetryItem.Belief(things, Optional.of(new Pose2d(-1.6, 0.3, 10)));
             for (int i = 0; i < 6; i++) {
                 TelemetryItem line =
                         new TelemetryItem.LogEntry(i == 4 ? "WARNING" : "INFO", "I have nodded " + i + " times");

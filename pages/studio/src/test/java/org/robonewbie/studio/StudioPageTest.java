@@ -19,7 +19,7 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.SimulationControl;
 
-/** The studio as people have it: in a real browser, drawn by software. */
+/** The studio in a real browser with software rendering. */
 @InBrowser(width = 640, height = 360)
 class StudioPageTest {
 
@@ -63,7 +63,7 @@ class StudioPageTest {
     }
 
     @Test
-    void robotAppearsAndNothingIsComplained() {
+    void robotAppearsWithoutConsoleErrors() {
         openStudioWithRobot();
         browser.await("studio.view.robots.meshes.some(mesh => mesh.visible)");
 
@@ -83,7 +83,7 @@ class StudioPageTest {
     }
 
     @Test
-    void browserWithoutThreeDimensionsIsToldWhatToDo() {
+    void browserWithoutWebGlShowsWhatToDo() {
         String script = browser.runBeforePages("HTMLCanvasElement.prototype.getContext = () => null");
         try {
             browser.visit(studio.oneTimeAddress().toString());
@@ -161,7 +161,7 @@ class StudioPageTest {
     }
 
     @Test
-    void refereeIsToldByButtonAndList() {
+    void refereeIsControlledByButtonAndList() {
         openStudioWithRobot();
 
         browser.click("#drop-ball");
@@ -186,7 +186,7 @@ class StudioPageTest {
 
     @Tag("slow")
     @Test
-    void robotIsDraggedWithTheMouseAndStaysUpright() {
+    void robotIsDraggedWithTheMouseAndRemainsUpright() {
         openStudioWithRobot();
         browser.press("3");
         browser.await("studio.camera.mode === 'top' && studio.camera.isStill");
@@ -262,7 +262,7 @@ class StudioPageTest {
     }
 
     @Test
-    void pageComesBackWhenTheSimulatorIsStartedAgain() {
+    void pageReconnectsWhenTheSimulatorIsRestarted() {
         openStudioWithRobot();
         int port = studio.address().getPort();
 
@@ -278,7 +278,7 @@ class StudioPageTest {
         browser.await("document.querySelector('#banner').hidden");
     }
 
-    /** The page that seeks its simulator may hold the port for a moment. */
+    /** Starts again; the page that tries to reconnect may hold the port for a moment. */
     private void serveAgain(int port) {
         await(() -> {
             try {
@@ -315,7 +315,7 @@ class StudioPageTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"1366x768", "1024x768", "1920x1080"})
-    void everythingHasItsPlaceOnUsualScreens(String size) {
+    void layoutFitsCommonScreens(String size) {
         openStudioWithRobot();
         String[] sides = size.split("x", 2);
         browser.resize(Integer.parseInt(sides[0]), Integer.parseInt(sides[1]));

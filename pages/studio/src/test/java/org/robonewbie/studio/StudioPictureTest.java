@@ -17,7 +17,7 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.order.Order;
 
 /**
- * Takes the picture of the README and looks whether everything is on it. The picture is written to {@code target/pictures};
+ * Takes the screenshot of the README and checks its content. The screenshot is written to {@code target/pictures};
  * {@code -Dstudio.pictures=../../docs/images} writes it to the documentation.
  */
 @Tag("slow")
@@ -29,7 +29,7 @@ class StudioPictureTest {
             + " elevationDegrees: 9.5, distance: 1.68}); studio.touch()";
 
     @Test
-    void fieldIsWorthAPicture() throws IOException {
+    void takesScreenshotOfTheField() throws IOException {
         Tool.BROWSER.orSkip();
 
         byte[] png = takePicture();

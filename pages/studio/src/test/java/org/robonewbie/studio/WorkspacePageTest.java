@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
 
-/** Picture and panels beside each other: edges are moved by mouse and keys, panels are folded, and the browser remembers it. */
+/** Layout of 3D view and panels: edges are moved by mouse and keys, panels collapse, and the browser remembers it. */
 @Tag("slow")
 @InBrowser(width = 1440, height = 900)
 class WorkspacePageTest {
@@ -49,7 +49,7 @@ class WorkspacePageTest {
     }
 
     @Test
-    void edgeIsDraggedAndStaysWhereItWasLeft() {
+    void edgeIsDraggedAndKeepsItsPosition() {
         int before = pictureWidth();
         double x = browser.evaluate(EDGE + ".getBoundingClientRect().left").getAsDouble() + 4;
 

@@ -42,10 +42,12 @@ import org.robonewbie.team.talk.TeamMessage;
 import org.robonewbie.team.world.BallFilter;
 import org.robonewbie.team.world.Mate;
 import org.robonewbie.team.world.Situation;
+import org.robonewbie.nao.geometry.Angles;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.world.WorldModel;
 
-/** Classes that programs of students may use and nothing else in the page does: what is named here gets into the compiled program. */
+/** Roots for TeaVM's dead-code elimination: classes that only students' programs use, and which it would otherwise remove. */
 final class LibraryRoots {
 
     private static final List<Class<?>> CLASSES = List.of(
@@ -95,12 +97,14 @@ final class LibraryRoots {
             BallFilter.class,
             Mate.class,
             Situation.class,
+            Angles.class,
+            Pose2d.class,
             Translation2d.class,
             WorldModel.class);
 
     private LibraryRoots() {}
 
-    /** {@return how many there are} */
+    /** {@return the number of these classes} */
     static int count() {
         return CLASSES.size();
     }

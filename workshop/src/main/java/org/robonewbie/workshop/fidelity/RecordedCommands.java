@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Angles;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.protocol.effector.EffectorCommand;
@@ -63,8 +65,8 @@ final class RecordedCommands {
     private static Beam whereItWent(Beam wanted, BodyPose torso) {
         Vector3 place = torso.position();
         double heading = TorsoAngles.yawDegrees(torso.rotation());
-        boolean exact = Math.hypot(wanted.xMetres() - place.x(), wanted.yMetres() - place.y()) < SAME_METRES
-                && Math.abs(Math.IEEEremainder(wanted.headingDegrees() - heading, 360)) < SAME_DEGREES;
-        return exact ? wanted : new Beam(place.x(), place.y(), heading);
+        boolean exact = wanted.pose().distance(place) < SAME_METRES
+                && Math.abs(Angles.wrap(wanted.pose().degrees() - heading)) < SAME_DEGREES;
+        return exact ? wanted : new Beam(new Pose2d(place.x(), place.y(), heading));
     }
 }

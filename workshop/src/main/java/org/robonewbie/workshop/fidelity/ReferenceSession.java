@@ -7,6 +7,8 @@ import java.util.Optional;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
+import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.order.PlayerNumber;
@@ -125,7 +127,10 @@ final class ReferenceSession implements AutoCloseable {
      * for it.
      */
     private Vector3 takePlace(int type) throws IOException {
-        send(type == 0 ? "(scene rsg/agent/nao/nao.rsg)" : "(scene rsg/agent/nao/nao_hetero.rsg " + type + ")");
+        send(
+                type == 0
+                        ? "(scene " + CreateRobot.SCENE + ")"
+                        : "(scene " + CreateRobot.SCENE_OF_TYPE + " " + type + ")");
         receive();
         messagesBeforeInit = 1;
         monitor.awaitQuiet();
@@ -224,7 +229,7 @@ final class ReferenceSession implements AutoCloseable {
 
     private void send(String commands) throws IOException {
         buffer.clear();
-        buffer.append(commands + "(syn)");
+        buffer.append(commands + EffectorMessageWriter.SYNCHRONISE);
         agent.send(buffer);
     }
 

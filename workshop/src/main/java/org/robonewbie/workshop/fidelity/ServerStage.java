@@ -7,6 +7,7 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
 import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
@@ -107,9 +108,7 @@ final class ServerStage implements ReplayStage {
     private static void visit(SteppedServer server, String team) throws IOException {
         try (AgentLink visitor = server.simulator().connect()) {
             MessageBuffer message = new MessageBuffer();
-            new EffectorMessageWriter(message)
-                    .createRobot("rsg/agent/nao/nao.rsg", List.of())
-                    .synchronise();
+            new EffectorMessageWriter(message).write(CreateRobot.of(0)).synchronise();
             visitor.send(message);
             server.cycle();
             message.clear();
@@ -124,7 +123,7 @@ final class ServerStage implements ReplayStage {
     private void join(RobotType type, int cyclesToInit) throws IOException {
         message.clear();
         new EffectorMessageWriter(message)
-                .createRobot("rsg/agent/nao/nao_hetero.rsg", List.of(String.valueOf(type.ordinal())))
+                .createRobot(CreateRobot.SCENE_OF_TYPE, List.of(String.valueOf(type.ordinal())))
                 .synchronise();
         agent.send(message);
         for (int cycle = 1; cycle <= cyclesToInit; cycle++) {

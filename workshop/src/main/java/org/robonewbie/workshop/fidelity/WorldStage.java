@@ -66,8 +66,8 @@ final class WorldStage implements ReplayStage {
                     .ifPresent(hinge -> robot.setMotorSpeed(hinge, speed.radiansPerSecond()));
         } else if (command instanceof EffectorCommand.Beam beam) {
             robot.beam(
-                    new Vector3(beam.xMetres(), beam.yMetres(), RecordedCommands.BEAM_HEIGHT),
-                    beam.headingDegrees() - 90);
+                    new Vector3(beam.pose().x(), beam.pose().y(), RecordedCommands.BEAM_HEIGHT),
+                    beam.pose().degrees() - 90);
         }
     }
 }

@@ -5,6 +5,8 @@ import java.io.UncheckedIOException;
 import java.util.List;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
 import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
@@ -78,7 +80,7 @@ final class LoadPlayer implements Runnable {
     @Override
     public void run() {
         try (link) {
-            writer.createRobot("rsg/agent/nao/nao_hetero.rsg", List.of(String.valueOf(number % TYPES)));
+            writer.createRobot(CreateRobot.SCENE_OF_TYPE, List.of(String.valueOf(number % TYPES)));
             send();
             receive();
             writer.joinTeam(number, team);
@@ -126,7 +128,7 @@ final class LoadPlayer implements Runnable {
         if (playMode.equals(PlayMode.BEFORE_KICK_OFF.simSparkName()) && cycle % PLAYERS_PER_ROW == 0) {
             int row = (number - 1) / PLAYERS_PER_ROW;
             int column = (number - 1) % PLAYERS_PER_ROW;
-            writer.beam(-3 - APART_METRES * row, APART_METRES * (column - 1.5), 0);
+            writer.beam(new Pose2d(-3 - APART_METRES * row, APART_METRES * (column - 1.5), 0));
         }
         double seconds = cycle * Cycle.SECONDS;
         double bend = BEND_RADIANS / 2 * RADIANS_PER_SECOND * Math.sin(RADIANS_PER_SECOND * seconds);

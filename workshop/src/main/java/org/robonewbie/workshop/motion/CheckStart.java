@@ -7,9 +7,9 @@ import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.learning.motion.MotionTrial;
 import org.robonewbie.learning.motion.ScriptedRobot;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.soccer.SoccerParameters;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 
@@ -26,7 +26,7 @@ record CheckStart(String suffix, String words, LongFunction<MotionTrial> opening
             "an agent on an own simulator with noise and the league's pitch, in the stance, reached from a posture"
                     + " beside it; pushed by a hand each second";
 
-    private static final Place FAR_END = new Place(-14, 0, 0);
+    private static final Pose2d FAR_END = new Pose2d(-14, 0, 0);
     private static final Vector3 BALL_ASIDE = new Vector3(0, -9, 0);
     private static final double PUSH_NEWTONS = 3;
 

@@ -6,10 +6,10 @@ import java.util.function.LongFunction;
 import org.robonewbie.learning.motion.FallenPose;
 import org.robonewbie.learning.motion.MotionTrial;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.file.ShippedMotions;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.MeasureFromStart;
 
@@ -93,10 +93,10 @@ final class FallChecks {
 
         private static final double BEHIND = -0.3;
 
-        private final Place place;
+        private final Pose2d place;
         private boolean passed;
 
-        Goal(Place place) {
+        Goal(Pose2d place) {
             this.place = place;
         }
 

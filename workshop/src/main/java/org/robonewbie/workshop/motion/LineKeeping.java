@@ -1,6 +1,7 @@
 package org.robonewbie.workshop.motion;
 
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.geometry.Pose2d;
 
 /**
@@ -32,8 +33,8 @@ record LineKeeping(double degreesForAMetre, double mostDegrees, double turnForAD
      */
     double turn(Pose2d line, Pose2d now) {
         double left = line.fromFrame(new Vector3(now.x(), now.y(), 0)).y();
-        double heading = line.headingDegrees() - within(mostDegrees, degreesForAMetre * left);
-        return within(mostTurn, turnForADegree * Math.IEEEremainder(heading - now.headingDegrees(), 360));
+        double heading = line.degrees() - within(mostDegrees, degreesForAMetre * left);
+        return within(mostTurn, turnForADegree * Angles.wrap(heading - now.degrees()));
     }
 
     private static double within(double most, double value) {

@@ -7,6 +7,7 @@ import org.robonewbie.agent.localisation.SelfLocalisation;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.kinematics.ForwardKinematics;
@@ -15,7 +16,6 @@ import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.trial.Controller;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
@@ -50,8 +50,8 @@ public record LocalisationTrial(double[] metres, double[] degrees, double[] came
     public static LocalisationTrial run(long seed, RobotType type, WalkStyle style) {
         Random random = new Random(29 * seed + 5);
         random.nextLong();
-        Place place =
-                new Place(-10 + 8 * random.nextDouble(), -6 + 12 * random.nextDouble(), 360 * random.nextDouble());
+        Pose2d place =
+                new Pose2d(-10 + 8 * random.nextDouble(), -6 + 12 * random.nextDouble(), 360 * random.nextDouble());
         Vector3[] pushes = {push(random), push(random)};
         Scene scene = Scene.of(RobotStart.at(place).withType(type).after("stand"))
                 .withParameters(SoccerParameters.league())
@@ -111,7 +111,7 @@ public record LocalisationTrial(double[] metres, double[] degrees, double[] came
             Pose torso = believed(self);
             errors[0][i] = Math.hypot(
                     truth.position().x() - belief.x(), truth.position().y() - belief.y());
-            errors[1][i] = Math.abs(Math.IEEEremainder(belief.headingDegrees() - truth.headingDegrees(), 360));
+            errors[1][i] = Math.abs(Angles.wrap(belief.degrees() - truth.headingDegrees()));
             errors[2][i] = Math.abs(
                     camera(torso, truth).z() - camera(truth.torso(), truth).z());
             errors[3][i] = angle(up(torso), up(truth.torso()));
@@ -126,7 +126,7 @@ public record LocalisationTrial(double[] metres, double[] degrees, double[] came
         Pose2d place = self.pose();
         return new Pose(
                 new Vector3(place.x(), place.y(), self.heightMetres()),
-                Rotation.ofYawPitchRoll(place.headingDegrees(), self.leanDegrees(), self.rollDegrees()));
+                Rotation.ofYawPitchRoll(place.degrees(), self.leanDegrees(), self.rollDegrees()));
     }
 
     private static Vector3 camera(Pose torso, BodyState robot) {

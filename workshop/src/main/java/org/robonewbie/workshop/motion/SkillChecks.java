@@ -9,8 +9,9 @@ import org.robonewbie.agent.walk.PoseApproach;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.learning.motion.MotionTrial;
+import org.robonewbie.nao.geometry.Angles;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
-import org.robonewbie.trial.Place;
 
 /** Checks of what a player on the league's pitch needs: an agent on a whole simulator with noise walks long ways and to poses. */
 final class SkillChecks {
@@ -121,8 +122,8 @@ final class SkillChecks {
     private MotionCheck pose() {
         String rule = "stands within 5 cm and 5° of a pose 2 m ahead, turned by 90°";
         return start().check(walk + " to a pose", rule, "s until it stands", (robot, seed) -> {
-            Place first = robot.start();
-            Place target = new Place(first.x() + 2, first.y(), first.degrees() + (seed % 2 == 0 ? 90 : -90));
+            Pose2d first = robot.start();
+            Pose2d target = new Pose2d(first.x() + 2, first.y(), first.degrees() + (seed % 2 == 0 ? 90 : -90));
             Supplier<WalkVelocity> steering = () -> towards(robot, target);
             robot.walk(
                     steering,
@@ -134,16 +135,16 @@ final class SkillChecks {
         });
     }
 
-    private WalkVelocity towards(MotionTrial robot, Place target) {
-        Place now = robot.trial().now().place();
-        double turn = Math.IEEEremainder(target.degrees() - now.degrees(), 360);
+    private WalkVelocity towards(MotionTrial robot, Pose2d target) {
+        Pose2d now = robot.trial().now().place();
+        double turn = Angles.wrap(target.degrees() - now.degrees());
         return new PoseApproach(style).velocity(now.ahead(target.pointAt(0, 0)), now.left(target.pointAt(0, 0)), turn);
     }
 
-    private static boolean isAt(MotionTrial robot, Place target, double metres, double degrees) {
-        Place now = robot.trial().now().place();
+    private static boolean isAt(MotionTrial robot, Pose2d target, double metres, double degrees) {
+        Pose2d now = robot.trial().now().place();
         return now.distance(target.pointAt(0, 0)) <= metres
-                && Math.abs(Math.IEEEremainder(target.degrees() - now.degrees(), 360)) <= degrees;
+                && Math.abs(Angles.wrap(target.degrees() - now.degrees())) <= degrees;
     }
 
     private MotionCheck localisation(

@@ -2,8 +2,8 @@ package org.robonewbie.workshop.speed;
 
 import java.io.EOFException;
 import java.io.IOException;
-import java.util.List;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
 import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
@@ -14,7 +14,6 @@ import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
 /** An agent as plain as can be: it reads its message and turns every joint towards the scene's target. */
 final class BenchmarkAgent {
 
-    private static final String SCENE = "rsg/agent/nao/nao.rsg";
     private static final int MESSAGES_BEFORE_JOINING = 2;
     private static final double GAIN_PER_SECOND = 12;
 
@@ -41,7 +40,7 @@ final class BenchmarkAgent {
     /** Asks for a body. */
     void create() throws IOException {
         message.clear();
-        new EffectorMessageWriter(message).createRobot(SCENE, List.of()).synchronise();
+        new EffectorMessageWriter(message).write(CreateRobot.of(0)).synchronise();
         link.send(message);
     }
 

@@ -19,9 +19,9 @@ import org.robonewbie.examples.Agent_BetterSoccer;
 import org.robonewbie.examples.Agent_SimpleSoccer;
 import org.robonewbie.examples.Agent_SimpleWalkToBall;
 import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.Measure;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
@@ -37,7 +37,7 @@ public final class AgentMeasurement {
     private static final double NEAR_SECONDS = 4;
 
     /** Where both soccer players begin a game, see their {@code defaults()}. */
-    private static final Place USUAL_START = new Place(-0.5, 0.4, -40);
+    private static final Pose2d USUAL_START = new Pose2d(-0.5, 0.4, -40);
 
     private final int trials;
     private final long firstSeed;
@@ -49,7 +49,7 @@ public final class AgentMeasurement {
             String rule,
             Supplier<Agent> agent,
             double seconds,
-            Function<Random, Place> start,
+            Function<Random, Pose2d> start,
             Supplier<Measure> measure) {
 
         /** Returns how many simulated seconds the agent needed, or nothing if it failed. */
@@ -182,10 +182,10 @@ public final class AgentMeasurement {
     }
 
     /** A place in the team's own half that is not too close to the ball in the centre. */
-    private static Place anywhere(Random random) {
+    private static Pose2d anywhere(Random random) {
         double x = -0.8 - 3.7 * random.nextDouble();
         double y = -3 + 6 * random.nextDouble();
-        return new Place(x, y, random.nextInt(360) - 180);
+        return new Pose2d(x, y, random.nextInt(360) - 180);
     }
 
     private static void write(Path file, List<Result> results) throws IOException {

@@ -8,12 +8,12 @@ import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.team.skill.CloseDribbleNumbers;
 import org.robonewbie.team.skill.KickKind;
 import org.robonewbie.trial.Controller;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
@@ -24,7 +24,7 @@ import org.robonewbie.workshop.motion.Outcome;
 /** Checks of what a player of the example team does with the ball on the league's pitch: it dribbles, and kicks out of its walk. */
 public final class PlayerChecks {
 
-    private static final Place START = new Place(-8, 0, 0);
+    private static final Pose2d START = new Pose2d(-8, 0, 0);
     private static final double BALL_AHEAD = 1.5;
     private static final double ASIDE_METRES = 0.1;
     private static final double MOST_SECONDS = 30;

@@ -9,10 +9,11 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.IntFunction;
 import org.robonewbie.agent.Agent;
-import org.robonewbie.agent.StartPose;
+import org.robonewbie.agent.Options;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.soccer.SoccerParameter;
@@ -20,7 +21,6 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.team.Agent_Team;
 import org.robonewbie.team.talk.TeamMessage;
 import org.robonewbie.trial.Controller;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
@@ -104,8 +104,8 @@ final class TeamMatch {
     }
 
     private static RobotStart robot(String team, int number, int side) {
-        StartPose pose = StartPose.ofNumber(number);
-        Place place = new Place(side * pose.x(), side * pose.y(), side > 0 ? 0 : 180);
+        Pose2d pose = Options.none().pose(number);
+        Pose2d place = new Pose2d(side * pose.x(), side * pose.y(), side > 0 ? 0 : 180);
         return new RobotStart(team, number, Agent_Team.type(number), place, List.of());
     }
 

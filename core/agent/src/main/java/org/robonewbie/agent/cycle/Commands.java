@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import org.robonewbie.agent.log.Diagnostics;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.protocol.effector.EffectorCommand;
@@ -148,7 +149,7 @@ public final class Commands {
                     () -> format("Beam to %s, %s, %s is ignored. Was something divided by zero?", x, y, degrees));
             return;
         }
-        beam = Optional.of(new Beam(x, y, degrees));
+        beam = Optional.of(new Beam(new Pose2d(x, y, degrees)));
     }
 
     /** Asks the referee for pass mode. */

@@ -69,14 +69,14 @@ public final class SensorState {
     /** Takes in the gyroscope's reading in SimSpark's frame. */
     private void turn(Vector3 raw) {
         if (isFinite(raw)) {
-            torso = torso.withGyro(new Vector3(raw.y(), 0 - raw.x(), raw.z()));
+            torso = torso.withGyro(SimSparkFrame.toBody(raw));
         }
     }
 
     /** Takes in the accelerometer's reading in SimSpark's frame. */
     private void push(Vector3 raw) {
         if (isFinite(raw)) {
-            torso = torso.withAcceleration(new Vector3(raw.y(), 0 - raw.x(), raw.z()));
+            torso = torso.withAcceleration(SimSparkFrame.toBody(raw));
             falls.feel(torso);
         }
     }

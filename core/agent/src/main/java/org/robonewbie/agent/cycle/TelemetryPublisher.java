@@ -10,7 +10,7 @@ import org.robonewbie.agent.perception.LocalFieldView;
 import org.robonewbie.agent.perception.PlayerItem;
 import org.robonewbie.agent.walk.WalkController;
 import org.robonewbie.nao.Landmark;
-import org.robonewbie.protocol.telemetry.BelievedPose;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.protocol.telemetry.BelievedThing;
 import org.robonewbie.protocol.telemetry.Drawing;
 import org.robonewbie.protocol.telemetry.NumberWishes;
@@ -28,7 +28,7 @@ public final class TelemetryPublisher {
     private final List<Drawing> drawings = new ArrayList<>();
     private volatile TelemetrySink sink = TelemetrySink.NONE;
     private Optional<String> motion = Optional.empty();
-    private Optional<BelievedPose> self = Optional.empty();
+    private Optional<Pose2d> self = Optional.empty();
     private int keyframe;
 
     TelemetryPublisher(SensorState sensors) {
@@ -104,7 +104,7 @@ public final class TelemetryPublisher {
      *
      * @param pose the pose
      */
-    public void locate(BelievedPose pose) {
+    public void locate(Pose2d pose) {
         self = Optional.of(pose);
     }
 

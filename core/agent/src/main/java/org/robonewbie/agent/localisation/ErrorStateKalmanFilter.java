@@ -58,7 +58,7 @@ final class ErrorStateKalmanFilter {
     void begin(Pose2d pose, double deviationMetres, double deviationDegrees) {
         place = new Vector3(pose.x(), pose.y(), DEFAULT_HEIGHT);
         velocity = Vector3.ZERO;
-        attitude = Rotation.about(new Vector3(0, 0, 1), pose.headingDegrees());
+        attitude = Rotation.about(new Vector3(0, 0, 1), pose.degrees());
         double[] deviations = {
             deviationMetres, deviationMetres, FIRST_HEIGHT,
             FIRST_SPEED, FIRST_SPEED, FIRST_SPEED,
@@ -128,7 +128,7 @@ final class ErrorStateKalmanFilter {
      * @param height metres above the sole
      */
     void stand(double forward, double left, double height) {
-        Vector3 expected = new Pose2d(0, 0, pose().headingDegrees()).toFrame(new Vector3(forward, left, 0));
+        Vector3 expected = new Pose2d(0, 0, pose().degrees()).toFrame(new Vector3(forward, left, 0));
         correct(VELOCITY, expected.x() - velocity.x(), FOOT_DEVIATION);
         correct(VELOCITY + 1, expected.y() - velocity.y(), FOOT_DEVIATION);
         correct(PLACE + 2, height - place.z(), HEIGHT_DEVIATION);

@@ -6,6 +6,7 @@ import org.robonewbie.agent.perception.FieldItem;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyPoses;
 import org.robonewbie.nao.kinematics.BodyState;
@@ -57,7 +58,9 @@ public final class Odometry {
         standing = begun && !nao.isFallen();
         step = standing ? torsoOnSupport.fromFrame(new Vector3(now.x(), now.y(), 0)) : Vector3.ZERO;
         begun = true;
-        pose = pose.moved(step.x(), step.y(), nao.getGyro().z() * Cycle.SECONDS);
+        Vector3 place = pose.toFrame(step);
+        pose = new Pose2d(
+                place.x(), place.y(), Angles.wrap(pose.degrees() + nao.getGyro().z() * Cycle.SECONDS));
         history[index(nao.getTime())] = pose;
         support = nao.getLeftFootPressure().force().z()
                         >= nao.getRightFootPressure().force().z()

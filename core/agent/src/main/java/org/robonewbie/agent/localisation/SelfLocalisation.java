@@ -15,6 +15,7 @@ import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.kinematics.ForwardKinematics;
@@ -164,7 +165,7 @@ public final class SelfLocalisation {
         Rotation rotation = filter.torso().rotation();
         double left = rotation.apply(new Vector3(0, 1, 0)).z();
         double up = rotation.apply(new Vector3(0, 0, 1)).z();
-        return PortableMath.toDegrees(PortableMath.atan2(left, up));
+        return Angles.atan2(left, up);
     }
 
     /** {@return how far the torso leans to any side, degrees: 0 upright, 90 lying} */
@@ -179,7 +180,7 @@ public final class SelfLocalisation {
      * @return x forward, y left on the level ground and z straight up, from the same place
      */
     public Vector3 levelled(Vector3 seen) {
-        Rotation heading = Rotation.about(new Vector3(0, 0, 1), -pose().headingDegrees());
+        Rotation heading = Rotation.about(new Vector3(0, 0, 1), -pose().degrees());
         return heading.apply(filter.torso().rotation().apply(seen));
     }
 
@@ -264,9 +265,9 @@ public final class SelfLocalisation {
             along += weight(sighting) * (seen.x() * map.x() + seen.y() * map.y());
             across += weight(sighting) * (seen.x() * map.y() - seen.y() * map.x());
         }
-        Pose2d turned = new Pose2d(0, 0, PortableMath.toDegrees(PortableMath.atan2(across, along)));
+        Pose2d turned = new Pose2d(0, 0, Angles.atan2(across, along));
         Vector3 offset = mapMiddle.minus(turned.toFrame(seenMiddle));
-        return new Pose2d(offset.x(), offset.y(), turned.headingDegrees());
+        return new Pose2d(offset.x(), offset.y(), turned.degrees());
     }
 
     private static double weight(Sighting sighting) {

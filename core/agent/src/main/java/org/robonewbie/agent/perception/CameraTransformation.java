@@ -1,8 +1,8 @@
 package org.robonewbie.agent.perception;
 
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.kinematics.ForwardKinematics;
-import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.RobotType;
 
 /**
@@ -44,6 +44,6 @@ public interface CameraTransformation {
 
     /** The same angle from -180 to 180 degrees. */
     private static double normalized(double degrees) {
-        return PortableMath.IEEEremainder(degrees, 360);
+        return Angles.wrap(degrees);
     }
 }

@@ -2,6 +2,7 @@ package org.robonewbie.agent.perception;
 
 import java.util.Locale;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
@@ -22,8 +23,8 @@ public record Direction(double distance, double bearing, double elevation) {
     public static Direction of(Vector3 point) {
         return new Direction(
                 point.length(),
-                PortableMath.toDegrees(PortableMath.atan2(point.y(), point.x())),
-                PortableMath.toDegrees(PortableMath.atan2(point.z(), PortableMath.hypot(point.x(), point.y()))));
+                Angles.atan2(point.y(), point.x()),
+                Angles.atan2(point.z(), PortableMath.hypot(point.x(), point.y())));
     }
 
     /**

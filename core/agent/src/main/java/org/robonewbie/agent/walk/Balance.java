@@ -3,7 +3,7 @@ package org.robonewbie.agent.walk;
 import org.robonewbie.agent.perception.TorsoMotion;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.nao.geometry.Angles;
 
 /**
  * The sense of balance: how the torso leans, from gyro and accelerometer. The gyro's turning is added up cycle by cycle; since
@@ -74,6 +74,6 @@ final class Balance {
     }
 
     private static double degrees(double aside, double up) {
-        return PortableMath.toDegrees(PortableMath.atan2(aside, Math.max(1, up)));
+        return Angles.atan2(aside, Math.max(1, up));
     }
 }

@@ -1,5 +1,6 @@
 package org.robonewbie.agent.walk;
 
+import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
@@ -35,7 +36,7 @@ public record PoseApproach(WalkStyle style) {
      */
     public WalkVelocity velocity(double ahead, double left, double turnDegrees) {
         double distance = PortableMath.hypot(ahead, left);
-        double bearing = PortableMath.toDegrees(PortableMath.atan2(left, ahead));
+        double bearing = Angles.atan2(left, ahead);
         double far = share(distance);
         double turn = TURN_PER_SECOND * (far * bearing + (1 - far) * turnDegrees);
         if (distance > FACES_PLACE_METRES && Math.abs(bearing) > MAX_ASIDE_DEGREES) {

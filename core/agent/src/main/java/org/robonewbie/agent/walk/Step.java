@@ -1,7 +1,8 @@
 package org.robonewbie.agent.walk;
 
 import org.robonewbie.nao.Joint;
-import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.kinematics.InverseKinematics;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.motion.Posture;
@@ -12,7 +13,7 @@ import org.robonewbie.nao.motion.Posture;
  *
  * <pre>{@code
  * TorsoPosture torso = TorsoPosture.of(gait, 1);
- * Step step = new Step(gait, Leg.LEFT, FootPlace.LEFT, FootPlace.LEFT.moved(0.05, 0), FootPlace.RIGHT, torso, torso);
+ * Step step = new Step(gait, Leg.LEFT, Stance.LEFT_FOOT, Stance.LEFT_FOOT.then(0.05, 0, 0), Stance.RIGHT_FOOT, torso, torso);
  * Posture halfWay = step.posture(kinematics, 0.5);
  * }</pre>
  *
@@ -25,13 +26,7 @@ import org.robonewbie.nao.motion.Posture;
  * @param after how the torso is carried at the end
  */
 public record Step(
-        Gait gait,
-        Leg swing,
-        FootPlace start,
-        FootPlace target,
-        FootPlace support,
-        TorsoPosture before,
-        TorsoPosture after) {
+        Gait gait, Leg swing, Pose2d start, Pose2d target, Pose2d support, TorsoPosture before, TorsoPosture after) {
 
     private static final double ANKLE_BEHIND_TORSO = 0.005;
     private static final double MAX_ARM_DEGREES = 45;
@@ -54,8 +49,8 @@ public record Step(
 
     /** Calculates a corrected posture; the search for the legs' angles begins with the posture before. */
     Posture posture(InverseKinematics kinematics, Posture previous, StepPhase moment, Correction correction) {
-        FootPlace middle = start.towards(target, moment.phase()).towards(support, 0.5);
-        FootPlace foot = swingFoot(moment, correction);
+        Pose2d middle = start.interpolate(target, moment.phase()).interpolate(support, 0.5);
+        Pose2d foot = swingFoot(moment, correction);
         FootPose swingPose = pose(foot, middle, swing, moment).raised(moment.lift(), moment.toeDegrees());
         FootPose supportPose = pose(support, middle, swing.other(), moment);
         Posture legs = moment.torsoPose()
@@ -65,28 +60,31 @@ public record Step(
                         swing == Leg.LEFT ? swingPose : supportPose,
                         swing == Leg.LEFT ? supportPose : swingPose);
         double[] degrees = legs.toArray();
-        swingArms(degrees, foot.seenFrom(middle).x() - support.seenFrom(middle).x());
+        swingArms(
+                degrees,
+                foot.translation().seenFrom(middle).x()
+                        - support.translation().seenFrom(middle).x());
         degrees[hipRoll().ordinal()] += moment.hipRollDegrees();
         correction.addTo(degrees);
         return Posture.of(degrees);
     }
 
     /** Where the swing foot is, seen from above; at the end of the step the place where it was set down. */
-    FootPlace swingFoot(StepPhase moment, Correction correction) {
+    Pose2d swingFoot(StepPhase moment, Correction correction) {
         double travelled = moment.travelled();
-        return start.towards(target, travelled)
+        return start.interpolate(target, travelled)
                 .then(correction.swingForward() * travelled, correction.swingLeft() * travelled, 0);
     }
 
     /** Where a foot on the ground is below the torso, which is above the middle between the feet but for sway and offsets. */
-    private FootPose pose(FootPlace foot, FootPlace middle, Leg leg, StepPhase moment) {
-        Vector3 seen = foot.seenFrom(middle);
+    private FootPose pose(Pose2d foot, Pose2d middle, Leg leg, StepPhase moment) {
+        Translation2d seen = foot.translation().seenFrom(middle);
         double outward = leg == Leg.LEFT ? gait.footSpread() : -gait.footSpread();
         return new FootPose(
                 seen.x() + moment.torso().ankleOffset() - ANKLE_BEHIND_TORSO,
                 seen.y() + outward - moment.sway(),
                 0,
-                foot.yawDegrees() - middle.yawDegrees(),
+                foot.degrees() - middle.degrees(),
                 0);
     }
 

@@ -2,6 +2,7 @@ package org.robonewbie.agent.walk;
 
 import org.robonewbie.agent.perception.FootPressure;
 import org.robonewbie.agent.perception.TorsoMotion;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.InverseKinematics;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.model.RobotType;
@@ -56,8 +57,8 @@ public final class WalkEngine {
     private int cyclesPerStep;
     private WalkVelocity wanted = WalkVelocity.ZERO;
     private WalkVelocity velocity = WalkVelocity.ZERO;
-    private FootPlace left = FootPlace.LEFT;
-    private FootPlace right = FootPlace.RIGHT;
+    private Pose2d left = Stance.LEFT_FOOT;
+    private Pose2d right = Stance.RIGHT_FOOT;
     private Leg swing = Leg.LEFT;
     private TorsoPosture torso;
     private Step step;
@@ -195,7 +196,7 @@ public final class WalkEngine {
         return stopping ? Math.max(usual, MIN_CYCLES_OF_LAST_STEP) : usual;
     }
 
-    private Step stepTo(FootPlace target, TorsoPosture after) {
+    private Step stepTo(Pose2d target, TorsoPosture after) {
         return new Step(style.gait(), swing, foot(swing), target, foot(swing.other()), torso, after);
     }
 
@@ -207,26 +208,26 @@ public final class WalkEngine {
     }
 
     /** Where the swing foot comes down: first below the torso's middle line, then on to its own side. */
-    private FootPlace target() {
+    private Pose2d target() {
         double seconds = style.gait().stepMillis() / 1000.0;
         WalkVelocity slip = style.slip();
         double side = swing == Leg.LEFT ? 1 : -1;
         double open = Math.max(0, 2 * side * slip.left() * velocity.left() * seconds);
         double twist = Math.max(0, 2 * side * slip.turn() * velocity.turn() * seconds);
         return foot(swing.other())
-                .then(0, side * FootPlace.HALF_WIDTH, side * twist / 2)
+                .then(0, side * Stance.HALF_WIDTH, side * twist / 2)
                 .then(
                         slip.forward() * velocity.forward() * seconds,
-                        side * (FootPlace.HALF_WIDTH + open),
+                        side * (Stance.HALF_WIDTH + open),
                         side * twist / 2);
     }
 
-    private FootPlace foot(Leg leg) {
+    private Pose2d foot(Leg leg) {
         return leg == Leg.LEFT ? left : right;
     }
 
     /** Ends the step: the swing foot becomes the support foot. */
-    private void setDown(FootPlace place) {
+    private void setDown(Pose2d place) {
         if (swing == Leg.LEFT) {
             left = place;
         } else {
@@ -242,8 +243,8 @@ public final class WalkEngine {
     }
 
     private void putFeetSideBySide() {
-        left = FootPlace.LEFT;
-        right = FootPlace.RIGHT;
+        left = Stance.LEFT_FOOT;
+        right = Stance.RIGHT_FOOT;
     }
 
     private Correction correction(StepPhase moment) {

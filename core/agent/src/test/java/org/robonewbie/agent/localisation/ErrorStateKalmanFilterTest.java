@@ -64,7 +64,7 @@ class ErrorStateKalmanFilterTest {
         filter.move(new Vector3(0, 0, 1000), new Vector3(5, 0, 9.81));
         filter.move(Vector3.ZERO, GRAVITY);
 
-        assertThat(filter.pose().headingDegrees()).isCloseTo(110, within(1e-9));
+        assertThat(filter.pose().degrees()).isCloseTo(110, within(1e-9));
         assertThat(filter.pose().x()).isCloseTo(1, within(1e-9));
         assertThat(filter.pose().y()).isCloseTo(1 + 2 * 5 * Cycle.SECONDS * Cycle.SECONDS, within(1e-9));
     }
@@ -77,7 +77,7 @@ class ErrorStateKalmanFilterTest {
         filter.move(new Vector3(0, 0, 180 / Cycle.SECONDS), GRAVITY);
         filter.move(new Vector3(0, 90 / Cycle.SECONDS, 0), GRAVITY);
 
-        assertThat(Math.abs(filter.pose().headingDegrees())).isCloseTo(180, within(1e-6));
+        assertThat(Math.abs(filter.pose().degrees())).isCloseTo(180, within(1e-6));
         assertThat(filter.torso().rotation().apply(new Vector3(0, 0, 1)).z()).isCloseTo(1, within(1e-9));
     }
 
@@ -90,7 +90,7 @@ class ErrorStateKalmanFilterTest {
 
         assertThat(believed).isFalse();
         assertThat(filter.pose().x()).isCloseTo(1, within(1e-6));
-        assertThat(filter.pose().headingDegrees()).isCloseTo(10, within(1e-6));
+        assertThat(filter.pose().degrees()).isCloseTo(10, within(1e-6));
     }
 
     @Test

@@ -26,16 +26,6 @@ public record Translation2d(double x, double y) {
     }
 
     /**
-     * Forgets the direction of a pose.
-     *
-     * @param pose where a robot stands
-     * @return its place
-     */
-    public static Translation2d of(Pose2d pose) {
-        return new Translation2d(pose.x(), pose.y());
-    }
-
-    /**
      * Returns the way of a length in a direction.
      *
      * @param degrees 0 is along x, positive turns left
@@ -116,7 +106,7 @@ public record Translation2d(double x, double y) {
 
     /** {@return the direction of the way in degrees; 0 is along x, positive is left} */
     public double degrees() {
-        return PortableMath.toDegrees(PortableMath.atan2(y, x));
+        return Angles.atan2(y, x);
     }
 
     /**

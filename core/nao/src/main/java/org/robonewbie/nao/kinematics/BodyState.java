@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.function.IntToDoubleFunction;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
@@ -190,7 +191,7 @@ public final class BodyState {
      * @return degrees from -180 to 180, 0 along the world's x axis, positive to the left
      */
     public static double headingDegrees(Vector3 forward) {
-        return PortableMath.toDegrees(PortableMath.atan2(forward.y(), forward.x()));
+        return Angles.atan2(forward.y(), forward.x());
     }
 
     /**

@@ -1,6 +1,7 @@
 package org.robonewbie.nao.kinematics;
 
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
@@ -91,6 +92,6 @@ public record Rotation(double w, double x, double y, double z) {
      * {@return the direction of the rotated x axis as an angle about z in degrees, -180 to 180; positive is to the left}
      */
     public double yawDegrees() {
-        return PortableMath.toDegrees(PortableMath.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)));
+        return Angles.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
     }
 }

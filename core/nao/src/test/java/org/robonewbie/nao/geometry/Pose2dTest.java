@@ -12,11 +12,11 @@ class Pose2dTest {
 
     @Test
     void movesAlongItsOwnAxesAndThenTurns() {
-        Pose2d pose = new Pose2d(1, 0, 90).moved(2, 0.5, 30);
+        Pose2d pose = new Pose2d(1, 0, 90).then(2, 0.5, 30);
 
         assertThat(pose.x()).isCloseTo(0.5, within(TINY));
         assertThat(pose.y()).isCloseTo(2, within(TINY));
-        assertThat(pose.headingDegrees()).isCloseTo(120, within(TINY));
+        assertThat(pose.degrees()).isCloseTo(120, within(TINY));
     }
 
     @Test
@@ -30,11 +30,20 @@ class Pose2dTest {
     }
 
     @Test
-    void goesTheShortWayRound() {
-        Pose2d between = new Pose2d(0, 0, 170).towards(new Pose2d(1, 2, -170), 0.5);
+    void interpolatesWithoutWrapping() {
+        Pose2d between = new Pose2d(0, 0, 170).interpolate(new Pose2d(1, 2, 190), 0.5);
 
-        assertThat(Math.abs(between.headingDegrees())).isCloseTo(180, within(TINY));
-        assertThat(between.x()).isEqualTo(0.5);
-        assertThat(between.y()).isEqualTo(1);
+        assertThat(between).isEqualTo(new Pose2d(0.5, 1, 180));
+    }
+
+    @Test
+    void seesAPointByDistanceAndBearing() {
+        Pose2d pose = new Pose2d(1, 2, 170);
+        Vector3 point = pose.point(3, 40, 0.5);
+
+        assertThat(pose.distance(point)).isCloseTo(3, within(TINY));
+        assertThat(pose.bearing(point)).isCloseTo(40, within(TINY));
+        assertThat(pose.pointAt(pose.ahead(point), pose.left(point)).distanceTo(new Vector3(point.x(), point.y(), 0)))
+                .isLessThan(TINY);
     }
 }

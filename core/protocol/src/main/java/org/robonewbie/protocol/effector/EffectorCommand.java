@@ -1,6 +1,7 @@
 package org.robonewbie.protocol.effector;
 
 import java.util.List;
+import org.robonewbie.nao.geometry.Pose2d;
 
 /** A command of an agent to the simulator, one of a closed family. */
 public sealed interface EffectorCommand {
@@ -13,9 +14,27 @@ public sealed interface EffectorCommand {
      */
     record CreateRobot(String path, List<String> parameters) implements EffectorCommand {
 
+        /** The scene of the robot of type 0. */
+        public static final String SCENE = "rsg/agent/nao/nao.rsg";
+
+        /** The scene of a robot whose type is its parameter. */
+        public static final String SCENE_OF_TYPE = "rsg/agent/nao/nao_hetero.rsg";
+
         /** Makes the list unmodifiable. */
         public CreateRobot {
             parameters = List.copyOf(parameters);
+        }
+
+        /**
+         * Returns the command that builds a robot.
+         *
+         * @param type the robot type, 0 to 4
+         * @return the command
+         */
+        public static CreateRobot of(int type) {
+            return type == 0
+                    ? new CreateRobot(SCENE, List.of())
+                    : new CreateRobot(SCENE_OF_TYPE, List.of(Integer.toString(type)));
         }
     }
 
@@ -30,11 +49,9 @@ public sealed interface EffectorCommand {
     /**
      * Places the robot on its own half before a kick-off: {@code (beam -1 0.5 90)}.
      *
-     * @param xMetres along the field; the team's own half is negative
-     * @param yMetres across the field; positive is left as seen from the team's own goal
-     * @param headingDegrees heading of the robot; 0 is towards the opponents' goal, positive is left
+     * @param pose in the coordinates of the team; the own half has negative x
      */
-    record Beam(double xMetres, double yMetres, double headingDegrees) implements EffectorCommand {}
+    record Beam(Pose2d pose) implements EffectorCommand {}
 
     /**
      * Sets the speed of a joint's motor: {@code (he1 0.5)}. The motor keeps turning until the next command. This is the only

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.Consumer;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.protocol.effector.EffectorCommand.Beam;
 import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
 import org.robonewbie.protocol.effector.EffectorCommand.JoinTeam;
@@ -105,7 +106,7 @@ public final class EffectorMessageReader {
 
     private void readBeam() {
         if (readNumbers(3)) {
-            finish(new Beam(numbers[0], numbers[1], numbers[2]));
+            finish(new Beam(new Pose2d(numbers[0], numbers[1], numbers[2])));
         } else {
             ignore("\"beam\" was ignored: it needs three numbers, x and y in metres and the heading in degrees");
         }
@@ -140,7 +141,7 @@ public final class EffectorMessageReader {
 
     private void readCreateRobot() {
         if (reader.next() != Token.ATOM) {
-            ignore("\"scene\" was ignored: it needs a file name such as rsg/agent/nao/nao.rsg");
+            ignore("\"scene\" was ignored: it needs a file name such as " + CreateRobot.SCENE);
             return;
         }
         String path = reader.text();

@@ -2,6 +2,7 @@ package org.robonewbie.protocol.effector;
 
 import java.util.List;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.protocol.effector.EffectorCommand.Beam;
 import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
 import org.robonewbie.protocol.effector.EffectorCommand.JoinTeam;
@@ -20,6 +21,9 @@ import org.robonewbie.protocol.sexp.SexpWriter;
  * }</pre>
  */
 public final class EffectorMessageWriter {
+
+    /** The command that ends the commands of a cycle, as {@link #synchronise} writes it. */
+    public static final String SYNCHRONISE = "(syn)";
 
     private static final int DECIMALS = 9;
 
@@ -59,7 +63,7 @@ public final class EffectorMessageWriter {
         } else if (command instanceof JoinTeam join) {
             return joinTeam(join.number(), join.team());
         } else if (command instanceof Beam beam) {
-            return beam(beam.xMetres(), beam.yMetres(), beam.headingDegrees());
+            return beam(beam.pose());
         } else if (command instanceof Say say) {
             return say(say.text());
         }
@@ -103,19 +107,17 @@ public final class EffectorMessageWriter {
     /**
      * Writes the command that places the robot on its own half.
      *
-     * @param xMetres along the field; the team's own half is negative
-     * @param yMetres across the field; positive is left as seen from the team's own goal
-     * @param headingDegrees heading of the robot; 0 is towards the opponents' goal, positive is left
+     * @param pose in the coordinates of the team; the own half has negative x
      * @return this writer
      * @throws IllegalArgumentException if a number is not finite
      */
-    public EffectorMessageWriter beam(double xMetres, double yMetres, double headingDegrees) {
-        checkNumber("Beam ", "x", xMetres);
-        checkNumber("Beam ", "y", yMetres);
-        checkNumber("Beam ", "heading", headingDegrees);
-        writer.text("(beam ").decimal(xMetres, DECIMALS);
-        writer.text(" ").decimal(yMetres, DECIMALS);
-        writer.text(" ").decimal(headingDegrees, DECIMALS);
+    public EffectorMessageWriter beam(Pose2d pose) {
+        checkNumber("Beam ", "x", pose.x());
+        checkNumber("Beam ", "y", pose.y());
+        checkNumber("Beam ", "heading", pose.degrees());
+        writer.text("(beam ").decimal(pose.x(), DECIMALS);
+        writer.text(" ").decimal(pose.y(), DECIMALS);
+        writer.text(" ").decimal(pose.degrees(), DECIMALS);
         writer.text(")");
         return this;
     }
@@ -176,7 +178,7 @@ public final class EffectorMessageWriter {
      * @return this writer
      */
     public EffectorMessageWriter synchronise() {
-        writer.text("(syn)");
+        writer.text(SYNCHRONISE);
         return this;
     }
 

@@ -2,6 +2,7 @@ package org.robonewbie.protocol.telemetry;
 
 import java.util.List;
 import java.util.Optional;
+import org.robonewbie.nao.geometry.Pose2d;
 
 /** One item of a robot's telemetry. */
 public sealed interface TelemetryItem {
@@ -28,7 +29,7 @@ public sealed interface TelemetryItem {
      * @param things everything that it knows
      * @param self its believed pose; empty if it does not keep one
      */
-    record Belief(List<BelievedThing> things, Optional<BelievedPose> self) implements TelemetryItem {
+    record Belief(List<BelievedThing> things, Optional<Pose2d> self) implements TelemetryItem {
 
         /**
          * Creates a belief.

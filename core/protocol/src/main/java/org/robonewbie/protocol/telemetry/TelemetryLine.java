@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.protocol.telemetry.TelemetryItem.Belief;
 import org.robonewbie.protocol.telemetry.TelemetryItem.DeclaredNumber;
 import org.robonewbie.protocol.telemetry.TelemetryItem.LogEntry;
@@ -114,8 +115,8 @@ public final class TelemetryLine {
 
     private static void write(Belief belief, FieldWriter fields) {
         if (belief.self().isPresent()) {
-            BelievedPose self = belief.self().get();
-            fields.number(self.x()).number(self.y()).number(self.headingDegrees());
+            Pose2d self = belief.self().get();
+            fields.number(self.x()).number(self.y()).number(self.degrees());
         } else {
             fields.text(NOWHERE);
         }
@@ -127,9 +128,9 @@ public final class TelemetryLine {
 
     private static Belief belief(FieldReader fields) {
         String first = fields.text();
-        Optional<BelievedPose> self = first.equals(NOWHERE)
+        Optional<Pose2d> self = first.equals(NOWHERE)
                 ? Optional.empty()
-                : Optional.of(new BelievedPose(Double.parseDouble(first), fields.number(), fields.number()));
+                : Optional.of(new Pose2d(Double.parseDouble(first), fields.number(), fields.number()));
         List<BelievedThing> things = new ArrayList<>();
         while (fields.hasMore()) {
             things.add(new BelievedThing(

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.protocol.effector.EffectorCommand.Beam;
 import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
 import org.robonewbie.protocol.effector.EffectorCommand.JoinTeam;
@@ -39,7 +40,7 @@ class EffectorMessageReaderTest {
                         new Synchronise(),
                         new JoinTeam(3, "Stars"),
                         new Synchronise(),
-                        new Beam(-1, 0.5, 90),
+                        new Beam(new Pose2d(-1, 0.5, 90)),
                         new Synchronise(),
                         new SetHingeSpeed("he1", 0.5),
                         new SetHingeSpeed("lle4", -1.25),

@@ -14,6 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.FieldSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.protocol.effector.EffectorCommand.Beam;
 import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
 import org.robonewbie.protocol.effector.EffectorCommand.JoinTeam;
@@ -29,7 +30,7 @@ class EffectorMessageWriterTest {
     private static final List<EffectorCommand> COMMANDS = List.of(
             new CreateRobot("rsg/agent/nao/nao_hetero.rsg", List.of("4")),
             new JoinTeam(0, "Stars"),
-            new Beam(-1, 0.5, -90),
+            new Beam(new Pose2d(-1, 0.5, -90)),
             new SetHingeSpeed("lle7", -6.13954),
             new Say("hello!"),
             new RequestPass(),
@@ -42,7 +43,7 @@ class EffectorMessageWriterTest {
     void writesWhatServersExpect() {
         writer.createRobot("rsg/agent/nao/nao.rsg", List.of())
                 .joinTeam(1, "Stars")
-                .beam(-1, 0.5, 90)
+                .beam(new Pose2d(-1, 0.5, 90))
                 .hingeSpeed(Joint.NECK_YAW, 0.25)
                 .say("hello")
                 .requestPass()
@@ -83,7 +84,7 @@ class EffectorMessageWriterTest {
 
     @Test
     void refusesABeamToNowhere() {
-        assertThatThrownBy(() -> writer.beam(0, Double.NaN, 0))
+        assertThatThrownBy(() -> writer.beam(new Pose2d(0, Double.NaN, 0)))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageStartingWith("Beam y is NaN");
         assertThat(message.length()).isZero();

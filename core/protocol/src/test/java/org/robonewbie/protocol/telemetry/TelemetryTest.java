@@ -14,6 +14,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.protocol.tcp.TelemetryClient;
 import org.robonewbie.protocol.tcp.TelemetryServer;
 
@@ -28,7 +29,7 @@ class TelemetryTest {
                     List.of(
                             new BelievedThing("ball", new Vector3(1.2, -0.1, -0.45), 0.02, true),
                             new BelievedThing("Blue 3", new Vector3(3, 0, 0), 7.5, false)),
-                    Optional.of(new BelievedPose(-0.5, 0.4, -40))),
+                    Optional.of(new Pose2d(-0.5, 0.4, -40))),
             new TelemetryItem.Picture(List.of(
                     new Drawing.Point(new Vector3(1, 2, 3), "red"),
                     new Drawing.Line(Vector3.ZERO, new Vector3(1, 0, 0), "#ff8800"),

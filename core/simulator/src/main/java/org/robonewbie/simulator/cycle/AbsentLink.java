@@ -1,6 +1,7 @@
 package org.robonewbie.simulator.cycle;
 
 import java.util.List;
+import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
 /** Stands in for an agent that was there when the world was saved and is not there now: it answers, but never moves. */
@@ -15,7 +16,7 @@ final class AbsentLink implements ServerLink {
         }
         owesAnswer = false;
         message.clear();
-        message.append("(syn)");
+        message.append(EffectorMessageWriter.SYNCHRONISE);
         return true;
     }
 

@@ -7,6 +7,8 @@ import java.util.function.ObjDoubleConsumer;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Angles;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.state.Restorable;
@@ -37,8 +39,6 @@ import org.robonewbie.simulator.world.SoccerWorld;
  */
 final class Effectors implements Restorable {
 
-    private static final String STANDARD_ROBOT = "rsg/agent/nao/nao.rsg";
-    private static final String TYPED_ROBOT = "rsg/agent/nao/nao_hetero.rsg";
     private static final int MAXIMUM_ROBOTS = 44;
     private static final double ROOM = 1;
     private static final double HEARING_RANGE = 50;
@@ -66,7 +66,7 @@ final class Effectors implements Restorable {
                 agent.connection()
                         .warn(
                                 "no robot",
-                                "sent a command although it has no robot. Send (scene " + STANDARD_ROBOT
+                                "sent a command although it has no robot. Send (scene " + CreateRobot.SCENE
                                         + ") first and wait for a message.");
             } else {
                 execute(agent, agent.robot().get(), command, everybody);
@@ -104,12 +104,7 @@ final class Effectors implements Restorable {
         agent.player()
                 .ifPresent(player -> agent.lastBeam()
                         .ifPresentOrElse(
-                                beam -> place(
-                                        player,
-                                        beam.xMetres(),
-                                        beam.yMetres(),
-                                        beam.headingDegrees(),
-                                        player.robot()::moveUpright),
+                                beam -> place(player, beam.pose(), player.robot()::moveUpright),
                                 () -> match.teams().putToStart(player)));
     }
 
@@ -173,7 +168,7 @@ final class Effectors implements Restorable {
                 Vector3 way = speaker.position().minus(listener.position());
                 if (way.length() <= HEARING_RANGE) {
                     double sign = listener.side() == TeamSide.LEFT ? 1 : -1;
-                    double direction = PortableMath.toDegrees(PortableMath.atan2(sign * way.y(), sign * way.x()));
+                    double direction = Angles.atan2(sign * way.y(), sign * way.x());
                     other.hearing().hear(listener.team() == speaker.team(), team, direction, text);
                 }
             }
@@ -187,9 +182,9 @@ final class Effectors implements Restorable {
                     .warn(
                             "scene",
                             "asked for the unknown robot \"" + create.path() + " "
-                                    + String.join(" ", create.parameters()) + "\". There are " + STANDARD_ROBOT
+                                    + String.join(" ", create.parameters()) + "\". There are " + CreateRobot.SCENE
                                     + " and "
-                                    + TYPED_ROBOT + " with a type from 0 to 4.");
+                                    + CreateRobot.SCENE_OF_TYPE + " with a type from 0 to 4.");
         } else if (world.robots().size() >= MAXIMUM_ROBOTS) {
             agent.connection().warn("crowd", "gets no robot, since there are " + MAXIMUM_ROBOTS + " robots already.");
         } else {
@@ -220,10 +215,10 @@ final class Effectors implements Restorable {
 
     /** The wanted robot type; -1 for a robot that does not exist. */
     private static int robotType(CreateRobot create) {
-        if (create.path().equals(STANDARD_ROBOT)) {
+        if (create.path().equals(CreateRobot.SCENE)) {
             return 0;
         }
-        if (!create.path().equals(TYPED_ROBOT)) {
+        if (!create.path().equals(CreateRobot.SCENE_OF_TYPE)) {
             return -1;
         }
         String type = create.parameters().isEmpty() ? "0" : create.parameters().get(0);
@@ -254,23 +249,23 @@ final class Effectors implements Restorable {
         }
         SoccerParameters parameters = match.parameters();
         double noise = parameters.get(SoccerParameter.BEAM_NOISE_XY);
-        double x = beam.xMetres() + spread(noise);
-        double y = beam.yMetres() + spread(noise);
-        double yaw = beam.headingDegrees() + spread(parameters.get(SoccerParameter.BEAM_NOISE_ANGLE));
-        if (!Double.isFinite(x) || !Double.isFinite(y) || !Double.isFinite(yaw)) {
-            agent.connection().warn("beam", "wants to be beamed to " + beam + ", which is not a place.");
+        Pose2d pose = new Pose2d(
+                beam.pose().x() + spread(noise),
+                beam.pose().y() + spread(noise),
+                beam.pose().degrees() + spread(parameters.get(SoccerParameter.BEAM_NOISE_ANGLE)));
+        if (!Double.isFinite(pose.x()) || !Double.isFinite(pose.y()) || !Double.isFinite(pose.degrees())) {
+            agent.connection().warn("beam", "wants to be beamed to " + beam.pose() + ", which is not a place.");
             return;
         }
-        agent.remember(new Beam(x, y, yaw));
+        agent.remember(new Beam(pose));
         Player player = agent.player().get();
-        place(player, x, y, yaw, player.robot()::beam);
+        place(player, pose, player.robot()::beam);
     }
 
-    private void place(
-            Player player, double wantedX, double wantedY, double headingDegrees, ObjDoubleConsumer<Vector3> move) {
+    private void place(Player player, Pose2d wanted, ObjDoubleConsumer<Vector3> move) {
         SoccerField field = world.field();
-        double x = wantedX;
-        double y = wantedY;
+        double x = wanted.x();
+        double y = wanted.y();
         if (!match.parameters().isOn(SoccerParameter.START_ANY_FIELD_POSITION)) {
             x = Math.max(-field.length() / 2, Math.min(0, x));
             y = Math.max(-field.width() / 2, Math.min(field.width() / 2, y));
@@ -278,7 +273,7 @@ final class Effectors implements Restorable {
         double z = match.parameters().get(SoccerParameter.AGENT_RADIUS);
         boolean left = player.side() == TeamSide.LEFT;
         Vector3 position = left ? new Vector3(x, y, z) : new Vector3(-x, -y, z);
-        move.accept(position, left ? headingDegrees - 90 : headingDegrees + 90);
+        move.accept(position, wanted.degrees() + (left ? -90 : 90));
     }
 
     private boolean mayBeam(ConnectedAgent agent) {

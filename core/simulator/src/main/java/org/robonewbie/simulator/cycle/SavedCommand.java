@@ -1,5 +1,6 @@
 package org.robonewbie.simulator.cycle;
 
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.protocol.effector.EffectorCommand;
@@ -47,12 +48,12 @@ final class SavedCommand {
     }
 
     static void save(EffectorCommand.Beam beam, StateWriter out) {
-        out.putDouble(beam.xMetres());
-        out.putDouble(beam.yMetres());
-        out.putDouble(beam.headingDegrees());
+        out.putDouble(beam.pose().x());
+        out.putDouble(beam.pose().y());
+        out.putDouble(beam.pose().degrees());
     }
 
     static EffectorCommand.Beam restoreBeam(StateReader in) {
-        return new EffectorCommand.Beam(in.getDouble(), in.getDouble(), in.getDouble());
+        return new EffectorCommand.Beam(new Pose2d(in.getDouble(), in.getDouble(), in.getDouble()));
     }
 }

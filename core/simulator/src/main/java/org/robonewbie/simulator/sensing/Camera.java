@@ -10,6 +10,7 @@ import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.state.Restorable;
@@ -169,8 +170,8 @@ public final class Camera implements Restorable {
 
     private PolarPosition measure(double x, double y, double z) {
         double metres = Math.sqrt(x * x + y * y + z * z);
-        double left = PortableMath.toDegrees(PortableMath.atan2(-x, y));
-        double up = PortableMath.toDegrees(PortableMath.atan2(z, PortableMath.hypot(x, y)));
+        double left = Angles.atan2(-x, y);
+        double up = Angles.atan2(z, PortableMath.hypot(x, y));
         return noise.isPresent() ? noise.get().disturb(metres, left, up) : new PolarPosition(metres, left, up);
     }
 

@@ -7,7 +7,9 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.BooleanSupplier;
 import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
 import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
@@ -94,7 +96,7 @@ public final class WarmUp {
         @Override
         public void run() {
             try (link) {
-                writer.createRobot("rsg/agent/nao/nao_hetero.rsg", List.of(String.valueOf(number % 4)));
+                writer.createRobot(CreateRobot.SCENE_OF_TYPE, List.of(String.valueOf(number % 4)));
                 send();
                 receive();
                 writer.joinTeam(number, team);
@@ -125,7 +127,7 @@ public final class WarmUp {
             if (seconds < SECONDS_BEFORE_KICK_OFF && cycle % PLAYERS_PER_ROW == 0) {
                 int row = (number - 1) / PLAYERS_PER_ROW;
                 int column = (number - 1) % PLAYERS_PER_ROW;
-                writer.beam(-3 - DISTANCE_METRES * row, DISTANCE_METRES * (column - 1.5), 0);
+                writer.beam(new Pose2d(-3 - DISTANCE_METRES * row, DISTANCE_METRES * (column - 1.5), 0));
             }
             double swing = SWING_RADIANS_PER_SECOND * PortableMath.sin(STEPS_RADIANS_PER_SECOND * seconds);
             writer.hingeSpeed("lle3", swing).hingeSpeed("rle3", -swing);

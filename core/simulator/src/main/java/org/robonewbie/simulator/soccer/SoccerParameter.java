@@ -2,6 +2,7 @@ package org.robonewbie.simulator.soccer;
 
 import java.util.Arrays;
 import java.util.Optional;
+import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.text.Spelling;
 
 /**
@@ -77,7 +78,7 @@ public enum SoccerParameter {
     /** Limit of two types together. */
     MAX_SUM_TWO_ROBOT_TYPES("MaxSumTwoRobotTypes", 9, 11, "robots that any two types may have together"),
     /** Size of the ball. */
-    BALL_RADIUS("BallRadius", 0.042, 0.042, "metres"),
+    BALL_RADIUS("BallRadius", SoccerField.BALL_RADIUS, SoccerField.BALL_RADIUS, "metres"),
     /** Mass of the ball. */
     BALL_MASS("BallMass", 0.026, 0.026, "kilograms"),
     /** Time to be happy about a goal. */

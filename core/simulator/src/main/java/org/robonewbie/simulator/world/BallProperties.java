@@ -1,5 +1,7 @@
 package org.robonewbie.simulator.world;
 
+import org.robonewbie.nao.SoccerField;
+
 /**
  * Size and weight of a ball.
  *
@@ -9,5 +11,5 @@ package org.robonewbie.simulator.world;
 public record BallProperties(double radius, double massKg) {
 
     /** The ball of rcssserver3d 0.7.3. */
-    public static final BallProperties STANDARD = new BallProperties(0.042, 0.026);
+    public static final BallProperties STANDARD = new BallProperties(SoccerField.BALL_RADIUS, 0.026);
 }

@@ -6,6 +6,7 @@ import java.util.List;
 import org.robonewbie.nao.BodyPart;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
@@ -65,7 +66,7 @@ final class NoisyScene {
                     errors.add(new double[] {
                         sign * torso.position().x() + 5,
                         sign * torso.position().y() - client.lane,
-                        Math.IEEEremainder(heading - 30 - (left ? 0 : 180), 360)
+                        Angles.wrap(heading - 30 - (left ? 0 : 180))
                     });
                 }
             }

@@ -4,7 +4,7 @@ import java.util.Random;
 import java.util.function.IntFunction;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Place;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.TrialHook;
 
@@ -54,7 +54,7 @@ public final class Pushes implements TrialHook {
      */
     public static Pushes random(Random random, double maxNewtons) {
         return new Pushes(
-                number -> new Place(0, 0, random.nextDouble() * 360).point(maxNewtons * random.nextDouble(), 0, 0),
+                number -> new Pose2d(0, 0, random.nextDouble() * 360).point(maxNewtons * random.nextDouble(), 0, 0),
                 CYCLES_PER_SECOND,
                 CYCLES_PER_SECOND - CYCLES_PER_PUSH);
     }

@@ -1,6 +1,6 @@
 package org.robonewbie.trial.measure;
 
-import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.trial.WorldState;
 
 /** How far the robot has turned to the left, in degrees, whole turns included. */
@@ -15,7 +15,7 @@ public final class Turn extends MeasureFromStart {
     @Override
     protected void see(WorldState first, WorldState now) {
         double heading = now.robot().headingDegrees();
-        degrees += Double.isNaN(lastHeading) ? 0 : PortableMath.IEEEremainder(heading - lastHeading, 360);
+        degrees += Double.isNaN(lastHeading) ? 0 : Angles.wrap(heading - lastHeading);
         lastHeading = heading;
     }
 

@@ -2,9 +2,9 @@ package org.robonewbie.competition.contest;
 
 import java.util.Map;
 import java.util.function.Function;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.Challenge;
 import org.robonewbie.trial.Measure;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -31,7 +31,7 @@ record SoloChallenge<M extends Measure>(
 
     @Override
     public Scene scene(RandomSource random) {
-        Place place = new Place(start.x(), start.y(), start.degrees());
+        Pose2d place = new Pose2d(start.x(), start.y(), start.degrees());
         return Scene.of(RobotStart.at(place).withTeam(RobotStart.TEAM, start.number()));
     }
 

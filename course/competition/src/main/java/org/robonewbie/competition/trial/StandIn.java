@@ -2,6 +2,7 @@ package org.robonewbie.competition.trial;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.simulator.server.Simulator;
@@ -14,7 +15,7 @@ final class StandIn {
     static void connect(Simulator simulator) {
         AgentLink link = simulator.connect();
         MessageBuffer message = new MessageBuffer();
-        message.append("(syn)");
+        message.append(EffectorMessageWriter.SYNCHRONISE);
         try {
             link.send(message);
         } catch (IOException impossible) {

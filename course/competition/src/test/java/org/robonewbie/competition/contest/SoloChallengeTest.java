@@ -11,13 +11,13 @@ import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.trial.Challenge;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
@@ -185,7 +185,7 @@ class SoloChallengeTest {
                 .get(0);
         Scene scene = challenge(contest).scene(new RandomSource(3));
 
-        assertThat(scene.robots().get(0).place()).isEqualTo(new Place(told.x(), told.y(), told.degrees()));
+        assertThat(scene.robots().get(0).place()).isEqualTo(new Pose2d(told.x(), told.y(), told.degrees()));
         assertThat(scene.robots().get(0).number()).isEqualTo(told.number());
         assertThat(told).isNotEqualTo(new StartPlace(2, -0.5, 0.4, -40));
     }

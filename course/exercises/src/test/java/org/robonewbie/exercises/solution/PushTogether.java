@@ -40,7 +40,7 @@ public final class PushTogether extends Agent {
             walk.stop();
         } else {
             double away = side * APART - here.y();
-            walk.towards(0.25, 0.5 * away, -1.5 * here.headingDegrees());
+            walk.towards(0.25, 0.5 * away, -1.5 * here.degrees());
         }
     }
 }

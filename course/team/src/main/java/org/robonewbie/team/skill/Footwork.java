@@ -6,8 +6,8 @@ import java.util.stream.Stream;
 import org.robonewbie.agent.walk.Walk;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.geometry.Translation2d;
-import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.team.skill.PathPlanner.Obstacle;
 import org.robonewbie.team.world.Mate;
 import org.robonewbie.team.world.WorldModel;
@@ -66,7 +66,7 @@ public final class Footwork {
     public List<Translation2d> go(WorldModel world, Translation2d place, double headingDegrees) {
         List<Translation2d> way = PathPlanner.way(world.place(), place, others(world));
         Translation2d next = way.get(0).seenFrom(world.pose());
-        double turn = PortableMath.IEEEremainder(headingDegrees - world.pose().headingDegrees(), 360);
+        double turn = Angles.wrap(headingDegrees - world.pose().degrees());
         double tolerance = standing ? LEFT_METRES : ARRIVED_METRES;
         double turnTolerance = standing ? 2 * ARRIVED_DEGREES : ARRIVED_DEGREES;
         standing = way.size() == 1 && next.length() < tolerance && Math.abs(turn) < turnTolerance;
@@ -91,7 +91,7 @@ public final class Footwork {
      */
     public void shadow(WorldModel world, Translation2d place, double headingDegrees) {
         Translation2d next = place.seenFrom(world.pose());
-        double turn = PortableMath.IEEEremainder(headingDegrees - world.pose().headingDegrees(), 360);
+        double turn = Angles.wrap(headingDegrees - world.pose().degrees());
         standing = next.length() < EXACT_METRES && Math.abs(turn) < EXACT_DEGREES;
         if (standing) {
             walk.stop();
@@ -151,7 +151,7 @@ public final class Footwork {
      */
     public static double aroundSeconds(WorldModel world, double directionDegrees) {
         Translation2d way = world.ball().minus(world.place());
-        double around = Math.abs(PortableMath.IEEEremainder(directionDegrees - way.degrees(), 360));
+        double around = Math.abs(Angles.wrap(directionDegrees - way.degrees()));
         return around / AROUND_DEGREES_PER_SECOND * Math.min(1, NEAR_METRES / Math.max(0.1, way.length()));
     }
 

@@ -1,8 +1,8 @@
 package org.robonewbie.team.skill;
 
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.geometry.Translation2d;
-import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.team.world.WorldModel;
 
 /**
@@ -52,6 +52,6 @@ public final class Gaze {
     }
 
     private static double beside(Translation2d goal, WorldModel world, double ball) {
-        return PortableMath.IEEEremainder(goal.seenFrom(world.pose()).degrees() - ball, 360);
+        return Angles.wrap(goal.seenFrom(world.pose()).degrees() - ball);
     }
 }

@@ -101,7 +101,7 @@ public final class Goalkeeping {
         double atLine = ball.y() + slope * (line - ball.x());
         double here = ball.y() + slope * (world.place().x() - ball.x());
         boolean towardsGoal = Math.abs(atLine) < world.field().goalWidth() / 2 + 0.15;
-        double facing = Math.abs(world.pose().headingDegrees()) < 90 ? 1 : -1;
+        double facing = Math.abs(world.pose().degrees()) < 90 ? 1 : -1;
         return towardsGoal ? facing * (here - world.place().y()) : Double.NaN;
     }
 }

@@ -1,7 +1,7 @@
 package org.robonewbie.team.skill;
 
+import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.geometry.Translation2d;
-import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.team.world.WorldModel;
 
 /**
@@ -80,7 +80,7 @@ public final class Kick {
      */
     public void kick(WorldModel world, double directionDegrees) {
         Translation2d ball = world.ballFromHere();
-        double turn = PortableMath.IEEEremainder(directionDegrees - world.pose().headingDegrees(), 360);
+        double turn = Angles.wrap(directionDegrees - world.pose().degrees());
         double patience = world.opponentDistance(world.ball()) < HURRY_METRES ? HURRY : 1;
         if (waiting) {
             waitForTheStance(ball, turn, patience);

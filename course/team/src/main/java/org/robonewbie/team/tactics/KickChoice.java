@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.team.skill.Footwork;
@@ -83,8 +84,7 @@ public final class KickChoice {
 
     private double loyalGain(Option option) {
         boolean same = (option.plan.action() == before.action() || (option.plan.isKick() && before.isKick()))
-                && Math.abs(PortableMath.IEEEremainder(option.plan.headingDegrees() - before.headingDegrees(), 360))
-                        < SAME_DEGREES;
+                && Math.abs(Angles.wrap(option.plan.headingDegrees() - before.headingDegrees())) < SAME_DEGREES;
         return option.gain + (same ? LOYALTY * Math.abs(option.gain) : 0);
     }
 
@@ -199,8 +199,8 @@ public final class KickChoice {
         if (!mayScore || metres > kind.metres() || kind.isHigh(metres) || left.x() <= 0) {
             return 0;
         }
-        double toLeft = PortableMath.IEEEremainder(left.degrees() - degrees, 360) / SHOT_DEVIATION_DEGREES;
-        double toRight = PortableMath.IEEEremainder(degrees - right.degrees(), 360) / SHOT_DEVIATION_DEGREES;
+        double toLeft = Angles.wrap(left.degrees() - degrees) / SHOT_DEVIATION_DEGREES;
+        double toRight = Angles.wrap(degrees - right.degrees()) / SHOT_DEVIATION_DEGREES;
         return probability(1.7 * toLeft) * probability(1.7 * toRight);
     }
 

@@ -2,8 +2,8 @@ package org.robonewbie.team.tactics;
 
 import java.util.List;
 import java.util.Optional;
+import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.geometry.Translation2d;
-import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.team.skill.Goalkeeping;
 import org.robonewbie.team.tactics.Plan.Action;
 import org.robonewbie.team.talk.TeamRole;
@@ -139,7 +139,7 @@ public final class Strategy {
     /** Who waits looks at the ball, but never turns its back to the opponents' goal: that is where it has to play next. */
     private double facing(Translation2d place) {
         double goal = world.theirGoal().minus(place).degrees();
-        double turned = PortableMath.IEEEremainder(world.ball().minus(place).degrees() - goal, 360);
+        double turned = Angles.wrap(world.ball().minus(place).degrees() - goal);
         return goal + Math.max(-MAX_TURNED_DEGREES, Math.min(MAX_TURNED_DEGREES, turned));
     }
 
@@ -156,10 +156,8 @@ public final class Strategy {
         }
         double seconds = reachSeconds();
         Translation2d ball = world.ballIn(seconds);
-        double behind = Math.abs(PortableMath.IEEEremainder(
-                world.theirGoal().minus(ball).degrees()
-                        - ball.minus(world.place()).degrees(),
-                360));
+        double behind = Math.abs(Angles.wrap(world.theirGoal().minus(ball).degrees()
+                - ball.minus(world.place()).degrees()));
         double turn = Math.abs(ball.seenFrom(world.pose()).degrees());
         boolean blind = world.ownBallAgeSeconds() > BLIND_SECONDS;
         double sum =

@@ -57,8 +57,8 @@ public record TeamMessage(
     public String encode() {
         Characters text = new Characters();
         text.write(number, 4);
-        write(text, Translation2d.of(pose), 10, MAX_METRES);
-        text.write(pose.headingDegrees(), 7, -180, 180);
+        write(text, pose.translation(), 10, MAX_METRES);
+        text.write(pose.degrees(), 7, -180, 180);
         text.write(fallen ? 1 : 0, 1);
         text.write(role.ordinal(), 4);
         write(text, ball, 10, MAX_METRES);

@@ -65,6 +65,6 @@ final class BallTracker {
 
     /** How the ball rolls, in the directions of the robot, metres per second. */
     Translation2d velocity() {
-        return filter.velocity().seenFrom(new Pose2d(0, 0, here.headingDegrees()));
+        return filter.velocity().seenFrom(new Pose2d(0, 0, here.degrees()));
     }
 }

@@ -1,7 +1,6 @@
 package org.robonewbie.team.world;
 
 import org.robonewbie.nao.geometry.Pose2d;
-import org.robonewbie.nao.geometry.Translation2d;
 
 /**
  * Notices that the teams have changed sides at half time. No message says so: but a robot that was beamed into its own half and sees
@@ -32,8 +31,8 @@ final class HalfTimeDetector {
     }
 
     private static boolean isAt(Pose2d pose, Pose2d place) {
-        return Translation2d.of(pose).distanceTo(Translation2d.of(place)) < NEAR_METRES
-                && Translation2d.of(pose).length() > NEAR_METRES;
+        return pose.translation().distanceTo(place.translation()) < NEAR_METRES
+                && pose.translation().length() > NEAR_METRES;
     }
 
     /** {@return whether the team plays on the other side than at the beginning} */
@@ -47,6 +46,6 @@ final class HalfTimeDetector {
     }
 
     private static Pose2d turned(Pose2d pose) {
-        return new Pose2d(-pose.x(), -pose.y(), pose.headingDegrees() + (pose.headingDegrees() > 0 ? -180 : 180));
+        return new Pose2d(-pose.x(), -pose.y(), pose.degrees() + (pose.degrees() > 0 ? -180 : 180));
     }
 }

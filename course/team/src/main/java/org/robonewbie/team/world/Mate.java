@@ -24,6 +24,6 @@ public record Mate(TeamMessage message, double heardSeconds) {
 
     /** {@return its place, in the coordinates of the team} */
     public Translation2d place() {
-        return Translation2d.of(message.pose());
+        return message.pose().translation();
     }
 }

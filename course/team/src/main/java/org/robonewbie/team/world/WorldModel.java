@@ -124,7 +124,7 @@ public final class WorldModel {
     /** Believes its own eyes if they have seen the ball lately, else the team mate who has seen it last. */
     private void believeBall() {
         ball = tracker.position().onMap(pose);
-        ballVelocity = tracker.velocity().onMap(new Pose2d(0, 0, pose.headingDegrees()));
+        ballVelocity = tracker.velocity().onMap(new Pose2d(0, 0, pose.degrees()));
         ballSeenSeconds = tracker.seenSeconds();
         if (seconds - ballSeenSeconds > OWN_EYES_SECONDS) {
             Optional<Mate> witness = mates.values().stream()
@@ -261,7 +261,7 @@ public final class WorldModel {
 
     /** {@return the robot's place} */
     public Translation2d place() {
-        return Translation2d.of(pose);
+        return pose.translation();
     }
 
     /** {@return where the ball is} */

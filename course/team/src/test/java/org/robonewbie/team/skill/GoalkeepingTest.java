@@ -7,11 +7,11 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.team.Agent_Team;
 import org.robonewbie.trial.Controller;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
@@ -24,7 +24,7 @@ class GoalkeepingTest {
 
     @Test
     void comesOutAndStandsBetweenBallAndGoalWhileAnAttackerIsAtTheBall() {
-        try (Trial trial = trial(Optional.of(new Place(BALL.x() + 0.4, BALL.y(), 180)))) {
+        try (Trial trial = trial(Optional.of(new Pose2d(BALL.x() + 0.4, BALL.y(), 180)))) {
             trial.run(6);
 
             Vector3 keeper = trial.now().robot().position();
@@ -48,10 +48,10 @@ class GoalkeepingTest {
         }
     }
 
-    private static Trial trial(Optional<Place> attacker) {
+    private static Trial trial(Optional<Pose2d> attacker) {
         List<RobotStart> robots = new ArrayList<>();
         List<Controller> controllers = new ArrayList<>();
-        robots.add(new RobotStart("Team", 1, RobotType.TYPE_0, new Place(GOAL_LINE + 0.25, 0, 0), List.of()));
+        robots.add(new RobotStart("Team", 1, RobotType.TYPE_0, new Pose2d(GOAL_LINE + 0.25, 0, 0), List.of()));
         controllers.add(Controller.ofAgent(new Agent_Team(1)));
         attacker.ifPresent(place -> {
             robots.add(new RobotStart("Others", 2, RobotType.TYPE_0, place, List.of()));

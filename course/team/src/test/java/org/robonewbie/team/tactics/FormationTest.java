@@ -62,7 +62,7 @@ class FormationTest {
                 assertThat(place.x()).isBetween(-field.length() / 2, -0.3);
                 assertThat(Math.abs(place.y())).isLessThan(field.width() / 2);
                 boolean atBall = kicksOff && (number == 2 || number == 3);
-                assertThat(atBall || Translation2d.of(place).length() > field.centreCircleRadius())
+                assertThat(atBall || place.translation().length() > field.centreCircleRadius())
                         .isTrue();
             }
         }

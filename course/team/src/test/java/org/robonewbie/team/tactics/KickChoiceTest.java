@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.perception.CameraTransformation;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.team.skill.Gaze;
@@ -15,7 +16,6 @@ import org.robonewbie.team.skill.Limbs;
 import org.robonewbie.team.tactics.Plan.Action;
 import org.robonewbie.team.world.WorldModel;
 import org.robonewbie.trial.Controller;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
@@ -82,8 +82,8 @@ class KickChoiceTest {
     private static Plan choice(Choosing player, RobotType type, double goalMetres, double opponentMetres) {
         double x = GOAL_LINE - goalMetres;
         List<RobotStart> robots = List.of(
-                new RobotStart("Team", 2, type, new Place(x - 0.3, 0, 0), List.of()),
-                new RobotStart("Others", 2, RobotType.TYPE_0, new Place(x + opponentMetres, 0, 180), List.of()));
+                new RobotStart("Team", 2, type, new Pose2d(x - 0.3, 0, 0), List.of()),
+                new RobotStart("Others", 2, RobotType.TYPE_0, new Pose2d(x + opponentMetres, 0, 180), List.of()));
         Scene scene = new Scene(SoccerParameters.league(), true, robots, Optional.of(new Vector3(x, 0, 0)));
         try (Trial trial = Trial.served(scene, 1, Controller.ofAgent(player), Controller.ofSpeeds())) {
             trial.run(1.5);

@@ -9,11 +9,11 @@ import org.robonewbie.agent.Agent;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.team.world.Situation;
 import org.robonewbie.trial.Controller;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
@@ -70,8 +70,8 @@ class PassModeTest {
 
     private static Trial trial(double robotMetres, double opponentMetres) {
         List<RobotStart> robots = List.of(
-                new RobotStart("Team", 1, RobotType.TYPE_0, new Place(-robotMetres, 0, 0), List.of()),
-                new RobotStart("Others", 1, RobotType.TYPE_0, new Place(opponentMetres, 0, 180), List.of()));
+                new RobotStart("Team", 1, RobotType.TYPE_0, new Pose2d(-robotMetres, 0, 0), List.of()),
+                new RobotStart("Others", 1, RobotType.TYPE_0, new Pose2d(opponentMetres, 0, 180), List.of()));
         Scene scene = new Scene(SoccerParameters.league(), true, robots, Optional.of(Vector3.ZERO));
         return Trial.served(scene, 1, Controller.ofAgent(new Asking()), Controller.ofSpeeds());
     }

@@ -16,7 +16,6 @@ import org.robonewbie.team.talk.Talk;
 import org.robonewbie.team.talk.TeamMessage;
 import org.robonewbie.team.talk.TeamRole;
 import org.robonewbie.trial.Controller;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
@@ -43,7 +42,7 @@ class ReceiverTest {
     void itStandsBehindTheEndOfThePassAndDoesNotTurnItsBackToTheGoal() {
         try (Trial trial = trial()) {
             trial.run(8);
-            Place receiver = trial.now().place(1);
+            Pose2d receiver = trial.now().place(1);
 
             assertThat(receiver.x()).isBetween(END.x() - 0.8, END.x() - 0.1);
             assertThat(receiver.distance(new Vector3(END.x(), END.y(), 0))).isBetween(0.3, 0.9);
@@ -53,8 +52,8 @@ class ReceiverTest {
 
     private static Trial trial() {
         List<RobotStart> robots = List.of(
-                new RobotStart("Team", 1, RobotType.TYPE_0, new Place(BALL.x() - 0.4, BALL.y(), 0), List.of()),
-                new RobotStart("Team", 2, RobotType.TYPE_0, new Place(2, 2, 180), List.of()));
+                new RobotStart("Team", 1, RobotType.TYPE_0, new Pose2d(BALL.x() - 0.4, BALL.y(), 0), List.of()),
+                new RobotStart("Team", 2, RobotType.TYPE_0, new Pose2d(2, 2, 180), List.of()));
         Vector3 ball = new Vector3(BALL.x(), BALL.y(), 0);
         Scene scene = new Scene(SoccerParameters.league(), true, robots, Optional.of(ball));
         return Trial.served(scene, 1, Controller.ofAgent(new Passing()), Controller.ofAgent(new Agent_Team(2)));

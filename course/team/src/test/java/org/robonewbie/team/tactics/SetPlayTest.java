@@ -19,7 +19,6 @@ import org.robonewbie.team.talk.Talk;
 import org.robonewbie.team.talk.TeamMessage;
 import org.robonewbie.team.talk.TeamRole;
 import org.robonewbie.trial.Controller;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
@@ -28,8 +27,8 @@ import org.robonewbie.trial.Trial;
 @Tag("slow")
 class SetPlayTest {
 
-    private static final Place TAKER = new Place(-1, 0, 0);
-    private static final Place MATE = new Place(-2, 3, 0);
+    private static final Pose2d TAKER = new Pose2d(-1, 0, 0);
+    private static final Pose2d MATE = new Pose2d(-2, 3, 0);
 
     /** Stands where it is, says so, and does not want the ball. */
     private static final class Idle extends Agent {
@@ -47,7 +46,7 @@ class SetPlayTest {
                                 6,
                                 24,
                                 0,
-                                Translation2d.of(here))
+                                here.translation())
                         .encode());
             }
         }
@@ -89,7 +88,7 @@ class SetPlayTest {
         List<RobotStart> robots = List.of(
                 new RobotStart("Team", 2, RobotType.TYPE_0, TAKER, List.of()),
                 new RobotStart("Team", 3, RobotType.TYPE_0, MATE, List.of()),
-                new RobotStart("Others", 1, RobotType.TYPE_0, new Place(3.5, 0, 180), List.of()));
+                new RobotStart("Others", 1, RobotType.TYPE_0, new Pose2d(3.5, 0, 180), List.of()));
         Scene scene = new Scene(SoccerParameters.league(), true, robots, Optional.of(Vector3.ZERO));
         Trial trial = Trial.served(scene, 1, Controller.ofAgent(new Agent_Team(2)), mate, Controller.ofSpeeds());
         trial.order(new Order.ChangePlayMode(PlayMode.FREE_KICK_LEFT));

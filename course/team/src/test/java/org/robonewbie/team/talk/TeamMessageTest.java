@@ -25,9 +25,9 @@ class TeamMessageTest {
             assertThat(heard.role()).isEqualTo(said.role());
             assertThat(heard.receiver()).isEqualTo(said.receiver());
             assertThat(heard.fallen()).isEqualTo(said.fallen());
-            assertThat(Translation2d.of(heard.pose()).distanceTo(Translation2d.of(said.pose())))
+            assertThat(heard.pose().translation().distanceTo(said.pose().translation()))
                     .isLessThan(0.04);
-            assertThat(heard.pose().headingDegrees()).isCloseTo(said.pose().headingDegrees(), within(1.5));
+            assertThat(heard.pose().degrees()).isCloseTo(said.pose().degrees(), within(1.5));
             assertThat(heard.ball().distanceTo(said.ball())).isLessThan(0.04);
             assertThat(heard.ballVelocity().distanceTo(said.ballVelocity())).isLessThan(0.1);
             assertThat(heard.ballAgeSeconds()).isCloseTo(said.ballAgeSeconds(), within(0.11));

@@ -78,8 +78,7 @@ public final class DataSet {
      * @throws IOException if the folder cannot be written
      * @throws IllegalArgumentException if there is a complete data set already, or one that was made in another way
      */
-    public static DataSet create(Path folder, boolean withMessages, Map<String, String> facts)
-            throws IOException {
+    public static DataSet create(Path folder, boolean withMessages, Map<String, String> facts) throws IOException {
         DataSet set = new DataSet(folder, withMessages, facts);
         if (Files.exists(folder.resolve(DESCRIPTION))) {
             set.refuseAnother();

@@ -8,8 +8,8 @@ import java.util.Map;
 import java.util.Optional;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.text.Spelling;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
@@ -199,7 +199,7 @@ public final class DomainRandomization {
         private void place(Trial trial) {
             WorldState now = trial.now();
             if (isAny(Name.X, Name.Y, Name.HEADING)) {
-                Place usual = now.place();
+                Pose2d usual = now.place();
                 Vector3 torso = new Vector3(
                         of(Name.X, usual.x()),
                         of(Name.Y, usual.y()),

@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.Place;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.WorldState;
 
@@ -21,7 +21,7 @@ class EngineFollowTraining extends EngineTraining {
     private static final double FALL_PENALTY = 3;
     private static final double GOAL_METRES = 5;
 
-    private Optional<Place> before = Optional.empty();
+    private Optional<Pose2d> before = Optional.empty();
     private double turned;
     private double metres;
 
@@ -35,7 +35,7 @@ class EngineFollowTraining extends EngineTraining {
         Vector3 here = now.robot().position();
         before.ifPresent(place -> {
             turned += velocity().turn() * Cycle.SECONDS;
-            metres += new Place(place.x(), place.y(), first.place().degrees() + turned).ahead(here);
+            metres += new Pose2d(place.x(), place.y(), first.place().degrees() + turned).ahead(here);
         });
         before = Optional.of(now.place());
     }

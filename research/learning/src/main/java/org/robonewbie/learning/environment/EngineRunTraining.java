@@ -1,7 +1,7 @@
 package org.robonewbie.learning.environment;
 
 import org.robonewbie.agent.walk.WalkVelocity;
-import org.robonewbie.trial.Place;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
@@ -27,7 +27,7 @@ final class EngineRunTraining extends EngineFollowTraining {
     @Override
     public void begin(Trial trial) {
         super.begin(trial);
-        Place centre = new Place(0, 0, random().between(-180, 180));
+        Pose2d centre = new Pose2d(0, 0, random().between(-180, 180));
         trial.robot(0).push(centre.point(random().between(0, MAX_NEWTONS), 0, 0));
     }
 

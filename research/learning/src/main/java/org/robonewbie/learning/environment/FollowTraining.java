@@ -5,7 +5,7 @@ import java.util.Deque;
 import java.util.List;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
-import org.robonewbie.trial.Place;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.WorldState;
 
@@ -23,7 +23,7 @@ class FollowTraining extends CommandedTraining {
     private static final double FALL_PENALTY = 5;
     private static final double DONE_PART = 0.5;
 
-    private final Deque<Place> places = new ArrayDeque<>();
+    private final Deque<Pose2d> places = new ArrayDeque<>();
     private final double toleratedMetresPerSecond;
     private double totalReward;
     private double maxReward;

@@ -10,7 +10,7 @@ import org.robonewbie.learning.environment.DomainRandomization.Range;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.soccer.SoccerParameters;
-import org.robonewbie.trial.Place;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -53,7 +53,7 @@ final class GaitTraining extends EngineTraining {
     private boolean hasBegun;
     private WalkVelocity command = WalkVelocity.ZERO;
     private WalkVelocity followed = WalkVelocity.ZERO;
-    private Optional<Place> before = Optional.empty();
+    private Optional<Pose2d> before = Optional.empty();
     private double totalReward;
     private double fallCost;
     private VelocityError settledError = VelocityError.NONE;

@@ -7,7 +7,7 @@ import java.util.stream.DoubleStream;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.trial.Place;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -60,22 +60,22 @@ final class MatchTraining extends TrainingTask {
     static MatchTraining keeperAgainstAttacker() {
         double goalLine = FIELD.length() / 2;
         return new MatchTraining(Scene.of(
-                        start(TEAMS[0], 1, new Place(goalLine - 2.8, 0, 0)),
-                        start(TEAMS[1], 1, new Place(-goalLine + 0.2, 0, 0)))
+                        start(TEAMS[0], 1, new Pose2d(goalLine - 2.8, 0, 0)),
+                        start(TEAMS[1], 1, new Pose2d(-goalLine + 0.2, 0, 0)))
                 .withBall(goalLine - 2.5, 0));
     }
 
     /** The first robot of a team stands near the ball, the others three in a row behind it. */
-    private static Place place(int index) {
+    private static Pose2d place(int index) {
         int row = (index + 2) / 3;
         int column = (index + 2) % 3;
         double y = row == 0 ? 0 : 2.0 * (column == 2 ? -1 : column);
-        return new Place(-0.8 - 1.2 * row, y, 0);
+        return new Pose2d(-0.8 - 1.2 * row, y, 0);
     }
 
-    private static RobotStart start(String team, int number, Place place) {
+    private static RobotStart start(String team, int number, Pose2d place) {
         boolean own = team.equals(TEAMS[0]);
-        Place there = own ? place : new Place(-place.x(), -place.y(), 180);
+        Pose2d there = own ? place : new Pose2d(-place.x(), -place.y(), 180);
         return RobotStart.at(there).withTeam(team, number).after(TO_THE_STANCE);
     }
 
@@ -157,7 +157,7 @@ final class MatchTraining extends TrainingTask {
     /** Where ball, the other team's goal and the other robots are, as the robot would point at them: the truth, not what its camera sees. */
     @Override
     public double[] extras() {
-        Place own = now.place(robot());
+        Pose2d own = now.place(robot());
         List<Vector3> all = new ArrayList<>(List.of(now.ball(), new Vector3(side() * FIELD.length() / 2, 0, 0)));
         all.addAll(others(true));
         all.addAll(others(false));

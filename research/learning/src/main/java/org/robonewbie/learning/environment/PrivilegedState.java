@@ -3,7 +3,7 @@ package org.robonewbie.learning.environment;
 import java.util.List;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
-import org.robonewbie.trial.Place;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.WorldState;
 
 /** The true state of an episode in the world frame, without noise and delay, and whether the task has succeeded. */
@@ -29,7 +29,7 @@ final class PrivilegedState {
 
     /** The numbers of one robot, in the order of the names. */
     static double[] of(WorldState now, Vector3 velocity, TrainingTask task) {
-        Place place = now.place(task.robot());
+        Pose2d place = now.place(task.robot());
         BodyState body = now.robots().get(task.robot());
         return new double[] {
             place.x(),

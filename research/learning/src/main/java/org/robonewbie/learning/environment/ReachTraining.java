@@ -8,7 +8,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.kinematics.ForwardKinematics;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Place;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
@@ -31,7 +31,7 @@ final class ReachTraining extends TrainingTask {
     @Override
     public void begin(Trial trial) {
         double height = PortableMath.toRadians(random().between(-60, 60));
-        Vector3 aside = new Place(0, 0, random().between(-22.5, 67.5))
+        Vector3 aside = new Pose2d(0, 0, random().between(-22.5, 67.5))
                 .point(REACH_METRES * PortableMath.cos(height), 0, REACH_METRES * PortableMath.sin(height));
         target = SHOULDER.plus(aside);
     }

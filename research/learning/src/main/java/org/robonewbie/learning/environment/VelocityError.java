@@ -2,7 +2,8 @@ package org.robonewbie.learning.environment;
 
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.trial.Place;
+import org.robonewbie.nao.geometry.Angles;
+import org.robonewbie.nao.geometry.Pose2d;
 
 /**
  * Sum of the differences between commanded and true velocity over some windows of time.
@@ -19,9 +20,9 @@ public record VelocityError(int windows, double metresPerSecond, double degreesP
     private static final double MAX_COST = 1.5;
 
     /** Compares the way between two places, seen from half-way between their headings, with a command. */
-    static VelocityError between(Place before, Place now, double seconds, WalkVelocity command) {
-        double turned = PortableMath.IEEEremainder(now.degrees() - before.degrees(), 360);
-        Place middle = new Place(before.x(), before.y(), before.degrees() + turned / 2);
+    static VelocityError between(Pose2d before, Pose2d now, double seconds, WalkVelocity command) {
+        double turned = Angles.wrap(now.degrees() - before.degrees());
+        Pose2d middle = new Pose2d(before.x(), before.y(), before.degrees() + turned / 2);
         double error = PortableMath.hypot(
                 middle.ahead(now.point(0, 0, 0)) / seconds - command.forward(),
                 middle.left(now.point(0, 0, 0)) / seconds - command.left());

@@ -1,6 +1,6 @@
 package org.robonewbie.learning.environment;
 
-import org.robonewbie.trial.Place;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.Distance;
@@ -22,7 +22,7 @@ final class WalkTraining extends TrainingTask {
 
     @Override
     public void begin(Trial trial) {
-        Place centre = new Place(0, 0, random().between(-180, 180));
+        Pose2d centre = new Pose2d(0, 0, random().between(-180, 180));
         trial.robot(0).push(centre.point(random().between(0, MAX_NEWTONS), 0, 0));
     }
 

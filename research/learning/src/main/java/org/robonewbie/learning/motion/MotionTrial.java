@@ -17,6 +17,7 @@ import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.BallPlace;
@@ -24,7 +25,6 @@ import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.trial.Measure;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
@@ -110,7 +110,7 @@ public final class MotionTrial implements AutoCloseable {
      * @param newtons strength of the pushes
      * @return the robot on its feet
      */
-    public static MotionTrial inStance(Place place, long seed, double newtons) {
+    public static MotionTrial inStance(Pose2d place, long seed, double newtons) {
         MotionTrial begun = standing(RobotType.TYPE_0, WalkStyle.STANDARD);
         begun.trial.moveRobot(0, place);
         return begun.intoStance(seed, newtons);
@@ -310,7 +310,7 @@ public final class MotionTrial implements AutoCloseable {
     }
 
     /** {@return where the robot stood at first} */
-    public Place start() {
+    public Pose2d start() {
         return start.place();
     }
 

@@ -5,9 +5,9 @@ import java.util.Locale;
 import java.util.Random;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.Measure;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
@@ -78,7 +78,8 @@ public record AgentScene(Vector3 place, double degrees, Vector3 ball, double spr
         random.nextLong();
         Vector3 start = near(place, random);
         double heading = degrees + spreadMetres * DEGREES_FOR_EACH_METRE * between(random);
-        return Scene.of(RobotStart.at(new Place(start.x(), start.y(), heading))).withBall(near(ball, random));
+        return Scene.of(RobotStart.at(new Pose2d(start.x(), start.y(), heading)))
+                .withBall(near(ball, random));
     }
 
     private Vector3 near(Vector3 point, Random random) {

@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.Optional;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.Controller;
-import org.robonewbie.trial.Place;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -40,7 +40,7 @@ public final class PushExperiment implements Experiment {
     @Override
     public double[] run(Map<String, Double> parameters, long seed) {
         double side = new RandomSource(seed).between(0, 360);
-        Vector3 push = new Place(0, 0, side).point(parameters.getOrDefault(NEWTONS, USUAL_NEWTONS), 0, 0);
+        Vector3 push = new Pose2d(0, 0, side).point(parameters.getOrDefault(NEWTONS, USUAL_NEWTONS), 0, 0);
         try (Trial trial = Trial.direct(SCENE, seed, Controller.ofSpeeds())) {
             double largestTilt = 0;
             while (trial.seconds() < SECONDS) {

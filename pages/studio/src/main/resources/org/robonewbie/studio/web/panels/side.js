@@ -1,4 +1,5 @@
 /** Camera selection and referee commands. */
+import { BALL_RADIUS } from '../field/ball.js';
 import { CAMERAS } from '../field/camera-controller.js';
 import { playModeText } from '../state/play-mode.js';
 import { button, byId, check, choice, element, setEntries } from './elements.js';
@@ -93,7 +94,7 @@ export function trainerPanel(send) {
 
 /** @param {(command: object) => void} send */
 function trainerButtons(send) {
-  const centre = { do: 'placeBall', x: 0, y: 0, z: 0.042 };
+  const centre = { do: 'placeBall', x: 0, y: 0, z: BALL_RADIUS };
   return [
     button('◀ Kick off', 'The left team begins (K)', () => send({ do: 'kickOff', side: 'left' })),
     button('Kick off ▶', 'The right team begins (L)', () => send({ do: 'kickOff', side: 'right' })),

@@ -1,4 +1,5 @@
 /** The output of a robot's camera, 120 by 120 degrees, drawn as a picture. */
+import { BALL_RADIUS } from '../field/ball.js';
 import { label, shape, title } from '../panels/drawing.js';
 
 /**
@@ -7,7 +8,6 @@ import { label, shape, title } from '../panels/drawing.js';
  */
 
 const HALF_DEGREES = 60;
-const BALL_RADIUS_METRES = 0.042;
 const PLAYER_RADIUS_METRES = 0.08;
 const MIN_PLAYER_DEGREES = 1.2;
 const DEGREES = 180 / Math.PI;
@@ -99,7 +99,7 @@ function drawnThing(thing, team) {
   }
   const [cx, cy] = at(points[0].polar);
   if (kind === 'ball') {
-    return [shape('circle', { class: 'seen-ball', cx, cy, r: size(BALL_RADIUS_METRES, distance) }, hint)];
+    return [shape('circle', { class: 'seen-ball', cx, cy, r: size(BALL_RADIUS, distance) }, hint)];
   }
   const [look, outline] = kind === 'post' ? ['post', POST] : ['flag', FLAG];
   const mark = shape('path', { class: look, d: `M${cx} ${cy}${outline}` }, hint);
