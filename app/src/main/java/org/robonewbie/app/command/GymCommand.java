@@ -2,7 +2,7 @@ package org.robonewbie.app.command;
 
 import java.io.IOException;
 import java.util.concurrent.Callable;
-import org.robonewbie.app.program.AgentFinder;
+import org.robonewbie.programs.ProgramFinder;
 import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.app.command.ClassPathOption;
 import org.robonewbie.learning.environment.EnvironmentServer;
@@ -53,7 +53,7 @@ final class GymCommand implements Callable<Integer> {
         }
         try (EnvironmentServer server = EnvironmentServer.open(
                 port,
-                AgentFinder.loaderOf(classPath.folders()),
+                ProgramFinder.loaderOf(classPath.folders()),
                 (simulation, any) -> StudioServer.start(simulation, any, AccessToken.ofUser()),
                 System.err::println)) {
             System.out.println("gym " + server.port());

@@ -10,7 +10,7 @@ import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.file.PolicyFile;
-import org.robonewbie.app.program.AgentFinder;
+import org.robonewbie.programs.ProgramFinder;
 import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.app.command.ClassPathOption;
 import org.robonewbie.learning.environment.EnvironmentSpec;
@@ -113,7 +113,7 @@ final class LearnCommand implements Callable<Integer> {
     public Integer call() throws IOException {
         try {
             EnvironmentSpec spec = new EnvironmentSpec(task, options);
-            PolicyModel model = new PolicyModel(spec, inputs, hidden, AgentFinder.loaderOf(classPath.folders()));
+            PolicyModel model = new PolicyModel(spec, inputs, hidden, ProgramFinder.loaderOf(classPath.folders()));
             String policy = file == null ? task + ".policy" : file;
             if (evaluate == null) {
                 learn(model, policy);
