@@ -1,8 +1,8 @@
 import org.robonewbie.learning.environment.TrainingTask;
 import org.robonewbie.trial.RandomSource;
-import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.WorldState;
 
 /** Get low without falling: pays the metres that the torso has sunk by at most, and takes them back after a fall. */
 public final class Squat extends TrainingTask {

@@ -134,9 +134,8 @@ class FormerFilesTest {
     void searchGoesOn() throws Exception {
         String output = ends(
                 0,
-                List.of(
-                        "optimise --agent MyAgent.java --objective energy --seconds 0.5 --seeds 1 --population 4 --generations 6"
-                                + " --threads 1 --headless --output tuned.numbers --resume"));
+                List.of("optimise --agent MyAgent.java --objective energy --seconds 0.5 --seeds 1 --population 4"
+                        + " --generations 6 --threads 1 --headless --output tuned.numbers --resume"));
 
         assertThat(output).doesNotContain("generation 1/6").contains("generation 6/6");
         assertThat(folder.resolve("tuned.numbers")).content().contains("goal");

@@ -2,10 +2,9 @@ package org.robonewbie.app.command;
 
 import java.io.IOException;
 import java.util.concurrent.Callable;
-import org.robonewbie.programs.ProgramFinder;
-import org.robonewbie.programs.CalledWronglyException;
-import org.robonewbie.app.command.ClassPathOption;
 import org.robonewbie.learning.environment.EnvironmentServer;
+import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.programs.ProgramFinder;
 import org.robonewbie.studio.AccessToken;
 import org.robonewbie.studio.StudioServer;
 import picocli.CommandLine.Command;
@@ -20,7 +19,8 @@ import picocli.CommandLine.Option;
         description = {
             "Serve environments to learning programs; the Python package starts this by itself.",
             "",
-            "Prints \"gym PORT\" and serves on 127.0.0.1 until its standard input ends. docs/gym-protocol.md describes the messages."
+            "Prints \"gym PORT\" and serves on 127.0.0.1 until its standard input ends. docs/gym-protocol.md describes"
+                    + " the messages."
         },
         footer = {
             "",

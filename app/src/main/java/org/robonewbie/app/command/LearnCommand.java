@@ -10,13 +10,12 @@ import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.file.PolicyFile;
-import org.robonewbie.programs.ProgramFinder;
-import org.robonewbie.programs.CalledWronglyException;
-import org.robonewbie.app.command.ClassPathOption;
 import org.robonewbie.learning.environment.EnvironmentSpec;
 import org.robonewbie.learning.policy.EvolutionStrategy;
 import org.robonewbie.learning.policy.PolicyModel;
 import org.robonewbie.learning.policy.PolicySearch;
+import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.programs.ProgramFinder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -29,8 +28,9 @@ import picocli.CommandLine.Parameters;
         description = {
             "Learn a policy of a task by an evolution strategy, or evaluate one.",
             "",
-            "After each generation it writes the policy to FILE, the learning curve to FILE.csv and a checkpoint to FILE.checkpoint, from which"
-                    + " an interrupted search continues when it is started again. docs/policies.md explains how it learns and what came of it."
+            "After each generation it writes the policy to FILE, the learning curve to FILE.csv and a checkpoint to"
+                    + " FILE.checkpoint, from which an interrupted search continues when it is started again."
+                    + " docs/policies.md explains how it learns and what came of it."
         },
         sortOptions = false,
         footer = {

@@ -3,8 +3,8 @@ package org.robonewbie.trial.measure;
 import java.util.Random;
 import java.util.function.IntFunction;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.TrialHook;
 

@@ -2,8 +2,8 @@ package org.robonewbie.learning.environment;
 
 import java.util.List;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.trial.WorldState;
 
 /** The true state of an episode in the world frame, without noise and delay, and whether the task has succeeded. */

@@ -1,9 +1,9 @@
 package org.robonewbie.learning.environment;
 
 import org.robonewbie.agent.walk.WalkVelocity;
-import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.math.PortableMath;
 
 /**
  * Sum of the differences between commanded and true velocity over some windows of time.

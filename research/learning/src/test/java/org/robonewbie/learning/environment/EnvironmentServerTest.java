@@ -79,9 +79,9 @@ class EnvironmentServerTest {
         make("Reach", 1);
 
         assertThat(text(make("Fly", 1)))
-                .startsWith(
-                        "\1There is no task \"Fly\". There are: EngineFollow, EngineRun, Follow, GetUp, JogGait, KeeperAgainstAttacker, Kick, KickTo, Match11v11, Match1v1, Match2v2, QuickGetUp,"
-                                + " Reach, Run, RunGait, Stand, Walk, WalkGait. A class of your own must extend");
+                .startsWith("\1There is no task \"Fly\". There are: EngineFollow, EngineRun, Follow, GetUp, JogGait,"
+                        + " KeeperAgainstAttacker, Kick, KickTo, Match11v11, Match1v1, Match2v2, QuickGetUp,"
+                        + " Reach, Run, RunGait, Stand, Walk, WalkGait. A class of your own must extend");
         assertThat(text(make("Walk\nforward=0.5", 1)))
                 .isEqualTo(
                         "\1This task follows no command. Leave out forward, left and turn, or choose the task Follow.");
@@ -100,9 +100,9 @@ class EnvironmentServerTest {
                 .isNegative();
         assertThat(text(make("Reach\nreward=joy", 1))).startsWith("\1There is no measure \"joy\". There are: ");
         assertThat(text(make("Reach\nvelocity=9", 1)))
-                .isEqualTo(
-                        "\1There is no option \"velocity\". There are: reward, x, y, heading, ball_x, ball_y, push, delay, cycles, noise, friction, mass,"
-                                + " forward, left, turn, distance, speed, step, slow, tolerance, constant, type, seconds.");
+                .isEqualTo("\1There is no option \"velocity\". There are: reward, x, y, heading, ball_x, ball_y, push,"
+                        + " delay, cycles, noise, friction, mass, forward, left, turn, distance, speed, step,"
+                        + " slow, tolerance, constant, type, seconds.");
     }
 
     @Test
