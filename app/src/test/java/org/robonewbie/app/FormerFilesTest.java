@@ -17,9 +17,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.agent.policy.file.PolicyFile;
-import org.robonewbie.app.command.ProgramFile;
 import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.motion.file.MotionFiles;
+import org.robonewbie.programs.process.JavaCommand;
 import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.simulator.recording.RecordingReader;
 
@@ -106,9 +106,22 @@ class FormerFilesTest {
         assertThat(output).doesNotContain("There is no motion");
     }
 
+    /** The journal names the class of its experiment, which has changed since then. */
     @Test
     void experimentGoesOn() throws Exception {
-        assertThat(ends(0, "experiment", "push.plan", "--output", "push.csv")).contains("12 trials are done already");
+        Path journal = folder.resolve("push.csv.trials");
+        String refused = ends(2, "experiment", "push.plan", "--output", "push.csv");
+        String header = refused.lines()
+                .map(String::strip)
+                .filter(line -> line.startsWith("RoboNewbie trials "))
+                .reduce((former, present) -> present)
+                .orElseThrow();
+        AtomicFile.write(journal, Files.readString(journal).replaceFirst("RoboNewbie trials .*", header));
+
+        String resumed = ends(0, "experiment", "push.plan", "--output", "push.csv");
+
+        assertThat(refused).contains("push.csv.trials belongs to another run", "delete the file to begin again");
+        assertThat(resumed).contains("12 trials are done already");
         assertThat(folder.resolve("push.csv")).content().hasLineCount(41);
     }
 
@@ -177,7 +190,7 @@ class FormerFilesTest {
 
     /** Runs a command in a folder; returns what it printed. */
     private String ends(int exitCode, Path place, String... arguments) throws Exception {
-        ProcessBuilder builder = new ProcessBuilder(ProgramFile.command(List.of(arguments)));
+        ProcessBuilder builder = new ProcessBuilder(JavaCommand.ofCommand(List.of(arguments)));
         builder.environment()
                 .put("ROBONEWBIE_PROGRESS", folder.resolve("progress.json").toString());
         Process process =
