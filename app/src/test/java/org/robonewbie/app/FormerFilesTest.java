@@ -147,9 +147,8 @@ class FormerFilesTest {
     void searchGoesOn() throws Exception {
         String output = ends(
                 0,
-                List.of(
-                        "optimise --agent MyAgent.java --objective energy --seconds 0.5 --seeds 1 --population 4 --generations 6"
-                                + " --threads 1 --headless --output tuned.numbers --resume"));
+                List.of("optimise --agent MyAgent.java --objective energy --seconds 0.5 --seeds 1 --population 4"
+                        + " --generations 6 --threads 1 --headless --output tuned.numbers --resume"));
 
         assertThat(output).doesNotContain("generation 1/6").contains("generation 6/6");
         assertThat(folder.resolve("tuned.numbers")).content().contains("goal");
@@ -157,10 +156,11 @@ class FormerFilesTest {
 
     @Tag("slow")
     @Test
-    void trainingGoesOn() throws Exception {
-        ends(0, List.of("learn Stand --generations 3 --pairs 2 --hidden 4 --out stand.policy --resume"));
+    void trainingIsRefusedAndStays() throws Exception {
+        assertThat(ends(2, List.of("learn Stand stand.policy --generations 3 --pairs 2 --hidden 4")))
+                .contains("belongs to another run:");
 
-        assertThat(folder.resolve("stand.policy.csv")).content().hasLineCount(4);
+        assertThat(folder.resolve("stand.policy.csv")).content().hasLineCount(3);
     }
 
     @Tag("slow")
