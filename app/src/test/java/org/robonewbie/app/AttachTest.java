@@ -12,7 +12,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.robonewbie.app.command.ProgramFile;
+import org.robonewbie.programs.process.JavaCommand;
 
 /** A judge decides by itself: no graded program can load code into it. */
 class AttachTest {
@@ -22,7 +22,7 @@ class AttachTest {
     @Test
     void nothingCanBeAttachedToAProcessOfThisProgram() throws IOException {
         List<String> command =
-                ProgramFile.command(List.of("simulator", "--agent-port", "0", "--monitor-port", "0", "--fast"));
+                JavaCommand.ofCommand(List.of("simulator", "--agent-port", "0", "--monitor-port", "0", "--fast"));
         Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
         try (BufferedReader lines = process.inputReader()) {
             assertThat(lines.readLine()).isNotBlank();

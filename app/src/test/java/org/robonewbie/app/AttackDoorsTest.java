@@ -25,8 +25,8 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.EnumSource.Mode;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.robonewbie.app.command.ProgramFile;
 import org.robonewbie.app.studio.ProcessCompilerService;
+import org.robonewbie.programs.process.JavaCommand;
 import org.robonewbie.programs.process.Sandbox;
 import org.robonewbie.studio.program.RunningProgram;
 
@@ -233,7 +233,7 @@ class AttackDoorsTest {
         door.skipWithoutFence();
         handIn("anna/RaiseArms.java", PROGRAM.formatted(ATTACHES.formatted(folder)));
 
-        String printed = printedByAProcess(ProgramFile.command(door.words(all(), "RaiseArms.java")));
+        String printed = printedByAProcess(JavaCommand.ofCommand(door.words(all(), "RaiseArms.java")));
 
         assertThat(folder.resolve("attached")).doesNotExist();
         assertThat(folder.resolve("tried").toFile().exists()).as(printed).isEqualTo(!door.isFenced());
@@ -244,7 +244,7 @@ class AttackDoorsTest {
     @Test
     void judgeThatAnybodyMayAttachToWouldLetThemIn() throws Exception {
         handIn("anna/RaiseArms.java", PROGRAM.formatted(ATTACHES.formatted(folder)));
-        List<String> open = new ArrayList<>(ProgramFile.command(Door.GRADE.words(all(), "RaiseArms.java")));
+        List<String> open = new ArrayList<>(JavaCommand.ofCommand(Door.GRADE.words(all(), "RaiseArms.java")));
         open.remove("-XX:+DisableAttachMechanism");
 
         String printed = printedByAProcess(open);

@@ -26,6 +26,7 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.file.TemporaryFiles;
 import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.programs.ClassPath;
 import org.robonewbie.programs.process.RobotProcess;
 import org.robonewbie.programs.process.Sandbox;
 import picocli.CommandLine.Command;
@@ -193,7 +194,7 @@ final class GradeCommand implements Callable<Integer> {
 
     /** What distinguishes this judge from that of another build. */
     private static String judge() throws IOException {
-        Optional<Path> jar = ProgramFile.ofThisProgram();
+        Optional<Path> jar = ClassPath.ownJar();
         return jar.isPresent() ? Files.getLastModifiedTime(jar.get()).toString() : "not packaged";
     }
 

@@ -114,6 +114,6 @@ final class NewCommand implements Callable<Integer> {
     /** The file of this program: what the folder's build has made, with sources beside it, or else where this class comes from. */
     private static Path ownJar() {
         Path built = Path.of(System.getProperty("robonewbie.home", ""), "app", "target", "robonewbie.jar");
-        return Files.isRegularFile(built) ? built : ProgramFile.ofThisProgram().orElse(built);
+        return Files.isRegularFile(built) ? built : ClassPath.ownJar().orElse(built);
     }
 }

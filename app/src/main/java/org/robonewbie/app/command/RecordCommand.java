@@ -18,6 +18,7 @@ import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.programs.ExampleCatalogue;
 import org.robonewbie.programs.Program;
 import org.robonewbie.programs.ProgramFinder;
+import org.robonewbie.programs.process.JavaCommand;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -116,7 +117,7 @@ final class RecordCommand implements Callable<Integer> {
             if (set.runs() > 0) {
                 System.out.println(set.runs() + " runs are complete already and kept.");
             }
-            new ParallelRecording(order, runs, set, ProgramFile.command(argumentsOnCall())).run(threads);
+            new ParallelRecording(order, runs, set, JavaCommand.ofCommand(argumentsOnCall())).run(threads);
             return end(set);
         } finally {
             guard.close();

@@ -7,8 +7,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
-import org.robonewbie.app.command.ProgramFile;
 import org.robonewbie.nao.file.TemporaryFolder;
+import org.robonewbie.programs.ClassPath;
+import org.robonewbie.programs.process.JavaCommand;
 
 /** Creates a project as {@code robonewbie new} does and runs its program; neither may need a network. */
 final class ProjectCheck {
@@ -21,7 +22,7 @@ final class ProjectCheck {
     private ProjectCheck() {}
 
     static Finding made() {
-        if (ProgramFile.ofThisProgram().isEmpty()) {
+        if (ClassPath.ownJar().isEmpty()) {
             return Finding.notable(
                     SUBJECT, "skipped, since this program is not packaged", "Start it with ./robonewbie instead.");
         }
@@ -46,7 +47,7 @@ final class ProjectCheck {
     private static Optional<String> trouble(Path folder, List<String> words) {
         Path output = folder.resolve("output.txt");
         try {
-            Process process = new ProcessBuilder(ProgramFile.command(words))
+            Process process = new ProcessBuilder(JavaCommand.ofCommand(words))
                     .directory(folder.toFile())
                     .redirectErrorStream(true)
                     .redirectOutput(output.toFile())

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
-import org.robonewbie.app.command.ProgramFile;
+import org.robonewbie.programs.process.JavaCommand;
 
 /** Measures the start time of this program, which shows virus scanners and slow network drives. */
 final class StartTimeCheck {
@@ -45,7 +45,7 @@ final class StartTimeCheck {
 
     private static double seconds() throws IOException, InterruptedException {
         long begin = System.nanoTime();
-        Process process = new ProcessBuilder(ProgramFile.command(List.of("--version")))
+        Process process = new ProcessBuilder(JavaCommand.ofCommand(List.of("--version")))
                 .redirectErrorStream(true)
                 .redirectOutput(ProcessBuilder.Redirect.DISCARD)
                 .start();

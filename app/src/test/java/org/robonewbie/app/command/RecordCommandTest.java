@@ -26,6 +26,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.Printed;
 import org.robonewbie.app.Project;
 import org.robonewbie.app.Python;
+import org.robonewbie.programs.process.JavaCommand;
 
 class RecordCommandTest {
 
@@ -256,7 +257,7 @@ class RecordCommandTest {
         String[] words = {
             "record", "Agent_BasicStructure", "--runs", "12", "--seconds", "5", "--runs-per-file", "4", "--out"
         };
-        Process process = new ProcessBuilder(ProgramFile.command(List.of(with(words, folder.resolve("one")))))
+        Process process = new ProcessBuilder(JavaCommand.ofCommand(List.of(with(words, folder.resolve("one")))))
                 .redirectError(ProcessBuilder.Redirect.DISCARD)
                 .start();
         List<ProcessHandle> helpers;

@@ -15,11 +15,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.Project;
-import org.robonewbie.app.command.ProgramFile;
 import org.robonewbie.app.course.Coach;
 import org.robonewbie.exercises.progress.ProgressFile;
 import org.robonewbie.exercises.progress.SolutionRepository;
 import org.robonewbie.programs.process.ChildProcess;
+import org.robonewbie.programs.process.JavaCommand;
 import org.robonewbie.programs.process.Limits;
 import org.robonewbie.programs.process.ProgramOutput;
 import org.robonewbie.studio.ShownSimulation;
@@ -163,7 +163,7 @@ class LocalCourseServiceTest {
         Files.writeString(
                 folder.resolve("RaiseArms.java"), RAISE_ARMS.replace("    @Override", MAIN + "    @Override"));
         try (ChildProcess student = ChildProcess.start(
-                ProgramFile.command(List.of(
+                JavaCommand.ofCommand(List.of(
                         "run", "RaiseArms.java", "--port", Integer.toString(port), "--headless", "--team", "Students")),
                 folder,
                 false,

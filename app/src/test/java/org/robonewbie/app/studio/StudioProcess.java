@@ -9,7 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import org.robonewbie.app.command.ProgramFile;
+import org.robonewbie.programs.process.JavaCommand;
 import org.robonewbie.studio.StudioCookie;
 
 /** A studio in its own process, started as by a user, and a client for its API. */
@@ -30,7 +30,7 @@ public final class StudioProcess implements AutoCloseable {
     /** Starts the studio in a working directory. */
     public static StudioProcess start(Path folder) throws IOException {
         ProcessBuilder builder = new ProcessBuilder(
-                        ProgramFile.command(List.of("studio", "--no-browser", "--agent-port", "0")))
+                        JavaCommand.ofCommand(List.of("studio", "--no-browser", "--agent-port", "0")))
                 .directory(folder.toFile())
                 .redirectError(ProcessBuilder.Redirect.DISCARD);
         builder.environment().put("ROBONEWBIE_RECORDINGS", "off");

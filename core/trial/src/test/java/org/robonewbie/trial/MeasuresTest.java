@@ -267,7 +267,7 @@ class MeasuresTest {
 
     @Test
     void pushesComeInTurnsAndGrow() {
-        Pushes pushes = new Pushes(1, 10, 5);
+        Pushes pushes = Pushes.growing(1, 10, 5);
 
         try (Trial trial = Trial.direct(Scene.of(RobotStart.at(0, 0)), 1, Controller.ofSpeeds())) {
             trial.with(pushes).run(0.5);

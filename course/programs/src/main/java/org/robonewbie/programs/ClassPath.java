@@ -48,8 +48,12 @@ public record ClassPath(List<Path> places) {
                         : List.of(own));
     }
 
-    /** {@return the jar that holds this program; a folder of classes in an IDE} */
-    public static Path ownPlace() {
+    /** {@return the jar that holds this program; empty if its classes are in folders, as in an IDE} */
+    public static Optional<Path> ownJar() {
+        return Optional.of(ownPlace()).filter(Files::isRegularFile);
+    }
+
+    private static Path ownPlace() {
         try {
             return Path.of(ClassPath.class
                     .getProtectionDomain()

@@ -18,7 +18,19 @@ public final class JavaCommand {
 
     private static final String ARCHIVE = "-XX:SharedArchiveFile=";
 
+    private static final String MAIN = "org.robonewbie.app.Main";
+
     private JavaCommand() {}
+
+    /**
+     * Returns the command line of a command of RoboNewbie.
+     *
+     * @param arguments command and what follows it
+     * @return program and arguments
+     */
+    public static List<String> ofCommand(List<String> arguments) {
+        return of(List.of(), ClassPath.ofThisProgram(), MAIN, arguments);
+    }
 
     /**
      * Returns the options that limit the memory of a Java process.

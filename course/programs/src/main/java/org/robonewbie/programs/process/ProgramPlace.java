@@ -3,12 +3,11 @@ package org.robonewbie.programs.process;
 import java.util.Arrays;
 import java.util.Optional;
 import org.robonewbie.agent.log.StudentCode;
-import org.robonewbie.trial.Controller;
 
 /** Where in its own code a program is that is being judged. */
 public final class ProgramPlace {
 
-    private static final String TRIALS = Controller.class.getPackageName() + ".";
+    private static final String TRIALS = "org.robonewbie.trial.";
 
     /** The class of a judge that tries a program in its own process. */
     private static final String JUDGE = "org.robonewbie.exercises.GradedTrial";
