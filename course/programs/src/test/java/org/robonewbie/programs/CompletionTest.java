@@ -56,7 +56,7 @@ class CompletionTest {
 
         assertThat(remarks).singleElement().satisfies(remark -> {
             assertThat(remark.line()).isEqualTo(13);
-            assertThat((BEGIN + "int angle = 30.5;").substring((int) remark.from(), (int) remark.to()))
+            assertThat((BEGIN + "int angle = 30.5;").substring(remark.from(), remark.to()))
                     .isEqualTo("30.5");
             assertThat(remark.text()).contains("possible lossy conversion from double to int");
             assertThat(remark.hint()).contains("(int)");
