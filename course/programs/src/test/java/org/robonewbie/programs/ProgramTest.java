@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-@SuppressWarnings("IncorrectProgram")
+@SuppressWarnings("IncorrectMainMethod")
 class ProgramTest {
 
     private static final List<String> CALLS = new ArrayList<>();
@@ -30,7 +30,7 @@ class ProgramTest {
             CALLS.add("without");
         }
 
-        @SuppressWarnings("IncorrectProgram")
+        @SuppressWarnings("IncorrectMainMethod")
         protected void main(String[] args) {
             CALLS.add("with " + args[0]);
         }
