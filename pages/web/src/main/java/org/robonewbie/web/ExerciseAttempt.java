@@ -11,11 +11,11 @@ import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Grade.SeededScore;
 import org.robonewbie.exercises.Language;
 import org.robonewbie.exercises.Score;
+import org.robonewbie.pagejvm.Program;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.studio.PageFeed;
-import org.robonewbie.pagejvm.Program;
 
 /** Trials of one exercise with consecutive seeds, shown to the student. */
 final class ExerciseAttempt {

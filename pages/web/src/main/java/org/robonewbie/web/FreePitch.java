@@ -12,6 +12,7 @@ import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.AgentDriver;
 import org.robonewbie.agent.Options;
 import org.robonewbie.agent.puppet.SteeredRobot;
+import org.robonewbie.pagejvm.Program;
 import org.robonewbie.protocol.embedded.Puppet;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.order.Order;
@@ -22,7 +23,6 @@ import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.studio.PageFeed;
-import org.robonewbie.pagejvm.Program;
 
 /** The beginners' world with free play: shipped agents, puppets and one student's program. */
 final class FreePitch implements EditableWorld {

@@ -6,12 +6,12 @@ import java.io.UncheckedIOException;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.AgentDriver;
 import org.robonewbie.nao.Cycle;
+import org.robonewbie.pagejvm.Program;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.cycle.SteppedSimulator;
 import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.recording.RunReport;
-import org.robonewbie.pagejvm.Program;
 
 /**
  * A run without display, as fast as possible: the counterpart of {@code robonewbie run --headless --fast}, with the same results for the

@@ -16,6 +16,9 @@ import org.robonewbie.agent.walk.FastWalk;
 import org.robonewbie.agent.walk.PoseApproach;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.geometry.Angles;
+import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.kinematics.ForwardKinematics;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.motion.BallPlace;
@@ -36,15 +39,12 @@ import org.robonewbie.team.tactics.Plan;
 import org.robonewbie.team.tactics.Roles;
 import org.robonewbie.team.tactics.SetPlay;
 import org.robonewbie.team.tactics.Strategy;
-import org.robonewbie.team.talk.TeamRole;
 import org.robonewbie.team.talk.Talk;
 import org.robonewbie.team.talk.TeamMessage;
+import org.robonewbie.team.talk.TeamRole;
 import org.robonewbie.team.world.BallFilter;
 import org.robonewbie.team.world.Mate;
 import org.robonewbie.team.world.Situation;
-import org.robonewbie.nao.geometry.Angles;
-import org.robonewbie.nao.geometry.Pose2d;
-import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.world.WorldModel;
 
 /** Roots for TeaVM's dead-code elimination: classes that only students' programs use, and which it would otherwise remove. */

@@ -6,8 +6,8 @@ import org.jspecify.annotations.Nullable;
 import org.robonewbie.agent.walk.Gait;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
-import org.robonewbie.team.tactics.Assignment;
 import org.robonewbie.pagejvm.SpecialCalls;
+import org.robonewbie.team.tactics.Assignment;
 
 /** Calls with arrays of primitives, which the compiled program cannot make by reflection. */
 final class NumberArrays {

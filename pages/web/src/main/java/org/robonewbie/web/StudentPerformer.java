@@ -7,12 +7,12 @@ import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.AgentDriver;
 import org.robonewbie.agent.Options;
 import org.robonewbie.nao.TeamSide;
+import org.robonewbie.pagejvm.Machine;
+import org.robonewbie.pagejvm.Program;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.SensorReadings;
-import org.robonewbie.pagejvm.Machine;
-import org.robonewbie.pagejvm.Program;
 
 /** A robot of a trial that runs a student's agent, with separate static fields. */
 final class StudentPerformer implements Controller {

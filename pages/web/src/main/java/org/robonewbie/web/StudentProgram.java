@@ -15,12 +15,12 @@ import org.robonewbie.agent.AgentDriver;
 import org.robonewbie.agent.Nao;
 import org.robonewbie.agent.NaoDriver;
 import org.robonewbie.agent.Options;
-import org.robonewbie.protocol.frame.AgentLink;
-import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.pagejvm.Machine;
 import org.robonewbie.pagejvm.Program;
 import org.robonewbie.pagejvm.SpecialCalls;
 import org.robonewbie.pagejvm.Waiting;
+import org.robonewbie.protocol.frame.AgentLink;
+import org.robonewbie.protocol.telemetry.TelemetrySink;
 
 /**
  * A student's program in a world that is advanced elsewhere. Calls that would wait for a simulator suspend the program until the next

@@ -11,10 +11,10 @@ import org.jspecify.annotations.Nullable;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Language;
+import org.robonewbie.pagejvm.Program;
 import org.robonewbie.simulator.monitor.RecordedLog;
 import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.studio.PageMotions;
-import org.robonewbie.pagejvm.Program;
 import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
 

@@ -24,8 +24,8 @@ import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Language;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.progress.Badge;
-import org.robonewbie.web.Solutions;
 import org.robonewbie.pagejvm.JavaSource;
+import org.robonewbie.web.Solutions;
 
 /** Exercises in the static page: compiled and judged in the browser, with the same results as on the command line. */
 @InBrowser

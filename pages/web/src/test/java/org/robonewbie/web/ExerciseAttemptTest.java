@@ -11,8 +11,8 @@ import org.junit.jupiter.api.Test;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Language;
-import org.robonewbie.studio.PageFeed;
 import org.robonewbie.pagejvm.JavaSource;
+import org.robonewbie.studio.PageFeed;
 
 class ExerciseAttemptTest {
 

@@ -10,9 +10,9 @@ import org.robonewbie.examples.Agent_BetterSoccer;
 import org.robonewbie.examples.Agent_SimpleSoccer;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.kinematics.Pose;
-import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.pagejvm.JavaSource;
 import org.robonewbie.pagejvm.Program;
+import org.robonewbie.simulator.WorldSnapshot;
 
 class FreePitchTest {
 

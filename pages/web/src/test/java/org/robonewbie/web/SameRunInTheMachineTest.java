@@ -14,10 +14,10 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.robonewbie.simulator.recording.RunReport;
 import org.robonewbie.pagejvm.JavaSource;
 import org.robonewbie.pagejvm.MemoryLoader;
 import org.robonewbie.pagejvm.Program;
+import org.robonewbie.simulator.recording.RunReport;
 
 /** Programs behave in the page's interpreter as in Java: their recordings are identical bit for bit. */
 class SameRunInTheMachineTest {

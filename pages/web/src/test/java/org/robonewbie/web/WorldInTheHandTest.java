@@ -14,10 +14,10 @@ import org.robonewbie.examples.Agent_BetterSoccer;
 import org.robonewbie.examples.Agent_SimpleSoccer;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.kinematics.Pose;
-import org.robonewbie.simulator.RobotSnapshot;
-import org.robonewbie.studio.PageFeed;
 import org.robonewbie.pagejvm.JavaSource;
 import org.robonewbie.pagejvm.Program;
+import org.robonewbie.simulator.RobotSnapshot;
+import org.robonewbie.studio.PageFeed;
 
 /** Changes of the page's world by the user: undo, and robots steered by hand. */
 class WorldInTheHandTest {
