@@ -33,7 +33,8 @@ final class DoctorCommand implements Callable<Integer> {
 
     @Option(
             names = "--course",
-            description = "Check also what a course needs: rights, start time, graphics, a project and an exercise without a network.")
+            description =
+                    "Check also what a course needs: rights, start time, graphics, a project and an exercise without a network.")
     private boolean course;
 
     @Override

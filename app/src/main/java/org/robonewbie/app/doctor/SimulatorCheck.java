@@ -1,13 +1,11 @@
 package org.robonewbie.app.doctor;
 
-import org.robonewbie.protocol.effector.EffectorMessageWriter;
-
-import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
-
 import java.io.IOException;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
+import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
+import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.simulator.Console;

@@ -1,12 +1,11 @@
 package org.robonewbie.app.soak;
 
-import org.robonewbie.nao.geometry.Pose2d;
-
 import java.io.IOException;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;

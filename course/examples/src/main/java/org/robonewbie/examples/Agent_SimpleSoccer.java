@@ -2,7 +2,6 @@ package org.robonewbie.examples;
 
 import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.Options;
-import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.agent.motion.LookAround;
 import org.robonewbie.agent.perception.FieldItem;
 import org.robonewbie.nao.Joint;

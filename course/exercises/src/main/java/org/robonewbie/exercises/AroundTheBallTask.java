@@ -1,9 +1,8 @@
 package org.robonewbie.exercises;
 
-import org.robonewbie.nao.geometry.Angles;
-
 import java.util.Locale;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;

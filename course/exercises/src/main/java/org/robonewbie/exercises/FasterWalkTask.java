@@ -2,8 +2,8 @@ package org.robonewbie.exercises;
 
 import java.util.Locale;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;

@@ -2,12 +2,12 @@ package org.robonewbie.exercises;
 
 import java.util.Locale;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyPoses;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.simulator.world.BallProperties;
-import org.robonewbie.nao.geometry.Pose2d;
 
 /** Where a foot that swung at a ball and did not touch it was in relation to the ball, when it was furthest forward. */
 final class FootBesideBall {

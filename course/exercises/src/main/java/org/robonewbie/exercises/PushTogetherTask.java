@@ -1,9 +1,9 @@
 package org.robonewbie.exercises;
 
 import java.util.Locale;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.landscape.Thing;
-import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;

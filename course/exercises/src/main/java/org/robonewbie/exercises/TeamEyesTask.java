@@ -2,8 +2,8 @@ package org.robonewbie.exercises;
 
 import java.util.Locale;
 import org.robonewbie.nao.Joint;
-import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;

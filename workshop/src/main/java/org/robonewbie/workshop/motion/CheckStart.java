@@ -7,9 +7,9 @@ import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.learning.motion.MotionTrial;
 import org.robonewbie.learning.motion.ScriptedRobot;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.soccer.SoccerParameters;
-import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 

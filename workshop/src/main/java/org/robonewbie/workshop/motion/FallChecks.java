@@ -6,10 +6,10 @@ import java.util.function.LongFunction;
 import org.robonewbie.learning.motion.FallenPose;
 import org.robonewbie.learning.motion.MotionTrial;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.file.ShippedMotions;
-import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.MeasureFromStart;
 

@@ -1,9 +1,5 @@
 package org.robonewbie.workshop.motion;
 
-import org.robonewbie.nao.geometry.Pose2d;
-
-import org.robonewbie.nao.geometry.Angles;
-
 import java.util.List;
 import java.util.function.Function;
 import java.util.function.Supplier;
@@ -13,6 +9,8 @@ import org.robonewbie.agent.walk.PoseApproach;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.learning.motion.MotionTrial;
+import org.robonewbie.nao.geometry.Angles;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
 
 /** Checks of what a player on the league's pitch needs: an agent on a whole simulator with noise walks long ways and to poses. */

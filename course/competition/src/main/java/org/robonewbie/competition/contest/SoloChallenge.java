@@ -2,9 +2,9 @@ package org.robonewbie.competition.contest;
 
 import java.util.Map;
 import java.util.function.Function;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.Challenge;
 import org.robonewbie.trial.Measure;
-import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;

@@ -1,9 +1,8 @@
 package org.robonewbie.competition.trial;
 
-import org.robonewbie.protocol.effector.EffectorMessageWriter;
-
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.simulator.server.Simulator;

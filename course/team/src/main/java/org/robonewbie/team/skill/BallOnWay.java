@@ -1,7 +1,6 @@
 package org.robonewbie.team.skill;
 
 import org.robonewbie.nao.geometry.Angles;
-
 import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.world.WorldModel;
 
@@ -21,8 +20,7 @@ record BallOnWay(Translation2d ball, double turn) {
     /** The ball where the robot expects it when its next steps take effect, and the way from where it is now to a target on the map. */
     static BallOnWay of(WorldModel world, Translation2d expected, Translation2d now, Translation2d target) {
         double way = target.minus(now).degrees();
-        return new BallOnWay(
-                expected, Angles.wrap(way - world.pose().degrees()));
+        return new BallOnWay(expected, Angles.wrap(way - world.pose().degrees()));
     }
 
     /** How far ahead of the robot the ball is along the way, in metres. */

@@ -1,13 +1,12 @@
 package org.robonewbie.team.skill;
 
-import org.robonewbie.nao.geometry.Angles;
-
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.robonewbie.agent.walk.Walk;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
+import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.skill.PathPlanner.Obstacle;
 import org.robonewbie.team.world.Mate;

@@ -1,8 +1,7 @@
 package org.robonewbie.team.skill;
 
-import org.robonewbie.nao.geometry.Angles;
-
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.world.WorldModel;
 

@@ -1,7 +1,6 @@
 package org.robonewbie.team.skill;
 
 import org.robonewbie.nao.geometry.Angles;
-
 import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.world.WorldModel;
 

@@ -1,11 +1,10 @@
 package org.robonewbie.team.tactics;
 
-import org.robonewbie.nao.geometry.Angles;
-
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.team.skill.Footwork;
@@ -85,8 +84,7 @@ public final class KickChoice {
 
     private double loyalGain(Option option) {
         boolean same = (option.plan.action() == before.action() || (option.plan.isKick() && before.isKick()))
-                && Math.abs(Angles.wrap(option.plan.headingDegrees() - before.headingDegrees()))
-                        < SAME_DEGREES;
+                && Math.abs(Angles.wrap(option.plan.headingDegrees() - before.headingDegrees())) < SAME_DEGREES;
         return option.gain + (same ? LOYALTY * Math.abs(option.gain) : 0);
     }
 

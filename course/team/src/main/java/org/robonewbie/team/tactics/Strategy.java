@@ -1,9 +1,8 @@
 package org.robonewbie.team.tactics;
 
-import org.robonewbie.nao.geometry.Angles;
-
 import java.util.List;
 import java.util.Optional;
+import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.skill.Goalkeeping;
 import org.robonewbie.team.tactics.Plan.Action;
@@ -158,7 +157,7 @@ public final class Strategy {
         double seconds = reachSeconds();
         Translation2d ball = world.ballIn(seconds);
         double behind = Math.abs(Angles.wrap(world.theirGoal().minus(ball).degrees()
-                        - ball.minus(world.place()).degrees()));
+                - ball.minus(world.place()).degrees()));
         double turn = Math.abs(ball.seenFrom(world.pose()).degrees());
         boolean blind = world.ownBallAgeSeconds() > BLIND_SECONDS;
         double sum =

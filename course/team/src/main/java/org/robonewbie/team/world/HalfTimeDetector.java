@@ -1,7 +1,6 @@
 package org.robonewbie.team.world;
 
 import org.robonewbie.nao.geometry.Pose2d;
-import org.robonewbie.nao.geometry.Translation2d;
 
 /**
  * Notices that the teams have changed sides at half time. No message says so: but a robot that was beamed into its own half and sees

@@ -7,6 +7,7 @@ import org.robonewbie.agent.walk.Stance;
 import org.robonewbie.learning.motion.FallenPose;
 import org.robonewbie.learning.motion.MotionTrial;
 import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.BallPlace;
 import org.robonewbie.nao.motion.Keyframe;
@@ -15,7 +16,6 @@ import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.trial.Measure;
-import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.measure.BalanceMetrics;
 import org.robonewbie.trial.measure.KickDistance;
 
