@@ -1,16 +1,16 @@
-import org.robonewbie.learning.gym.GymTask;
+import org.robonewbie.learning.environment.TrainingTask;
 import org.robonewbie.trial.RandomSource;
-import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.WorldState;
 
 /** Get low without falling: pays the metres that the torso has sunk by at most, and takes them back after a fall. */
-public final class Squat extends GymTask {
+public final class Squat extends TrainingTask {
 
     private double deepest;
 
     @Override
-    public Scene scene(RandomSource chance) {
+    public Scene scene(RandomSource random) {
         return Scene.of(RobotStart.at(0, 0).after("stand")).withBall(3, 0);
     }
 

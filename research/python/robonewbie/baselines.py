@@ -4,7 +4,7 @@
     python -m robonewbie.baselines Stand KickTo     these tasks
 
 What was interrupted goes on where it was; what is complete is not repeated. At the end each task has a row of the table in
-docs/policies.md: rewards while it learned, and what its policies do in 256 episodes that nobody has learned from, beside doing nothing.
+docs/policies.md: returns while it learned, and of its policies in 256 episodes that no training has seen, beside doing nothing.
 """
 
 import argparse
@@ -14,48 +14,62 @@ from pathlib import Path
 
 import numpy as np
 
-from robonewbie import curve, exam, train
+from robonewbie import curve, evaluate, train
 
 SEEDS = (1, 2, 3)
-EXAMINED = 256
+EVALUATED = 256
 
-# Five times through a round instead of ten: Python needs half the time.
-COMMON = ["--epochs", "5", "--batches", "4"]
+# Five epochs instead of ten: Python needs half the time.
+COMMON = ["--n-epochs", "5"]
 
 
 @dataclass(frozen=True)
 class Baseline:
-    """How a task is learned: cycles of all robots together, what else robonewbie.train is told, and what changes the episodes."""
+    """How a task is trained: cycles of all robots together, arguments of robonewbie.train, and options of the task."""
 
-    steps: int
+    cycles: int
     settings: str
     options: tuple = ()
 
     @property
     def words(self):
-        """What robonewbie.train is told."""
-        return [*COMMON, *self.settings.split(), *(word for option in self.options for word in ("--option", option))]
+        """The arguments of robonewbie.train."""
+        timesteps = self.cycles // int(train.options_of(self.options).get("cycles", 1))
+        options = (word for option in self.options for word in ("--option", option))
+        return ["--total-timesteps", str(timesteps), *COMMON, *self.settings.split(), *options]
 
 
-# Where a robot errs in the same way for many actions (--hold), an error shows what comes of it.
-_ENGINE = Baseline(4_000_000, "--robots 512 --round 32 --rate 0.001 --gamma 0.99 --noise 0.15 --hold 8 --hidden 32")
+def _log_std(deviation, inputs=1):
+    """With gSDE each input of the last layer adds its own noise."""
+    return float(np.log(deviation / np.sqrt(inputs)))
+
+
+# With noise that stays the same for many actions, an error shows its consequences.
+_ENGINE = Baseline(
+    4_000_000,
+    "--n-envs 512 --n-steps 32 --batch-size 4096 --learning-rate 0.001 --gamma 0.99"
+    f" --log-std-init {_log_std(0.15, 32)} --sde-sample-freq 8 --net-arch 32 32",
+)
 TASKS = {
     # One action lasts the whole episode: it chooses how the robot stands. A cycle counts even after the robot has fallen.
     "Stand": Baseline(
         40_000_000,
-        "--robots 512 --round 4 --batches 2 --rate 0.005 --gamma 1 --lambda 1 --noise 0.2 --hidden 0 --inputs gyro.(forward|left)",
+        "--n-envs 512 --n-steps 4 --batch-size 1024 --learning-rate 0.005 --gamma 1 --gae-lambda 1"
+        f" --log-std-init {_log_std(0.2)} --net-arch --inputs gyro.(forward|left)",
         ("cycles=500",),
     ),
     "EngineFollow": _ENGINE,
     "EngineRun": _ENGINE,
     "KickTo": Baseline(
         1_500_000,
-        "--robots 256 --round 60 --rate 0.001 --gamma 1 --noise 0.06 --hold 60 --hidden 32 --inputs command.*|motion.*",
+        "--n-envs 256 --n-steps 60 --batch-size 3840 --learning-rate 0.001 --gamma 1"
+        f" --log-std-init {_log_std(0.06, 32)} --sde-sample-freq 60 --net-arch 32 32 --inputs command.*|motion.*",
         ("cycles=5",),
     ),
     "QuickGetUp": Baseline(
         2_000_000,
-        "--robots 256 --round 100 --rate 0.001 --gamma 0.99 --noise 0.1 --hold 100 --hidden 0"
+        "--n-envs 256 --n-steps 100 --batch-size 6400 --learning-rate 0.001 --gamma 0.99"
+        f" --log-std-init {_log_std(0.1, 9)} --sde-sample-freq 100 --net-arch"
         " --inputs motion.*|gyro.left|accelerometer.(forward|up)",
         ("cycles=2", "friction=0.5..2", "mass=0.9..1.1"),
     ),
@@ -67,9 +81,9 @@ def train_seed(task, seed, folder):
     baseline = TASKS[task]
     out = folder / f"{task}-{seed}.policy"
     file = _curve_of(out)
-    if not file.exists() or curve.read(file)[0][-1] < baseline.steps / 1e6:
+    if not file.exists() or curve.read(file)[0][-1] < baseline.cycles / 1e6:
         resume = ["--resume"] if out.with_name(out.name + ".zip").exists() else []
-        train.main([task, "--steps", str(baseline.steps), "--seed", str(seed), *baseline.words, "--out", str(out), *resume])
+        train.main([task, "--seed", str(seed), *baseline.words, "--out", str(out), *resume])
     return out
 
 
@@ -90,19 +104,19 @@ def _range(numbers, digits=2):
 
 
 def row(task, policies):
-    """Examines what was learned with each seed, and gives a line for the table."""
+    """Evaluates what was learned with each seed, and gives a line for the table."""
     curves = [curve.read(_curve_of(policy)) for policy in policies]
     options = train.options_of(TASKS[task].options)
-    learned = [exam.examine(task, exam.PlayedPolicy(policy.read_text(encoding="utf-8")), EXAMINED, options=options) for policy in policies]
-    nothing = exam.examine(task, None, EXAMINED, options=options)
+    learned = [evaluate.evaluate(task, evaluate.PlayedPolicy(policy.read_text(encoding="utf-8")), EVALUATED, options=options) for policy in policies]
+    nothing = evaluate.evaluate(task, None, EVALUATED, options=options)
     cells = [
         f"`{task}`",
-        f"{TASKS[task].steps:,}",
+        f"{TASKS[task].cycles:,}",
         _range([_minutes(_curve_of(policy)) for policy in policies], 1),
         _range([rewards[0] for _, rewards in curves]),
         _range([np.mean(rewards[-max(1, len(rewards) // 10) :]) for _, rewards in curves]),
-        _range([np.mean(result.rewards) for result in learned]),
-        _range([np.mean(nothing.rewards)]),
+        _range([np.mean(result.returns) for result in learned]),
+        _range([np.mean(nothing.returns)]),
         _range([100 * np.mean(result.successes) for result in learned], 0) + " %",
         _range([100 * np.mean(nothing.successes)], 0) + " %",
     ]

@@ -7,7 +7,7 @@ import gymnasium
 import numpy as np
 
 from robonewbie.picture import draw
-from robonewbie.simulator import LATE, RESET, STEP, Connection, RoboNewbieError
+from robonewbie.simulator import RESET, STEP, TRUNCATED, Connection, RoboNewbieError
 
 _SEEDS = 2**62
 RENDER_MODES = ["human", "rgb_array"]
@@ -69,11 +69,11 @@ class RoboNewbieEnv(gymnasium.Env):
 
     ``render_mode="human"`` opens the studio, where the robot moves in real time; its page can stop the clock.
 
-    ``info`` is the true state. For a task of your own, override ``observe``, ``pay`` and ``is_over``:
+    ``info`` is the true state. For a task of your own, override ``observation``, ``reward`` and ``termination``:
 
     >>> class Crouch(RoboNewbieEnv):
-    ...     def pay(self, reward, truth):
-    ...         return -truth["height"]
+    ...     def reward(self, reward, info):
+    ...         return -info["height"]
     """
 
     metadata = {"render_modes": RENDER_MODES, "render_fps": 50}
@@ -95,17 +95,17 @@ class RoboNewbieEnv(gymnasium.Env):
         self.cycles = options.get("cycles", 1)
         self.studio_address = show(self._connection) if render_mode == "human" else None
 
-    def observe(self, observation, truth):
-        """Returns what a learner sees: what the robot senses, unless a subclass chooses from it or from the true state."""
+    def observation(self, observation, info):
+        """Returns the observation of a step; a subclass may derive it from what the robot senses or from the true state."""
         return observation
 
-    def pay(self, reward, truth):
-        """Returns the reward of a step: what the task pays, unless a subclass decides."""
+    def reward(self, reward, info):
+        """Returns the reward of a step; a subclass may replace that of the task."""
         return reward
 
-    def is_over(self, over, truth):
-        """Returns whether the episode has ended: when the task says so, unless a subclass decides."""
-        return over
+    def termination(self, terminated, info):
+        """Returns whether the episode is terminated; a subclass may decide otherwise than the task."""
+        return terminated
 
     def reset(self, *, seed=None, options=None):
         super().reset(seed=seed)
@@ -114,8 +114,8 @@ class RoboNewbieEnv(gymnasium.Env):
             self._changed = bool(options)
         episode = int(self.np_random.integers(_SEEDS))
         observation, _, _ = self._connection.act(RESET, episode, 0)
-        truth = self._truth()
-        return self.observe(observation[0], truth), truth
+        info = self._info()
+        return self.observation(observation[0], info), info
 
     def step(self, action):
         action = np.asarray(action, dtype=float)
@@ -124,21 +124,21 @@ class RoboNewbieEnv(gymnasium.Env):
                 f"The action has the shape {action.shape} instead of {self.action_space.shape}: one number for each of "
                 f"{', '.join(self.action_names)}."
             )
-        observation, reward, over = self._connection.act(STEP, 0, action)
-        truth = self._truth()
+        observation, reward, terminated = self._connection.act(STEP, 0, action)
+        info = self._info()
         return (
-            self.observe(observation[0], truth),
-            float(self.pay(float(reward[0]), truth)),
-            bool(self.is_over(bool(over[0]), truth)),
-            bool(self._connection.state[0] == LATE),
-            truth,
+            self.observation(observation[0], info),
+            float(self.reward(float(reward[0]), info)),
+            bool(self.termination(bool(terminated[0]), info)),
+            bool(self._connection.state[0] == TRUNCATED),
+            info,
         )
 
-    def _truth(self):
-        truth = {name: float(value) for name, value in zip(self._connection.truth_names, self._connection.truth[0])}
+    def _info(self):
+        info = {name: float(value) for name, value in zip(self._connection.truth_names, self._connection.truth[0])}
         for name in ("fallen", "is_success"):
-            truth[name] = bool(truth[name])
-        return truth
+            info[name] = bool(info[name])
+        return info
 
     def render(self):
         """Returns a picture as an array of 360 x 480 x 3 bytes if ``render_mode`` is ``"rgb_array"``."""

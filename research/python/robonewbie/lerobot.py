@@ -20,6 +20,8 @@ import pandas as pd
 import pyarrow as pa
 import pyarrow.parquet as pq
 
+from robonewbie import parquet
+
 FRAMES_PER_SECOND = 50
 _FRAMES_PER_FILE = 100_000
 _FILE = "chunk-{chunk:03d}/file-{file:03d}.parquet"
@@ -202,15 +204,16 @@ class RecordEpisodes(gymnasium.Wrapper):
 def convert(folder, target):
     """Writes a data set of ``robonewbie record`` in the format of LeRobot; a number that is missing becomes 0."""
     folder = Path(folder)
-    description = json.loads((folder / "dataset.json").read_text(encoding="utf-8"))
-    columns = [column["name"] for column in description["tables"]["cycles"]["columns"] if column["kind"] == "decimal"]
+    known = parquet.description(folder)
+    of_cycles, of_events = (known["tables"][name]["columns"] for name in ("cycles", "events"))
+    columns = [column["name"] for column in of_cycles if column["kind"] == "decimal"]
     actions = [name for name in columns if name.startswith("command_")]
     felt = ("sensed_", "gyro_", "accelerometer_", "left_foot_", "right_foot_", "ball_")
     seen = [name for name in columns if name.startswith(felt)]
     writer = EpisodeWriter(target, seen, actions)
-    for file in sorted((folder / "cycles").glob("run-*.parquet")):
-        cycles = pd.read_parquet(file)
-        goals = pd.read_parquet(folder / "events" / file.name)
+    for file in sorted(folder.glob(known["tables"]["cycles"]["files"])):
+        cycles = parquet.read(file, of_cycles).to_pandas()
+        goals = parquet.read(folder / "events" / file.name, of_events).to_pandas()
         for (run, team, _), rows in cycles.groupby(["run", "team", "number"], sort=True):
             happened = np.zeros(int(cycles.cycle.max()) + 1)
             of_run = goals[goals.run == run]
@@ -220,7 +223,7 @@ def convert(folder, target):
             rewards = np.add.reduceat(happened, rows.cycle.to_numpy())[1:] if len(rows) > 1 else np.zeros(0)
             state = rows[seen].fillna(0).to_numpy()[:-1]
             done = np.arange(1, len(rows)) == len(rows) - 1
-            writer.add(description["agent"], state, rows[actions].to_numpy()[1:], rewards, done)
+            writer.add(known["agent"], state, rows[actions].to_numpy()[1:], rewards, done)
     writer.close()
 
 

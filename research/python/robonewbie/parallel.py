@@ -11,7 +11,7 @@ from pettingzoo import ParallelEnv
 
 from robonewbie.environment import RENDER_MODES, checked_render_mode, show, spaces_of
 from robonewbie.picture import draw
-from robonewbie.simulator import LATE, RESET, STEP, Connection, RoboNewbieError
+from robonewbie.simulator import RESET, STEP, TRUNCATED, Connection, RoboNewbieError
 
 _SEEDS = 2**62
 
@@ -65,16 +65,16 @@ class RoboNewbieParallelEnv(ParallelEnv):
         if missing:
             raise RoboNewbieError(f"There is no action for {', '.join(missing)}: each robot needs one in each step.")
         rows = np.stack([actions[agent] for agent in self.possible_agents])
-        observation, reward, over = self._connection.act(STEP, 0, rows)
-        late = self._connection.state == LATE
+        observation, reward, terminated = self._connection.act(STEP, 0, rows)
+        truncated = self._connection.state == TRUNCATED
         results = (
             self._each(observation),
             self._each(reward.tolist()),
-            self._each(over.tolist()),
-            self._each(late.tolist()),
+            self._each(terminated.tolist()),
+            self._each(truncated.tolist()),
             self._infos(),
         )
-        if over.any() or late.any():
+        if terminated.any() or truncated.any():
             self.agents = []
         return results
 

@@ -29,9 +29,9 @@ class VecEnv(_VecEnv):
         self._episodes.begin(self._seeds)
         self._reset_seeds()
         self._reset_options()
-        everybody = np.ones(self.num_envs, dtype=bool)
-        observation, _, _ = self._connection.act(RESET, self._episodes.draw(everybody), 0)
-        self._next = self._episodes.draw(everybody)
+        every = np.ones(self.num_envs, dtype=bool)
+        observation, _, _ = self._connection.act(RESET, self._episodes.draw(every), 0)
+        self._next = self._episodes.draw(every)
         self.reset_infos = self._infos()
         return observation
 
@@ -40,13 +40,13 @@ class VecEnv(_VecEnv):
 
     def step_wait(self):
         seeds = self._next
-        observation, reward, over = self._connection.act(STEP_AND_RESET, seeds, self._actions)
+        observation, reward, terminated = self._connection.act(STEP_AND_RESET, seeds, self._actions)
         infos = self._infos()
         done = self._connection.state > 0
         if done.any():
             for i in np.flatnonzero(done):
                 infos[i]["terminal_observation"] = observation[i].copy()
-                infos[i]["TimeLimit.truncated"] = bool(not over[i])
+                infos[i]["TimeLimit.truncated"] = bool(not terminated[i])
             observation[done] = self._connection.fresh
             self._next = np.where(done, self._episodes.draw(done), seeds)
         return observation, reward.astype(np.float32), done, infos

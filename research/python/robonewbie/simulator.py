@@ -22,7 +22,7 @@ except ImportError:  # Windows
     fcntl = None
 
 SKIP, STEP, RESET, STEP_AND_RESET = 0, 1, 2, 3
-OVER, LATE = 1, 2
+TERMINATED, TRUNCATED = 1, 2
 _START_SECONDS = 600  # the first start builds the program
 _PATIENCE_SECONDS = 60
 _OLDEST_JAVA = 17
@@ -223,9 +223,9 @@ class Connection:
         self.fresh = np.zeros((0, quantities), dtype=np.float32)
 
     def act(self, what, seeds, actions):
-        """Lets environments step, begin anew or wait; gives observations, rewards and whether they are over.
+        """Steps or resets environments, or lets them wait; returns observations, rewards and which are terminated.
 
-        ``state`` says which are OVER or LATE, ``fresh`` has the first observations of those that began again after their step."""
+        ``state`` is TERMINATED, TRUNCATED or 0, ``fresh`` has the first observations of those that were reset after their step."""
         self._orders["what"] = what
         self._orders["seed"] = seeds
         self._orders["action"] = actions
@@ -234,7 +234,7 @@ class Connection:
         self.truth, self.state = answer["truth"], answer["state"]
         begun = np.frombuffer(reply, dtype="<f4", offset=len(self._orders) * self._answer.itemsize)
         self.fresh = begun.reshape(-1, self._answer["observation"].shape[0])
-        return answer["observation"].copy(), answer["reward"].copy(), self.state == OVER
+        return answer["observation"].copy(), answer["reward"].copy(), self.state == TERMINATED
 
     def change(self, options):
         """Changes the episodes that begin from now on."""
@@ -248,7 +248,7 @@ class Connection:
         """Starts the studio with one environment, which runs in real time from now on; gives the addresses of its page, which
         opens once, and of a file that opens it."""
         address, file = self._ask(b"V" + struct.pack("<i", index)).decode("utf-8").split("\n")
-        self._socket.settimeout(None)  # people may stop the clock
+        self._socket.settimeout(None)  # the page may stop the clock
         return address, file
 
     def _ask(self, message):

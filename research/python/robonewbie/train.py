@@ -1,8 +1,8 @@
-"""Learns a task by PPO of Stable-Baselines3, and writes what was learned as a policy that agents in Java play.
+"""Trains a task by PPO of Stable-Baselines3, and writes a policy that agents in Java play.
 
-    python -m robonewbie.train Stand --steps 300000
-    python -m robonewbie.train Stand --steps 600000 --resume
-    python -m robonewbie.train Stand --hidden 0 --inputs "gyro.*|accelerometer.*" --option cycles=2
+    python -m robonewbie.train Stand --total-timesteps 300000
+    python -m robonewbie.train Stand --total-timesteps 600000 --resume
+    python -m robonewbie.train Stand --net-arch --inputs "gyro.*|accelerometer.*" --option cycles=2
 
 The policy begins with doing nothing: its last layer has zeros. After each round it keeps all that is needed to go on, so that a training
 can be stopped at any moment. The observations' normalisation is folded into the first layer of the policy.
@@ -30,7 +30,7 @@ def fold(weights, bias, mean, variance, epsilon):
 
 
 def policy_text(task, about, inputs, outputs, range_degrees, layers, motion=(), cycles=1, walk=None):
-    """Writes a policy as org.robonewbie.agent.policy.PolicyText reads it; layers are weights, bias and "tanh" or "cut".
+    """Writes a policy as org.robonewbie.agent.policy.PolicyText reads it; layers are weights, bias and activation, "tanh" or "cut".
 
     With the numbers of a walk, by name, the policy corrects the walk engine, and its outputs are those of a reflex.
     """
@@ -43,8 +43,8 @@ def policy_text(task, about, inputs, outputs, range_degrees, layers, motion=(), 
     lines += [f"input {name} {unit}" for name, unit in inputs]
     kind = "" if walk else "joint."
     lines += [f"output {kind}{name} {range_degrees:g} degrees" for name in outputs]
-    for weights, bias, bend in layers:
-        lines.append(f"layer {weights.shape[1]} {weights.shape[0]} {bend}")
+    for weights, bias, activation in layers:
+        lines.append(f"layer {weights.shape[1]} {weights.shape[0]} {activation}")
         lines += [" ".join(f"{number:.6g}" for number in [b, *row]) for b, row in zip(bias, weights)]
     return "\n".join(lines) + "\n"
 
@@ -80,25 +80,27 @@ def options_of(words):
 
 
 def _arguments(words):
-    parser = argparse.ArgumentParser(prog="python -m robonewbie.train", description="Learns a task by PPO.")
+    parser = argparse.ArgumentParser(
+        prog="python -m robonewbie.train", description="Trains a task by PPO. Parameters have the names of Stable-Baselines3."
+    )
     parser.add_argument("task", help="Stand, EngineFollow, EngineRun, KickTo, GetUp, QuickGetUp, another task, or the name of a Java class of yours")
-    parser.add_argument("--steps", type=int, default=300_000, help="cycles of all robots together (300000)")
-    parser.add_argument("--robots", type=int, default=64, help="robots that learn side by side (64)")
-    parser.add_argument("--round", type=int, default=64, help="actions of each robot between two updates (64)")
-    parser.add_argument("--batches", type=int, default=8, help="parts of a round from which it learns one after the other (8)")
-    parser.add_argument("--epochs", type=int, default=10, help="how often it learns from a round (10)")
-    parser.add_argument("--rate", type=float, default=3e-4, help="how fast it learns at first; falls evenly to nothing at the end of the steps (0.0003)")
-    parser.add_argument("--gamma", type=float, default=0.99, help="what a reward is worth one action later (0.99)")
-    parser.add_argument("--lambda", dest="trace", type=float, default=0.95, help="how far an action answers for what comes later: 0 only for what is expected then, 1 for all (0.95)")
-    parser.add_argument("--noise", type=float, default=0.1, help="standard deviation of the first actions (0.1)")
-    parser.add_argument("--hold", type=int, default=0, help="actions for which a robot errs in the same way, by gSDE; 0: each in another (0)")
-    parser.add_argument("--hidden", type=int, default=64, help="neurons in each of the two hidden layers; 0 for none (64)")
-    parser.add_argument("--inputs", default=".*", metavar="REGEX", help="names of what the policy takes (all that is observed)")
-    parser.add_argument("--critic", default=".*", metavar="REGEX", help="names of what the critic takes beside the time (all that is observed)")
-    parser.add_argument("--option", action="append", default=[], metavar="NAME=VALUE", help="changes the episodes, such as cycles=2, friction=0.7..1.3")
+    parser.add_argument("--total-timesteps", type=int, default=300_000, help="actions of all robots together (300000)")
+    parser.add_argument("--n-envs", type=int, default=64, help="robots in parallel (64)")
+    parser.add_argument("--n-steps", type=int, default=64, help="actions of each robot between two updates (64)")
+    parser.add_argument("--batch-size", type=int, default=512, help="actions in a minibatch (512)")
+    parser.add_argument("--n-epochs", type=int, default=10, help="epochs of an update (10)")
+    parser.add_argument("--learning-rate", type=float, default=3e-4, help="initial learning rate; falls linearly to 0 (0.0003)")
+    parser.add_argument("--gamma", type=float, default=0.99, help="discount factor (0.99)")
+    parser.add_argument("--gae-lambda", type=float, default=0.95, help="factor of generalized advantage estimation (0.95)")
+    parser.add_argument("--log-std-init", type=float, default=math.log(0.1), help="log of the first actions' standard deviation; with gSDE each input of the last layer adds as much (-2.3)")
+    parser.add_argument("--sde-sample-freq", type=int, default=-1, help="use gSDE, with new noise after so many actions (no gSDE)")
+    parser.add_argument("--net-arch", type=int, nargs="*", default=[64, 64], metavar="N", help="neurons of each hidden layer; nothing for none (64 64)")
+    parser.add_argument("--inputs", default=".*", metavar="REGEX", help="names of the policy's inputs (all that is observed)")
+    parser.add_argument("--critic", default=".*", metavar="REGEX", help="names of the critic's inputs beside the time (all that is observed)")
+    parser.add_argument("--option", action="append", default=[], metavar="NAME=VALUE", help="option of the task, such as cycles=2, friction=0.7..1.3")
     parser.add_argument("--seed", type=int, default=1, help="chooses weights and episodes (1)")
     parser.add_argument("--out", type=Path, help="file of the policy (TASK.policy)")
-    parser.add_argument("--resume", action="store_true", help="go on with a training that was stopped")
+    parser.add_argument("--resume", action="store_true", help="continue an interrupted training")
     wanted = parser.parse_args(words)
     wanted.options = options_of(wanted.option)
     wanted.cycles = int(wanted.options.get("cycles", 1))
@@ -118,7 +120,7 @@ class Training:
         self.wanted = wanted
         self.out = wanted.out
         self.began = time.monotonic()
-        self.task = VecEnv(wanted.task, wanted.robots, **wanted.options)
+        self.task = VecEnv(wanted.task, wanted.n_envs, **wanted.options)
         self.inputs = chosen(self.task.description, wanted.inputs)
         longest = math.ceil(self.task.description["longestCycles"] / wanted.cycles)
         robots = VecMonitor(Timed(self.task, longest))
@@ -133,7 +135,7 @@ class Training:
             self._do_nothing_at_first()
 
     def _do_nothing_at_first(self):
-        """Gives the last layer zeros; hidden neurons get a bias, or a robot at rest, whose numbers are 0, would not err by gSDE."""
+        """Gives the last layer zeros; hidden neurons get a bias, or a robot at rest, whose numbers are 0, would not explore by gSDE."""
         policy = self.model.policy
         for numbers in policy.action_net.parameters():
             numbers.data.zero_()
@@ -143,28 +145,27 @@ class Training:
 
     def _settings(self):
         wanted = self.wanted
-        hidden = [wanted.hidden] * 2 if wanted.hidden else []
         return {
-            "n_steps": wanted.round,
-            "batch_size": wanted.robots * wanted.round // wanted.batches,
-            "n_epochs": wanted.epochs,
-            "learning_rate": wanted.rate,
+            "n_steps": wanted.n_steps,
+            "batch_size": wanted.batch_size,
+            "n_epochs": wanted.n_epochs,
+            "learning_rate": wanted.learning_rate,
             "gamma": wanted.gamma,
-            "gae_lambda": wanted.trace,
+            "gae_lambda": wanted.gae_lambda,
             "seed": SEEDS_APART * wanted.seed,
             "device": "cpu",
-            "use_sde": wanted.hold > 0,
-            "sde_sample_freq": wanted.hold or -1,
+            "use_sde": wanted.sde_sample_freq > 0,
+            "sde_sample_freq": wanted.sde_sample_freq,
             "policy_kwargs": {
                 "actor": self.inputs,
                 "critic": [*chosen(self.task.description, wanted.critic), len(self.task.description["observation"])],
-                "net_arch": {"pi": hidden, "vf": hidden or [64, 64]},
-                "log_std_init": float(np.log(_first_deviation(wanted, len(self.inputs)))),
+                "net_arch": {"pi": wanted.net_arch, "vf": wanted.net_arch or [64, 64]},
+                "log_std_init": wanted.log_std_init,
             },
         }
 
     @property
-    def steps(self):
+    def all_cycles(self):
         """Cycles of all robots so far."""
         return self.model.num_timesteps * self.wanted.cycles
 
@@ -190,9 +191,10 @@ class Training:
         return policy_text(
             wanted.task,
             [
-                f"learned by: python -m robonewbie.train {wanted.task} --steps {self.steps} --robots {wanted.robots} "
-                f"--round {wanted.round} --batches {wanted.batches} --epochs {wanted.epochs} --rate {wanted.rate:g} "
-                f"--gamma {wanted.gamma:g} --lambda {wanted.trace:g} --noise {wanted.noise:g} --hold {wanted.hold} --hidden {wanted.hidden} "
+                f"learned by: python -m robonewbie.train {wanted.task} --total-timesteps {self.model.num_timesteps} --n-envs {wanted.n_envs} "
+                f"--n-steps {wanted.n_steps} --batch-size {wanted.batch_size} --n-epochs {wanted.n_epochs} --learning-rate {wanted.learning_rate:g} "
+                f"--gamma {wanted.gamma:g} --gae-lambda {wanted.gae_lambda:g} --log-std-init {wanted.log_std_init:g} "
+                f"--sde-sample-freq {wanted.sde_sample_freq} --net-arch {''.join(f'{neurons} ' for neurons in wanted.net_arch)}"
                 f"--inputs '{wanted.inputs}' --critic '{wanted.critic}' {''.join(f'--option {word} ' for word in wanted.option)}--seed {wanted.seed}"
             ],
             [(described["observation"][i]["name"], described["observation"][i]["unit"]) for i in self.inputs],
@@ -216,15 +218,16 @@ class Training:
                 lines.writerow(["steps", "reward", "cycles", "seconds"])
             reward = np.mean([episode["r"] for episode in episodes])
             cycles = np.mean([episode["l"] for episode in episodes]) * self.wanted.cycles
-            lines.writerow([self.steps, f"{reward:.4f}", f"{cycles:.1f}", f"{time.monotonic() - self.began:.0f}"])
-            print(f"{self.steps:9d}: reward {reward:8.3f} in {cycles:.0f} cycles", flush=True)
+            lines.writerow([self.all_cycles, f"{reward:.4f}", f"{cycles:.1f}", f"{time.monotonic() - self.began:.0f}"])
+            print(f"{self.all_cycles:9d}: reward {reward:8.3f} in {cycles:.0f} cycles", flush=True)
 
     def run(self):
-        """Learns, round by round."""
-        while self.steps < self.wanted.steps:
-            rate = self.wanted.rate * (1 - self.steps / self.wanted.steps)
+        """Trains, update by update."""
+        wanted = self.wanted
+        while self.model.num_timesteps < wanted.total_timesteps:
+            rate = wanted.learning_rate * (1 - self.model.num_timesteps / wanted.total_timesteps)
             self.model.lr_schedule = lambda _, rate=rate: rate
-            self.model.learn(self.wanted.robots * self.wanted.round, reset_num_timesteps=False)
+            self.model.learn(wanted.n_envs * wanted.n_steps, reset_num_timesteps=False)
             self.keep()
 
 
@@ -237,11 +240,6 @@ def chosen(description, inputs):
     return places
 
 
-def _first_deviation(wanted, inputs):
-    """With gSDE each number that the last layer takes adds its own error."""
-    return wanted.noise / np.sqrt(wanted.hidden or inputs) if wanted.hold else wanted.noise
-
-
 def _pickled(normalised):
     import pickle
 
@@ -249,7 +247,7 @@ def _pickled(normalised):
 
 
 def main(words=None):
-    """Learns what the command line says."""
+    """Trains what the command line says."""
     wanted = _arguments(words)
     wanted.out = wanted.out or Path(f"{wanted.task}.policy")
     model = wanted.out.with_name(wanted.out.name + ".zip")

@@ -6,11 +6,11 @@ from gymnasium.vector.utils import batch_space
 
 from robonewbie.environment import RENDER_MODES, EpisodeSeeds, checked_render_mode, show, spaces_of
 from robonewbie.picture import draw
-from robonewbie.simulator import LATE, RESET, STEP, Connection
+from robonewbie.simulator import RESET, STEP, TRUNCATED, Connection
 
 
 class RoboNewbieVectorEnv(gymnasium.vector.VectorEnv):
-    """Robots in worlds of their own. An episode that is over begins anew in the next step, whose action does not count."""
+    """Robots in worlds of their own. An episode that has ended is reset in the next step, whose action does not count."""
 
     metadata = {"render_modes": RENDER_MODES, "render_fps": 50, "autoreset_mode": gymnasium.vector.AutoresetMode.NEXT_STEP}
 
@@ -41,26 +41,26 @@ class RoboNewbieVectorEnv(gymnasium.vector.VectorEnv):
         observation, _, _ = self._connection.act(RESET, self._episodes.draw(self._done), 0)
         self._steps[:] = 0
         self._done[:] = False
-        return observation, self._truth()
+        return observation, self._info()
 
     def step(self, actions):
         fresh = self._done.copy()
-        observation, reward, over = self._connection.act(
+        observation, reward, terminated = self._connection.act(
             np.where(fresh, RESET, STEP), self._episodes.draw(fresh), actions
         )
         reward[fresh] = 0
-        over[fresh] = False
+        terminated[fresh] = False
         self._steps = np.where(fresh, 0, self._steps + 1)
-        truncated = ((self._steps >= self._longest) | (self._connection.state == LATE)) & ~over
-        self._done = over | truncated
-        return observation, reward, over, truncated, self._truth()
+        truncated = ((self._steps >= self._longest) | (self._connection.state == TRUNCATED)) & ~terminated
+        self._done = terminated | truncated
+        return observation, reward, terminated, truncated, self._info()
 
-    def _truth(self):
-        truth = {}
+    def _info(self):
+        info = {}
         for name, values in zip(self._connection.truth_names, self._connection.truth.T):
-            truth[name] = values.astype(bool) if name in ("fallen", "is_success") else values
-            truth["_" + name] = np.ones(self.num_envs, dtype=bool)
-        return truth
+            info[name] = values.astype(bool) if name in ("fallen", "is_success") else values
+            info["_" + name] = np.ones(self.num_envs, dtype=bool)
+        return info
 
     def render(self):
         """Returns a picture of each robot if ``render_mode`` is ``"rgb_array"``."""

@@ -84,14 +84,19 @@ class LeRobotTest(unittest.TestCase):
         for part in ("cycles", "events"):
             (source / part).mkdir(parents=True)
         names = ["sensed_neck_yaw", "ball_distance", "command_neck_yaw", "true_neck_yaw"]
-        columns = [{"name": name, "kind": "decimal"} for name in names]
-        (source / "dataset.json").write_text(json.dumps({"agent": "Me", "tables": {"cycles": {"columns": columns}}}))
+        kinds = {"run": "whole", "cycle": "whole", "team": "text", "number": "whole", "event": "text"}
+
+        def described(name, *columns):
+            return {"files": name + "/run-*.csv", "columns": [{"name": c, "kind": kinds.get(c, "decimal")} for c in columns]}
+
+        tables = [described("cycles", "run", "cycle", "team", "number", *names), described("events", "run", "cycle", "event")]
+        (source / "dataset.json").write_text(json.dumps({"agent": "Me", "tables": dict(zip(("cycles", "events"), tables))}))
         rows = [(1, cycle, team, 1, cycle, None, 10 * cycle, 0) for cycle in range(5) for team in ("A", "B")]
         rows += [(2, cycle, "A", 1, -cycle, None, 0, 0) for cycle in range(3)]
-        pd.DataFrame(rows, columns=["run", "cycle", "team", "number", *names]).to_parquet(source / "cycles" / "run-00001-to-00002.parquet")
-        pd.DataFrame({"run": [1, 2], "cycle": [3, 1], "event": ["goal left A", "goal right B"]}).to_parquet(
-            source / "events" / "run-00001-to-00002.parquet"
-        )
+        file = "run-00001-to-00002.csv"
+        pd.DataFrame(rows, columns=["run", "cycle", "team", "number", *names]).to_csv(source / "cycles" / file, index=False)
+        goals = {"run": [1, 2], "cycle": [3, 1], "event": ["goal left A", "goal right B"]}
+        pd.DataFrame(goals).to_csv(source / "events" / file, index=False)
 
         convert(source, self.folder / "games")
 

@@ -10,7 +10,7 @@ from unittest import mock
 
 import numpy as np
 
-from robonewbie import baselines, curve, exam, train
+from robonewbie import baselines, curve, evaluate, train
 
 try:
     import stable_baselines3
@@ -23,9 +23,9 @@ def layers(text):
     lines = iter(text.splitlines())
     for line in lines:
         if line.startswith("layer "):
-            _, _, outputs, bend = line.split()
+            _, _, outputs, activation = line.split()
             rows = np.array([[float(word) for word in next(lines).split()] for _ in range(int(outputs))])
-            yield rows[:, 1:], rows[:, 0], {"tanh": np.tanh, "cut": lambda x: np.clip(x, -1, 1)}[bend]
+            yield rows[:, 1:], rows[:, 0], {"tanh": np.tanh, "cut": lambda x: np.clip(x, -1, 1)}[activation]
 
 
 class TrainTest(unittest.TestCase):
@@ -41,7 +41,7 @@ class TrainTest(unittest.TestCase):
     def test_curve_is_a_picture_with_a_line_for_each_name(self):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder, "walk.policy.csv")
-            file.write_text("generation,lessons,cycles,reward\n1,32,1000,-2\n2,32,1000,5\n", encoding="utf-8")
+            file.write_text("generation,episodes,cycles,reward\n1,32,1000,-2\n2,32,1000,5\n", encoding="utf-8")
 
             picture = curve.svg([("walk", *curve.read(file))])
 
@@ -88,7 +88,7 @@ class TrainTest(unittest.TestCase):
 
     def test_policy_is_played_as_it_stands_in_its_file(self):
         layers = [(np.array([[2.0], [0.0]]), np.array([1.0, 3.0]), "tanh"), (np.array([[2.0, 1.0]]), np.array([-1.0]), "cut")]
-        policy = exam.PlayedPolicy(train.policy_text("Stand", ["learned"], [("gyro.left", "degrees/s")], ["NECK_YAW"], 30, layers))
+        policy = evaluate.PlayedPolicy(train.policy_text("Stand", ["learned"], [("gyro.left", "degrees/s")], ["NECK_YAW"], 30, layers))
 
         self.assertEqual(policy.inputs, ["gyro.left"])
         np.testing.assert_allclose(policy.act(np.array([[-0.5], [2.0]])), [[np.tanh(3) - 1], [1]])
@@ -100,11 +100,11 @@ class TrainTest(unittest.TestCase):
             with self.assertRaisesRegex(SystemExit, f'The option "{wrong}" is neither'):
                 train.options_of([wrong])
 
-    def test_exam_is_the_same_each_time_and_other_episodes_are_others(self):
-        first, again, others = (exam.examine("Stand", None, 3, seed, {"push": 60}) for seed in (5, 5, 50))
+    def test_evaluation_is_the_same_each_time_and_other_episodes_are_others(self):
+        first, again, others = (evaluate.evaluate("Stand", None, 3, seed, {"push": 60}) for seed in (5, 5, 50))
 
-        np.testing.assert_array_equal(first.rewards, again.rewards)
-        self.assertFalse((first.rewards == others.rewards).all())
+        np.testing.assert_array_equal(first.returns, again.returns)
+        self.assertFalse((first.returns == others.returns).all())
         self.assertFalse(first.successes.any())
         self.assertIn("success 0 of 3", str(first))
 
@@ -114,32 +114,32 @@ class TrainTest(unittest.TestCase):
             with self.subTest(task):
                 options = train.options_of(baseline.options)
                 policy = Path(__file__).parents[1] / "baselines" / f"{task}-1.policy"
-                learned = exam.examine(task, exam.PlayedPolicy(policy.read_text(encoding="utf-8")), 128, options=options)
-                nothing = exam.examine(task, None, 128, options=options)
+                learned = evaluate.evaluate(task, evaluate.PlayedPolicy(policy.read_text(encoding="utf-8")), 128, options=options)
+                nothing = evaluate.evaluate(task, None, 128, options=options)
 
-                self.assertGreater(np.mean(learned.rewards), np.mean(nothing.rewards) + gains[task])
+                self.assertGreater(np.mean(learned.returns), np.mean(nothing.returns) + gains[task])
                 self.assertGreater(np.mean(learned.successes), np.mean(nothing.successes))
 
     @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
     def test_begins_with_doing_nothing_and_takes_what_it_is_told_to_take(self):
         with tempfile.TemporaryDirectory() as folder:
             out = Path(folder, "my.policy")
-            words = ["Stand", "--robots", "2", "--hidden", "0", "--inputs", "gyro.*", "--option", "cycles=2", "--out", str(out)]
+            words = ["Stand", "--n-envs", "2", "--net-arch", "--inputs", "gyro.*", "--option", "cycles=2", "--out", str(out)]
             begun = train.Training(train._arguments(words))
-            policy = exam.PlayedPolicy(begun.text())
+            policy = evaluate.PlayedPolicy(begun.text())
             begun.task.close()
 
             self.assertEqual(policy.inputs, ["gyro.forward", "gyro.left", "gyro.up"])
             np.testing.assert_array_equal(policy.act(np.array([[100.0, -50.0, 7.0]])), np.zeros((1, 12)))
             with self.assertRaisesRegex(SystemExit, "Nothing that is observed in Stand has a name like wing"):
-                train.main(["Stand", "--robots", "2", "--inputs", "wing", "--out", str(out)])
+                train.main(["Stand", "--n-envs", "2", "--inputs", "wing", "--out", str(out)])
 
     @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
     def test_baseline_has_a_row_for_the_table(self):
-        short = baselines.Baseline(1024, "--round 32 --hidden 4", ("cycles=2", "push=60"))
+        short = baselines.Baseline(1024, "--n-steps 32 --batch-size 16 --net-arch 4 4", ("cycles=2", "push=60"))
         with tempfile.TemporaryDirectory() as folder, mock.patch.dict(baselines.TASKS, Stand=short), mock.patch.object(
-            baselines, "EXAMINED", 4
-        ), mock.patch.object(baselines, "COMMON", ["--robots", "4"]), mock.patch("sys.stdout", io.StringIO()) as told:
+            baselines, "EVALUATED", 4
+        ), mock.patch.object(baselines, "COMMON", ["--n-envs", "4"]), mock.patch("sys.stdout", io.StringIO()) as told:
             baselines.main(["Stand", "--out", folder])
 
             self.assertTrue(Path(folder, "Stand.svg").exists())
@@ -151,11 +151,11 @@ class TrainTest(unittest.TestCase):
             out = Path(folder, "my.policy")
             with self.assertRaisesRegex(SystemExit, "There is nothing to resume"):
                 train.main(["Reach", "--out", str(out), "--resume"])
-            words = ["Reach", "--robots", "2", "--round", "32", "--hold", "4", "--hidden", "16", "--out", str(out)]
-            train.main([*words, "--steps", "64"])
+            words = ["Reach", "--n-envs", "2", "--n-steps", "32", "--batch-size", "8", "--sde-sample-freq", "4", "--net-arch", "16", "16", "--out", str(out)]
+            train.main([*words, "--total-timesteps", "64"])
             with self.assertRaisesRegex(SystemExit, "There is a training in .* already. Go on with --resume"):
-                train.main([*words, "--steps", "64"])
-            train.main([*words, "--steps", "256", "--resume"])
+                train.main([*words, "--total-timesteps", "64"])
+            train.main([*words, "--total-timesteps", "256", "--resume"])
 
             training = train.Training(train._arguments([*words, "--resume"]))
             self.assertEqual(training.model.num_timesteps, 256)
@@ -165,8 +165,8 @@ class TrainTest(unittest.TestCase):
             training.task.close()
             self.assertEqual(raw[-1], 0)  # what only the critic takes: nothing of the episode is over
             values = raw[:-1].astype(float)
-            for weights, bias, bend in layers(out.read_text(encoding="utf-8")):
-                values = bend(weights @ values + bias)
+            for weights, bias, activation in layers(out.read_text(encoding="utf-8")):
+                values = activation(weights @ values + bias)
             np.testing.assert_allclose(values, wanted, atol=2e-3)
 
     @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
@@ -189,13 +189,13 @@ class TrainTest(unittest.TestCase):
     def test_goes_on_in_the_same_way_from_the_same_round(self):
         texts = []
         with tempfile.TemporaryDirectory() as folder:
-            words = ["Reach", "--robots", "2", "--round", "32", "--hidden", "4", "--out"]
-            train.main([*words, str(Path(folder, "first.policy")), "--steps", "64"])
+            words = ["Reach", "--n-envs", "2", "--n-steps", "32", "--batch-size", "8", "--net-arch", "4", "4", "--out"]
+            train.main([*words, str(Path(folder, "first.policy")), "--total-timesteps", "64"])
             for name in ("one", "two"):
                 for file in Path(folder).glob("first.*"):
                     shutil.copy(file, file.with_name(file.name.replace("first", name)))
                 out = Path(folder, f"{name}.policy")
-                train.main([*words, str(out), "--steps", "128", "--resume"])
+                train.main([*words, str(out), "--total-timesteps", "128", "--resume"])
                 texts.append(out.read_text(encoding="utf-8"))
 
         self.assertEqual(*texts)

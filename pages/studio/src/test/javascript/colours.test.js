@@ -1,4 +1,4 @@
-/** Whether people can read the page and tell the teams apart, computed from the colours of the style sheet. */
+/** Contrast of the page and distinguishability of the teams, computed from the colours of the style sheet. */
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import test from 'node:test';
@@ -8,17 +8,17 @@ const STYLES = readFileSync(
   'utf8',
 );
 
-/** Ratio that the accessibility guidelines of the web ask for (WCAG 2.2, 1.4.3 for letters, 1.4.11 for shapes). */
+/** Minimum contrast ratios of the web's accessibility guidelines (WCAG 2.2, 1.4.3 for text, 1.4.11 for shapes). */
 const LETTERS = 4.5;
 const SHAPES = 3;
 
 /**
- * The camera's picture is drawn in degrees (120 are 280 pixels), the surroundings and the soles in
- * metres (14 are 280 pixels, 0.26 are 130): 12 pixels at least.
+ * The camera's picture is drawn in degrees (120 are 280 pixels), the surroundings and the soles in metres (14 are 280 pixels, 0.26 are
+ * 130): at least 12 pixels.
  */
 const LETTERS_IN_DRAWINGS = ['font-size: 5.4px', 'font-size: 0.6px', 'font-size: 0.024px'];
 
-/** How people without one kind of cone see linear red, green and blue (Machado, Oliveira and Fernandes 2009, severity 1). */
+/** Colour blindness: linear red, green and blue without one kind of cone (Machado, Oliveira and Fernandes 2009, severity 1). */
 const BLINDNESS = {
   protanopia: [
     [0.152286, 1.052583, -0.204868],
@@ -37,7 +37,7 @@ const BLINDNESS = {
   ],
 };
 
-/** @param {'light' | 'dark'} theme @returns {Record<string, number[]>} red, green, blue from 0 to 1, and how opaque */
+/** @param {'light' | 'dark'} theme @returns {Record<string, number[]>} red, green, blue from 0 to 1, and opacity */
 function palette(theme) {
   const block =
     theme === 'light' ? STYLES.slice(STYLES.indexOf(':root {')) : STYLES.slice(STYLES.indexOf("[data-theme='dark']"));
@@ -60,7 +60,7 @@ function colour(text) {
   return [red / 255, green / 255, blue / 255, percent / 100];
 }
 
-/** @param {number[]} front @param {number[]} behind what shines through */
+/** @param {number[]} front @param {number[]} behind colour behind it */
 const over = (front, behind) => [0, 1, 2].map((i) => front[i] * front[3] + behind[i] * (1 - front[3]));
 
 /** @param {number[]} rgb */
@@ -98,7 +98,7 @@ for (const theme of /** @type {const} */ (['light', 'dark'])) {
     field: colours.field,
   };
 
-  test(`letters can be read on every ground, ${theme}`, () => {
+  test(`text has enough contrast on every background, ${theme}`, () => {
     for (const [ground, behind] of Object.entries(grounds)) {
       for (const name of ['ink', 'faint', 'accent', 'trouble', 'warning']) {
         const ratio = contrast(colours[name], behind);
@@ -108,14 +108,14 @@ for (const theme of /** @type {const} */ (['light', 'dark'])) {
     assert.ok(contrast(colours['on-accent'], colours.accent) >= LETTERS, 'on-accent on accent');
   });
 
-  test(`lines of the teams and curves stand out, ${theme}`, () => {
+  test(`lines of teams and curves have enough contrast, ${theme}`, () => {
     for (const name of Object.keys(colours).filter((each) => /^(left|right|curve-\d)$/.test(each))) {
       const ratio = contrast(colours[name], grounds.panel);
       assert.ok(ratio >= SHAPES, `${name}: ${ratio.toFixed(2)}`);
     }
   });
 
-  test(`colour-blind people tell the teams apart, ${theme}`, () => {
+  test(`teams are distinguishable with colour blindness, ${theme}`, () => {
     for (const [kind, matrix] of Object.entries(BLINDNESS)) {
       const [left, right] = [colours.left, colours.right].map((each) => {
         const light = linear(each);
@@ -137,7 +137,7 @@ for (const theme of /** @type {const} */ (['light', 'dark'])) {
   });
 }
 
-test('no letters are smaller than twelve pixels', () => {
+test('no text is smaller than twelve pixels', () => {
   const folder = new URL('../../main/resources/org/robonewbie/studio/web/', import.meta.url);
   for (const file of ['theme', 'layout', 'messages', 'motion', 'puppet', 'replay', 'robot', 'time-line']) {
     const sizes = [

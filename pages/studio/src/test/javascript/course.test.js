@@ -4,7 +4,7 @@ import {
   hints,
   progressText,
   trialText,
-  usualProgram,
+  likelyProgram,
 } from '../../main/resources/org/robonewbie/studio/web/state/course.js';
 
 /** @typedef {import('../../main/resources/org/robonewbie/studio/web/state/course.js').Attempt} Attempt */
@@ -25,7 +25,7 @@ const attempt = {
   output: '',
 };
 
-test('progress tells which trial runs and how all of them ended', () => {
+test('progress names the running trial and the results of all', () => {
   assert.equal(progressText(attempt), 'Trial 2 of 2 is running and being judged.');
   assert.equal(progressText({ ...attempt, state: 'WAITING' }), 'Trial 2 of 2: Kick.java is starting…');
   assert.equal(progressText({ ...attempt, state: 'OVER', judged: [trial, trial] }), 'Not yet passed: 4.0 of 10 points');
@@ -36,18 +36,18 @@ test('progress tells which trial runs and how all of them ended', () => {
   assert.equal(progressText({ ...attempt, state: 'NONE' }), '');
 });
 
-test('an own agent is told how to come', () => {
+test('the user’s own agent gets a command to join', () => {
   assert.match(progressText({ ...attempt, state: 'WAITING', program: '' }), /MyAgent\.java --port 3110/);
 });
 
-test('a trial tells seed, points and what was measured, and hints come once', () => {
+test('a trial shows seed, points and measurement, and each hint once', () => {
   assert.equal(trialText(trial), '✗ Seed 1: 4 points, the ball went 1.00 m');
   assert.deepEqual(hints({ ...attempt, judged: [trial, { ...trial, seed: 2 }, { ...trial, hint: '' }] }), [
     'Be quick.',
   ]);
 });
 
-test('the usual program is chosen if it is there', () => {
+test('the likely program is chosen if it exists', () => {
   const lesson = {
     number: 12,
     name: 'kick',
@@ -60,6 +60,6 @@ test('the usual program is chosen if it is there', () => {
     file: 'Kick.java',
   };
 
-  assert.equal(usualProgram(lesson, ['Kick.java', 'Other.java']), 'Kick.java');
-  assert.equal(usualProgram(lesson, ['Other.java']), '');
+  assert.equal(likelyProgram(lesson, ['Kick.java', 'Other.java']), 'Kick.java');
+  assert.equal(likelyProgram(lesson, ['Other.java']), '');
 });

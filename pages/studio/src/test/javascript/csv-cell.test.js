@@ -16,7 +16,7 @@ function unescaped(text) {
   return text.replaceAll(/\\(?:\||n|r|t|u00a0|ufeff)/g, (sign) => signs[sign]);
 }
 
-test('texts that spreadsheets would execute stay texts, as in the tables of the command line', () => {
+test('formulas are escaped like in the tables of the command line', () => {
   const lines = readFileSync(CELLS, 'utf8').trimEnd().split('\n');
   assert.ok(lines.length > 30);
   for (const line of lines) {
@@ -25,7 +25,7 @@ test('texts that spreadsheets would execute stay texts, as in the tables of the 
   }
 });
 
-test('the names of plotted values are cells, too', () => {
+test('names of plotted values are escaped as cells', () => {
   const traces = { columns: () => [[0], [-1.5]] };
   assert.equal(tableOf(/** @type {any} */ (traces), ['=cmd()'], 0, 1), "seconds,'=cmd()\n0.00,-1.5\n");
 });

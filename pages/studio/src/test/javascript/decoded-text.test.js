@@ -29,7 +29,7 @@ for (const [what, bytes, encoding, content, note, typed, saved] of tableOf('deco
       );
     });
   } else {
-    test(`read and given back: ${what}`, () => {
+    test(`round trip: ${what}`, () => {
       const text = decodeText(bytesOf(bytes));
 
       assert.equal(text.encoding + (text.hasByteOrderMark ? ' with mark' : ''), encoding);
@@ -45,7 +45,7 @@ for (const [what, bytes, encoding, content, note, typed, saved] of tableOf('deco
   }
 }
 
-test('the page reads bytes exactly as the robot does', (context) => {
+test('the page decodes bytes exactly like the robot', (context) => {
   const file = join(process.env.STUDIO_FRAME_FOLDER ?? '', 'texts.json');
   if (!existsSync(file)) {
     context.skip('run by Maven');
@@ -69,11 +69,11 @@ function readAsSaid(bytes) {
 }
 
 for (const [name, problem] of tableOf('file-names.tsv')) {
-  test(`what is said of the name ${JSON.stringify(name)}`, () => {
+  test(`problem of the name ${JSON.stringify(name)}`, () => {
     assert.equal(nameProblem(name), problem === '-' ? '' : problem);
   });
 }
 
-test('letters that macOS writes as two are one', () => {
+test('decomposed letters of macOS are composed', () => {
   assert.equal(composedName('gru\u0308ßen'), 'grüßen');
 });

@@ -28,10 +28,10 @@ const drawing = (/** @type {object} */ given) => ({
 const picture = (/** @type {number} */ seconds, /** @type {string} */ colour, team = 'Blue') =>
   `draw\t${seconds}\t${team}\t1\tpoint\t${colour}\t0\t0\t0`;
 
-/** A torso whose forward direction, y, looks along the world's x, and a head over it. */
+/** A torso whose forward direction, y, points along the world's x, and a head above it. */
 const EAST = [1, 2, 0.4, Math.SQRT1_2, 0, 0, -Math.SQRT1_2, 1.5, 2, 0.6, 1, 0, 0, 0];
 
-test('forward and left of the head become places of the world, however the robot stands', () => {
+test('head coordinates are transformed to the world in any posture', () => {
   const east = standOf(EAST, 1);
   near(onGround(east, [2, 0]), [3.5, 2]);
   near(onGround(east, [0, 1]), [1.5, 3]);
@@ -56,14 +56,14 @@ test('a line is a ribbon, a circle a ring of its radius, a point a disc, a text 
   assert.deepEqual(trianglesOf(stand, drawing({ shape: 'text' })), []);
 });
 
-test('a line without length and numbers that are none do no harm', () => {
+test('a line without length and invalid numbers are ignored', () => {
   assert.ok(trianglesOf(standOf(EAST, 1), drawing({ shape: 'line' })).every(Number.isFinite));
   assert.equal(isDrawable(drawing({})), true);
   assert.equal(isDrawable(drawing({ radius: NaN })), false);
   assert.equal(isDrawable(drawing({ to: [1, Infinity, 0] })), false);
 });
 
-test('a layer is off if it, its robot or all is off', () => {
+test('a layer is off if it, its robot or the root is off', () => {
   const layers = new DrawingLayers([layerOf('Blue\t1', 'text')]);
   const seen = () => ['text', 'line'].map((kind) => layers.shows('Blue\t1', kind));
 
@@ -79,9 +79,14 @@ test('a layer is off if it, its robot or all is off', () => {
   assert.deepEqual(seen(), [false, true]);
 });
 
-test('a picture lives until the next one of its robot, for a second at most', () => {
+test('a drawing lasts until the next one of its robot, for at most one second', () => {
   const memory = new DrawingMemory();
-  memory.hear([picture(1, 'red'), 'log\t1\tBlue\t1\tINFO\thello', picture(1.5, 'blue'), picture(1.2, 'lime', 'Red')]);
+  memory.receive([
+    picture(1, 'red'),
+    'log\t1\tBlue\t1\tINFO\thello',
+    picture(1.5, 'blue'),
+    picture(1.2, 'lime', 'Red'),
+  ]);
   const colours = (/** @type {string} */ robot, /** @type {number[]} */ ...times) =>
     times.map((time) => memory.at(robot, time).map(({ colour }) => colour)[0]);
 
@@ -97,15 +102,15 @@ test('a picture lives until the next one of its robot, for a second at most', ()
   assert.deepEqual([...memory.kinds.keys()], ['Blue\t1', 'Red\t1']);
 });
 
-test('pictures of a time that begins again replace those before', () => {
+test('drawings of a restarted time base replace earlier ones', () => {
   const memory = new DrawingMemory();
-  memory.hear([picture(100, 'red'), picture(1, 'blue')]);
+  memory.receive([picture(100, 'red'), picture(1, 'blue')]);
 
   assert.equal(memory.at('Blue\t1', 1)[0].colour, 'blue');
   assert.equal(memory.at('Blue\t1', 100).length, 0);
 });
 
-test('what was drawn is read from what is kept beside a recording', () => {
+test('drawings are read from the notes of a recording', () => {
   const lines = [
     JSON.stringify({ drawn: picture(1, 'red') }),
     '{"seconds":1,"robot":"Blue 1","level":"INFO"}',

@@ -9,7 +9,7 @@ test('the left stick walks and the right one turns, in coarse steps', () => {
   assert.deepEqual(walkOfPad({ axes: [-0.52, 0, 0.61, 0], buttons }), { forward: 0, left: 0.6, turn: -0.6 });
 });
 
-test('a stick that is not touched does not tremble', () => {
+test('an untouched stick has a dead zone', () => {
   assert.deepEqual(walkOfPad({ axes: [0.1, -0.12, 0.05, 0], buttons }), { forward: 0, left: 0, turn: 0 });
 });
 

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { GoalReplay, lineUpChanges } from '../../main/resources/org/robonewbie/studio/web/state/goal-replay.js';
 
-test('a goal is shown again from five seconds before it, half as fast, and then now', () => {
+test('a goal is replayed from five seconds before it at half speed, then the present is shown', () => {
   const replay = new GoalReplay();
   replay.scored(1000);
 
@@ -15,7 +15,7 @@ test('a goal is shown again from five seconds before it, half as fast, and then 
   assert.equal(replay.turn(1, { first: 0, last: 2000 }), 'nothing');
 });
 
-test('a goal just after the page was opened is shown from what is there', () => {
+test('a goal shortly after the page was opened is replayed from the available frames', () => {
   const replay = new GoalReplay();
   replay.scored(1000);
 
@@ -24,11 +24,8 @@ test('a goal just after the page was opened is shown from what is there', () => 
   assert.equal(replay.at, 980);
 });
 
-test('it is told who comes in and who leaves', () => {
+test('joining and leaving robots are announced', () => {
   const blue = (number) => ({ team: 'Blue', number });
 
-  assert.deepEqual(lineUpChanges([blue(1), blue(2)], [blue(2), blue(12), blue(0)]), [
-    'Blue 1 leaves the game',
-    'Blue 12 comes in',
-  ]);
+  assert.deepEqual(lineUpChanges([blue(1), blue(2)], [blue(2), blue(12), blue(0)]), ['Blue 1 leaves', 'Blue 12 joins']);
 });

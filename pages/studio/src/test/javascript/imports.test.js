@@ -6,7 +6,7 @@ import { fileURLToPath } from 'node:url';
 
 const ROOT = fileURLToPath(new URL('../../main/resources/org/robonewbie/studio/web/', import.meta.url));
 
-/** The scripts that a script imports; types in comments are not imports. @param {string} script @returns {string[]} */
+/** The scripts that a script imports, without imports in type comments. @param {string} script @returns {string[]} */
 function imports(script) {
   const found = readFileSync(script, 'utf8').matchAll(
     /^(?:import|export|\})[^;]*? from '(\.[^']+)'|\bimport '(\.[^']+)'/gmu,
@@ -14,7 +14,7 @@ function imports(script) {
   return [...found].map(([, from, bare]) => join(dirname(script), from ?? bare ?? ''));
 }
 
-test('scripts do not import each other in a circle', () => {
+test('scripts have no cyclic imports', () => {
   const scripts = readdirSync(ROOT, { recursive: true, encoding: 'utf8' })
     .filter((name) => name.endsWith('.js') && !name.startsWith('vendor'))
     .map((name) => join(ROOT, name));

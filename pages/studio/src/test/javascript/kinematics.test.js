@@ -17,7 +17,7 @@ function armPose(torso, degrees) {
   return Array.from(poses.slice(7));
 }
 
-test('without turn a link is where the model puts it', () => {
+test('without rotation a link is at its position in the model', () => {
   assert.ok(isNear(armPose([1, 2, 3, 1, 0, 0, 0], 0), [1.1, 2.1, 3, 1, 0, 0, 0]));
 });
 

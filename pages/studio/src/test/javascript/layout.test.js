@@ -18,7 +18,7 @@ for (const [preset, layouts] of Object.entries(LAYOUTS)) {
     [1024, 680],
     [700, 900],
   ]) {
-    test(`all panels of ${preset} lie beside each other in a window of ${width} pixels`, () => {
+    test(`all panels of ${preset} fit side by side in a window of ${width} pixels`, () => {
       const { boxes } = placed(layouts[widthOf(width)], width, height);
 
       const all = [...boxes.values()];
@@ -32,7 +32,7 @@ for (const [preset, layouts] of Object.entries(LAYOUTS)) {
   }
 }
 
-test('each panel stands in one of the presets', () => {
+test('each panel belongs to one of the presets', () => {
   const all = Object.values(LAYOUTS).flatMap(({ wide }) => panelsOf(wide));
 
   assert.deepEqual([...new Set(all)].sort(), Object.keys(PANEL_TITLES).sort());
@@ -47,7 +47,7 @@ function overlap(a, b) {
   return across && a.top < b.top + b.height - 0.01 && b.top < a.top + a.height - 0.01;
 }
 
-test('an edge between columns gives to one what it takes from the other', () => {
+test('an edge between columns keeps the sum of their widths', () => {
   const moved = withEdgeMoved(UNDERSTAND.wide, { column: 0, panel: undefined }, 0.1);
 
   assert.deepEqual(
@@ -56,14 +56,14 @@ test('an edge between columns gives to one what it takes from the other', () => 
   );
 });
 
-test('no panel is made too small to be found again', () => {
+test('no panel becomes too small to be visible', () => {
   const moved = withEdgeMoved(UNDERSTAND.wide, { column: 0, panel: 0 }, 9);
 
   const { boxes } = placed(moved, 1400, 800);
   assert.ok((boxes.get('words')?.height ?? 0) > 80);
 });
 
-test('a folded panel keeps its name, and the others take its place', () => {
+test('a collapsed panel keeps its title, and the others use its space', () => {
   const layout = toggled(UNDERSTAND.medium, 'joints');
 
   const { boxes, edges } = placed(layout, 1000, 700);
@@ -73,7 +73,7 @@ test('a folded panel keeps its name, and the others take its place', () => {
   assert.deepEqual(toggled(layout, 'joints'), UNDERSTAND.medium);
 });
 
-test('an edge below a folded panel moves the open ones around it', () => {
+test('an edge below a collapsed panel moves the expanded ones around it', () => {
   const layout = toggled(toggled(UNDERSTAND.medium, 'surroundings'), 'joints');
 
   const moved = withEdgeMoved(layout, { column: 1, panel: 1 }, 0.2);
@@ -84,7 +84,7 @@ test('an edge below a folded panel moves the open ones around it', () => {
   assert.ok((after.get('surroundings')?.height ?? 0) < (before.get('surroundings')?.height ?? 0) - 50);
 });
 
-test('what was kept comes back, unless it is damaged or of another edition', () => {
+test('a stored layout is restored unless it is damaged or of another version', () => {
   const kept = JSON.parse(JSON.stringify(withEdgeMoved(UNDERSTAND.wide, { column: 1, panel: undefined }, 0.05)));
   assert.deepEqual(restoredLayout(kept, 'wide'), kept);
 

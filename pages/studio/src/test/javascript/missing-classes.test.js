@@ -21,7 +21,7 @@ const unknown = (kind, name, location = 'class MyAgent') =>
 /** @param {string} remark */
 const said = (remark) => insteadOfMissing(remark, MISSING);
 
-test('a static call of a class that the page lacks is as good as its type', () => {
+test('a static call of a missing class is recognised like its type', () => {
   for (const kind of ['variable', 'class']) {
     assert.match(said(unknown(kind, 'Thread')), /^This page has no threads: .* nao\.getTime\(\) instead of waiting\./);
     assert.match(said(unknown(kind, 'TimeUnit')), /instead of waiting/);
@@ -29,11 +29,11 @@ test('a static call of a class that the page lacks is as good as its type', () =
     assert.match(said(unknown(kind, 'AtomicInteger')), /no threads/);
     assert.match(said(unknown(kind, 'Scanner')), /neither files nor a keyboard/);
     assert.match(said(unknown(kind, 'Instant')), /nao\.getTime\(\)/);
-    assert.match(said(unknown(kind, 'JFrame')), /opens no windows/);
+    assert.match(said(unknown(kind, 'JFrame')), /cannot open windows/);
   }
 });
 
-test('each other class of Java is named with what to use instead', () => {
+test('each other missing Java class is reported with an alternative', () => {
   assert.equal(
     said(unknown('class', 'EnumMap')),
     'This page does not have java.util.EnumMap: use HashMap or TreeMap instead. RoboNewbie on your computer has it.',
@@ -44,15 +44,15 @@ test('each other class of Java is named with what to use instead', () => {
   );
 });
 
-test('imports are known by their package', () => {
+test('imports are recognised by their package', () => {
   assert.match(said(unknown('class', 'Executors', 'package java.util.concurrent')), /no threads/);
   assert.match(said(unknown('class', 'EnumMap', 'package java.util')), /HashMap or TreeMap/);
   assert.match(said('package java.util.concurrent.atomic does not exist'), /no threads/);
-  assert.match(said('package javax.swing does not exist'), /no windows/);
+  assert.match(said('package javax.swing does not exist'), /cannot open windows/);
   assert.match(said('This page does not have java.lang.Thread.sleep'), /no threads/);
 });
 
-test('what is only misspelt or has no import is left to the compiler', () => {
+test('misspelt names and missing imports are left to the compiler', () => {
   assert.equal(said(unknown('class', 'EnumMapp')), '');
   assert.equal(said(unknown('class', 'List')), '');
   assert.equal(said(unknown('variable', 'thread')), '');
@@ -61,6 +61,6 @@ test('what is only misspelt or has no import is left to the compiler', () => {
   assert.equal(said('package org.robonewbie.agnet does not exist'), '');
 });
 
-test('trials are started by the page alone', () => {
+test('programs cannot start trials in the page', () => {
   assert.match(said(unknown('class', 'Grader')), /press Check/);
 });

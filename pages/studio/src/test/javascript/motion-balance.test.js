@@ -33,7 +33,7 @@ const marginOf = (/** @type {readonly number[]} */ posture) => balanceOf(body, p
 const LEANING = { LEFT_FOOT_PITCH: -21, RIGHT_FOOT_PITCH: -21 };
 const ONE_LEG = { RIGHT_HIP_PITCH: 15, RIGHT_KNEE_PITCH: -30, RIGHT_FOOT_PITCH: 15 };
 
-withBody('a robot that leans too far is shifted over its feet, which stay', () => {
+withBody('a robot that leans too far is shifted over its fixed feet', () => {
   for (const turns of [LEANING, ONE_LEG]) {
     const posture = standingBut(turns);
     assert.ok(marginOf(posture) < 0, `leans: ${marginOf(posture)}`);
@@ -55,7 +55,7 @@ withBody('a robot that leans too far is shifted over its feet, which stay', () =
   }
 });
 
-withBody('a whole motion is balanced in one step, and what cannot be says why', () => {
+withBody('a whole motion is balanced in one step, and failures are explained', () => {
   const crouching = postureFrom(body, { BOTH_HIP_PITCH: 100, BOTH_KNEE_PITCH: -20, BOTH_FOOT_PITCH: 75 });
   const lines = [stand, standingBut(LEANING), crouching].map((posture) => `500 ${posture.join(' ')}\n`);
   const before = withFile(initialEditor(body), { name: 'mine', version: 'v1', document: parse(lines.join('')) });

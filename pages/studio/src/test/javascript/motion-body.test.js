@@ -25,7 +25,7 @@ const {
   withUndo,
 } = await import(`${WEB}/editor-state.js`);
 const { parse, textOf } = await import(`${WEB}/motion-text.js`);
-const { STANDING, readPostures, usualPostures, withPosture } = await import(`${WEB}/poses.js`);
+const { STANDING, readPostures, templatePostures, withPosture } = await import(`${WEB}/poses.js`);
 const { copiedSide, mirrored, mostTurned, postureFrom, symmetric } = await import(`${WEB}/posture.js`);
 const { chainJoints, followed, ownJoints, pulled, torsoMoved } = await import(`${WEB}/reach.js`);
 
@@ -47,8 +47,8 @@ function editorWith(frames) {
   return withFile(initialEditor(body), { name: 'mine', version: 'v1', document: parse(text) });
 }
 
-withBody('the usual postures are within all ranges and no limbs touch', () => {
-  for (const { name, degrees } of usualPostures(body)) {
+withBody('the template postures are within all ranges and free of collisions', () => {
+  for (const { name, degrees } of templatePostures(body)) {
     degrees.forEach((/** @type {number} */ angle, /** @type {number} */ i) => {
       const { minDegrees, maxDegrees } = body.joints[i];
       assert.ok(angle >= minDegrees && angle <= maxDegrees, `${name}: ${body.joints[i].name} ${angle}`);
@@ -62,7 +62,7 @@ withBody('the usual postures are within all ranges and no limbs touch', () => {
   }
 });
 
-withBody('standing is balanced on both soles, and arms through the belly are found', () => {
+withBody('standing is balanced on both soles, and arms inside the torso are found', () => {
   const balance = balanceOf(body, posesOf(body, stand, placed(body, stand, 'soles')));
   assert.ok(balance.margin > 0.02, String(balance.margin));
   const crossed = stand
@@ -73,7 +73,7 @@ withBody('standing is balanced on both soles, and arms through the belly are fou
   assert.ok(collisionsOf(body, posesOf(body, crossed, placed(body, crossed, 'soles'))).length > 0);
 });
 
-withBody('a bent robot is laid on its soles', () => {
+withBody('a bent robot is placed on its soles', () => {
   const leaning = stand.with(joint('LEFT_HIP_PITCH'), 60).with(joint('RIGHT_HIP_PITCH'), 60);
   const poses = posesOf(body, leaning, placed(body, leaning, 'soles'));
   const sole = linkIndex(body, 'lfoot');
@@ -106,7 +106,7 @@ withBody('a pulled hand is reached with the whole arm, and only the elbow turns 
   });
 });
 
-withBody('a far jump of the hand comes as near as many small moves do', () => {
+withBody('a large pointer jump ends as near as many small moves', () => {
   const torso = placed(body, stand, 'soles');
   const link = linkIndex(body, 'llowerarm');
   const local = [0, 0.05, 0];
@@ -139,7 +139,7 @@ withBody('a far jump of the hand comes as near as many small moves do', () => {
   }
 });
 
-withBody('the feet stay while the torso goes down', () => {
+withBody('the feet stay in place while the torso moves down', () => {
   const torso = placed(body, stand, 'soles');
   const moved = torsoMoved(body, stand, torso, [0, 0, -0.05]);
   for (const name of ['lfoot', 'rfoot']) {
@@ -155,7 +155,7 @@ withBody('the feet stay while the torso goes down', () => {
   assert.ok(moved.posture[joint('LEFT_KNEE_PITCH')] < stand[joint('LEFT_KNEE_PITCH')] - 10);
 });
 
-withBody('mirrors exchange the sides', () => {
+withBody('mirroring swaps the sides', () => {
   const waving = stand.with(joint('LEFT_SHOULDER_YAW'), 60).with(joint('NECK_YAW'), 20);
   const image = mirrored(body, waving);
   assert.equal(image[joint('RIGHT_SHOULDER_YAW')], -60);
@@ -165,7 +165,7 @@ withBody('mirrors exchange the sides', () => {
   assert.equal(copiedSide(body, waving, 'LEFT')[joint('RIGHT_SHOULDER_YAW')], -60);
 });
 
-withBody('what motors cannot do and where limbs touch is marked with time and reason', () => {
+withBody('motor limits and collisions are marked with time and reason', () => {
   const frames = [
     { millis: 500, degrees: stand },
     { millis: 100, degrees: stand.with(joint('NECK_YAW'), 90) },
@@ -209,7 +209,7 @@ withBody('keyframes are duplicated, copied, moved, timed and deleted, each undon
   }
 });
 
-withBody('both sides alike turns the partner too', () => {
+withBody('symmetric editing turns the partner too', () => {
   const state = turned({ ...editorWith(1), symmetric: true }, joint('LEFT_SHOULDER_YAW'), 45);
   assert.equal(framesOf(state)[0].degrees[joint('RIGHT_SHOULDER_YAW')], -45);
 });
@@ -222,14 +222,14 @@ withBody('a new keyframe at the end comes after the last one', () => {
   );
 });
 
-withBody('the animation stops at the end, or begins again', () => {
+withBody('the animation stops at the end or loops', () => {
   const state = { ...editorWith(2), playing: true };
   assert.equal(played({ ...state, time: 0 }, 150).time, 150);
   assert.deepEqual([played(state, 1000).playing, played(state, 1000).time], [false, 300]);
   assert.equal(played({ ...state, looping: true, time: 0 }, 450).time, 150);
 });
 
-withBody('changes on the disk are taken, asked about, or told', () => {
+withBody('changes on the disk are reloaded, asked about, or reported', () => {
   const state = editorWith(1);
   assert.equal(judgeDisk(state, [{ name: 'mine', version: 'v1' }]), 'same');
   assert.equal(judgeDisk(state, [{ name: 'mine', version: 'v2' }]), 'reload');
@@ -237,13 +237,13 @@ withBody('changes on the disk are taken, asked about, or told', () => {
   assert.equal(judgeDisk(state, []), 'gone');
 });
 
-withBody('own postures are kept in a readable file', () => {
+withBody('the user’s postures are stored in a readable file', () => {
   const text = withPosture('', { name: 'Bow', degrees: stand });
   assert.match(text, /^\/\/ posture: Bow\n500 /);
   assert.deepEqual(readPostures(text), [{ name: 'Bow', degrees: stand }]);
 });
 
-withBody('a further posture leaves each line of the file as it is, understood or not', () => {
+withBody('another posture keeps all lines of the file, valid or not', () => {
   const [bow, other] = [stand, stand.map((each) => each + 1)];
   const mine = withPosture('# mine\r\n500 1 2 three\r\n\r\n', { name: 'Bow', degrees: bow });
   const before = `${mine}// the end`;
@@ -281,28 +281,28 @@ test('the hull of a square with a point inside is the square', () => {
   );
 });
 
-withBody('undo and redo choose the keyframe that they change', () => {
+withBody('undo and redo select the keyframe that they change', () => {
   const changed = turned(selected(editorWith(4), 2), joint('NECK_YAW'), 20);
 
   assert.equal(withUndo(selected(changed, 0)).last, 2);
   assert.equal(withRedo(selected(withUndo(changed), 0)).last, 2);
 });
 
-withBody('an edit that changes nothing makes no step', () => {
+withBody('an edit without effect adds no undo step', () => {
   const state = editorWith(2);
 
   assert.equal(turned(state, joint('LEFT_KNEE_PITCH'), stand[joint('LEFT_KNEE_PITCH')]).history.past.length, 0);
   assert.equal(timed(state, 1, framesOf(state)[1].millis).history.past.length, 0);
 });
 
-withBody('a dragged limb chooses the joint that turns most', () => {
+withBody('a dragged limb selects the joint that turns most', () => {
   const posture = stand.with(joint('LEFT_ARM_ROLL'), -70).with(joint('LEFT_ARM_YAW'), -30);
 
   assert.equal(mostTurned(stand, posture, 0), joint('LEFT_ARM_ROLL'));
   assert.equal(mostTurned(stand, stand, 7), 7);
 });
 
-withBody('the head is a ball: an arm beside the corner of its box does not touch it', () => {
+withBody('the head is a sphere: an arm beside the corner of its bounding box does not touch it', () => {
   const near = stand
     .with(joint('NECK_YAW'), 33)
     .with(joint('NECK_PITCH'), 7)

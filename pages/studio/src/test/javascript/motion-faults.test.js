@@ -32,19 +32,19 @@ function faults(frames, time) {
   return faultsAt(body, frames, time, posture, posesIn(posture));
 }
 
-test('limbs touch where they do in the simulator', { skip: touching ? false : 'run by Maven' }, () => {
-  const [surely, hardly] = [0.012, 0.001];
+test('collisions equal those of the simulator', { skip: touching ? false : 'run by Maven' }, () => {
+  const [clearDepth, slightDepth] = [0.012, 0.001];
   let found = 0;
   for (const { degrees, pairs } of touching) {
     const poses = posesOf(body, degrees, [0, 0, 0, 1, 0, 0, 0]);
     const here = collisionsOf(body, poses).map(([a, b]) => `${a} ${b}`);
     const depths = new Map(pairs.map(([a, b, depth]) => [`${Math.min(a, b)} ${Math.max(a, b)}`, depth]));
     for (const pair of here) {
-      assert.ok((depths.get(pair) ?? 0) > hardly, `${pair} touches only here, in ${degrees}`);
+      assert.ok((depths.get(pair) ?? 0) > slightDepth, `${pair} touches only here, in ${degrees}`);
     }
     const judged = judgedPairs();
     for (const [pair, depth] of depths) {
-      if (depth > surely && judged.has(pair)) {
+      if (depth > clearDepth && judged.has(pair)) {
         assert.ok(here.includes(pair), `${pair} touches ${depth} m deep in the simulator, in ${degrees}`);
         found += 1;
       }
@@ -53,7 +53,7 @@ test('limbs touch where they do in the simulator', { skip: touching ? false : 'r
   assert.ok(found > 60, String(found));
 });
 
-/** Pairs that are far enough apart in the body: all at one place, so that all touch. */
+/** Collision candidates, all moved to one position, so that all of them touch. */
 function judgedPairs() {
   const poses = new Float64Array(7 * body.links.length);
   body.links.forEach((/** @type {unknown} */ _, /** @type {number} */ link) =>
@@ -62,7 +62,7 @@ function judgedPairs() {
   return new Set(collisionsOf(body, poses).map(([a, b]) => `${a} ${b}`));
 }
 
-test('a moment says what is too fast, beyond its range or inside of another limb, and where', { skip: !body }, () => {
+test('speed, range and collision faults of a moment name their links', { skip: !body }, () => {
   const frames = [
     { millis: 500, degrees: stand },
     { millis: 100, degrees: stand.with(joint('NECK_YAW'), 90) },
@@ -82,7 +82,7 @@ test('a moment says what is too fast, beyond its range or inside of another limb
   assert.equal(linkOf(body, joint('LEFT_SHOULDER_PITCH')), linkIndex(body, 'lupperarm'));
 });
 
-test('a slow way names its fastest joint, and a joint at its limit is told', { skip: !body }, () => {
+test('a slow transition names its fastest joint, and a joint at its limit is reported', { skip: !body }, () => {
   const frames = [
     { millis: 500, degrees: stand },
     { millis: 1000, degrees: stand.with(joint('RIGHT_HIP_PITCH'), 100) },
@@ -97,7 +97,7 @@ test('a slow way names its fastest joint, and a joint at its limit is told', { s
   );
 });
 
-test('the joint that is most behind the plan is named, with the moment', { skip: !body }, () => {
+test('the joint with the largest lag is named, with the time', { skip: !body }, () => {
   const knee = joint('LEFT_KNEE_PITCH');
   const plan = [{ millis: 200, degrees: stand.with(knee, stand[knee] - 40) }];
   const reached = [0, 0, -10, -20, -30, -40].map((turn) => stand.with(knee, stand[knee] + turn));

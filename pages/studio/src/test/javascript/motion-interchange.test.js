@@ -28,7 +28,7 @@ const joint = (name) => body.joints.findIndex((/** @type {any} */ each) => each.
 /** @param {string} name @param {string} text */
 const read = (name, text) => readMotion(name, new TextEncoder().encode(text), body, stand);
 
-/** A motion that turns every joint by an amount of its own. */
+/** A motion that turns every joint by a different amount. */
 function sample() {
   const turned = stand.map(
     (/** @type {number} */ angle, /** @type {number} */ i) => angle + (angle > 0 ? -1 : 1) * (i + 1) * 0.25,
@@ -37,7 +37,7 @@ function sample() {
 }
 
 for (const format of FORMATS) {
-  withBody(`a motion survives the way through ${format.id} and back`, () => {
+  withBody(`a motion survives the round trip through ${format.id} and back`, () => {
     const before = keyframesOf(sample());
 
     const { document, notes } = read(`mine${format.ending}`, format.write(sample(), body, stand));
@@ -69,7 +69,7 @@ withBody('NAO’s own signs are those of its documentation: bent knees and lower
   assert.ok(Math.abs(value('LShoulderRoll') - 10) < 1e-3);
 });
 
-withBody('the signs of a Webots file are told by what a robot can do', () => {
+withBody('the sign convention of a Webots file is detected by the joint ranges', () => {
   const nao =
     '#WEBOTS_MOTION,V1.0,LKneePitch,HeadYaw{S},LHand\r\n00:00:120,Pose1,1.2,*,0\r\n00:01:120,Pose2,*,-1.5707963,0\r\n';
   const original = nao.replace('1.2', '-1.2');
@@ -87,14 +87,14 @@ withBody('the signs of a Webots file are told by what a robot can do', () => {
   assert.deepEqual(first.notes, [
     'Read with NAO’s own signs, as Webots writes them.',
     'Without LHand, which this robot does not have.',
-    'No column for NECK_PITCH, LEFT_SHOULDER_PITCH, LEFT_SHOULDER_YAW and 17 more joints: as in the posture at the start.',
+    'No column for NECK_PITCH, LEFT_SHOULDER_PITCH, LEFT_SHOULDER_YAW and 17 more joints: angles of the start posture are used.',
   ]);
   const second = read('theirs.motion', original);
   assert.ok(Math.abs(keyframesOf(second.document)[0].degrees[knee] + 68.755) < 1e-3);
   assert.match(second.notes[0], /signs of the original motion editor/);
 });
 
-withBody('rows that cannot be read are kept with a message and their place', () => {
+withBody('unreadable rows are kept with a message and their line number', () => {
   const webots =
     '#WEBOTS_MOTION,V1.0,HeadYaw\n00:00:500,Pose1,0.1\n1,Pose2,0\n00:01:000,Pose3,x\n00:01:500,Pose4,0.2\n';
   const { document, notes } = read('theirs.motion', webots);
@@ -108,7 +108,7 @@ withBody('rows that cannot be read are kept with a message and their place', () 
   );
   assert.equal(
     notes[2],
-    'Not read and kept as it is: line 3 of the file: found “1”, expected a time such as 00:01:500, and 1 more. Agents refuse the file until it is mended.',
+    'Skipped and kept unchanged: line 3 of the file: found “1”, expected a time such as 00:01:500, and 1 more. Agents refuse the file until it is corrected.',
   );
   const table = read('theirs.csv', 'way_ms,NECK_YAW\n500,10\nabc,20\n500,12a\n');
   assert.match(table.notes[1], /line 3 of the file: found “abc”, expected a time for way_ms, and 1 more/);
@@ -118,13 +118,13 @@ withBody('rows that cannot be read are kept with a message and their place', () 
   assert.match(textOf(text.document), /\nnonsense\n$/);
 });
 
-withBody('files that are no motions are refused in words', () => {
+withBody('files that are not motions are refused with a message', () => {
   assert.throws(() => readWebots('hello', body, stand), /no Webots motion/);
   assert.throws(() => read('theirs.mef', 'hello\n'), /first line is not “nao”/);
   assert.throws(() => read('theirs.csv', 'a,b\n1,2\n'), /must name a time \(way_ms, time_ms or time_s\) and joints/);
 });
 
-withBody('tables may have their own order, moments instead of ways, and decimal commas', () => {
+withBody('tables may have any column order, times instead of durations, and decimal commas', () => {
   const head = '"time_s";Neck Pitch;LEFT KNEE PITCH;remark';
   const rows = ['# slowly', '0,5;12,5;-60;a', '1,5;;-70,25;b', ''];
 
@@ -142,12 +142,12 @@ withBody('tables may have their own order, moments instead of ways, and decimal 
   assert.equal(document.lines[0].text, '// slowly');
   assert.deepEqual(notes, [
     'Without remark, which this robot does not have.',
-    'No column for NECK_YAW, LEFT_SHOULDER_PITCH, LEFT_SHOULDER_YAW and 17 more joints: as in the posture at the start.',
+    'No column for NECK_YAW, LEFT_SHOULDER_PITCH, LEFT_SHOULDER_YAW and 17 more joints: angles of the start posture are used.',
     'Where a cell is empty (line 4) the joint keeps its angle.',
   ]);
 });
 
-withBody('of a net the way along the first transitions is taken, and other branches are kept as comments', () => {
+withBody('the path along the first transitions of a net is imported, and other branches are kept as comments', () => {
   const net = [
     'nao',
     '# drawn by hand',
@@ -184,7 +184,7 @@ withBody('of a net the way along the first transitions is taken, and other branc
   assert.match(notes[3], /line 7 of the file: found 1 angles, expected 2/);
 });
 
-/** @param {any} document @param {string} name @returns {Array<[number, number]>} way and angle of each keyframe */
+/** @param {any} document @param {string} name @returns {Array<[number, number]>} duration and angle of each keyframe */
 const played = (document, name) =>
   keyframesOf(document).map(({ millis, degrees }) => [millis, Math.round(10 * degrees[joint(name)]) / 10]);
 
@@ -258,7 +258,7 @@ const READ = [
     /Where a cell is empty \(line 3\) the joint keeps its angle/,
   ],
   [
-    'times that go back and stand still',
+    'times that decrease or repeat',
     'a.motion',
     `${HEAD}\n00:00:400,Pose1,1.2,1.2\n00:00:300,Pose2,0,0\n00:00:400,Pose2,0,0\n00:01:000,Pose3,-0.3,0\n`,
     [
@@ -279,7 +279,7 @@ const READ = [
     /shorter than a cycle of 20 ms are played in 20 ms \(line 3\)/,
   ],
   [
-    'numbers that are none',
+    'invalid numbers',
     'a.motion',
     `${HEAD}\n00:00:400,P,NaN,0\n00:00:500,P,Infinity,0\n00:00:600,P,0x10,0\n00:00:700,P,1e999,0\n00:00:800,P,1.2,0`,
     [[800, -68.8]],
@@ -320,7 +320,7 @@ const READ = [
     /No column for/,
   ],
   [
-    'a table with the hint of Excel',
+    'a table with Excel’s separator hint',
     'a.csv',
     'sep=;\r\n# slowly\r\nway_ms;LEFT_SHOULDER_PITCH\r\n500;10,5\r\n',
     [[500, 10.5]],
@@ -334,7 +334,7 @@ const READ = [
     /No column for/,
   ],
   [
-    'ways that are none',
+    'invalid times',
     'a.csv',
     'way_ms,LEFT_SHOULDER_PITCH\n0,10\n-5,20\n500,30\n',
     [[500, 30]],
@@ -348,11 +348,11 @@ const READ = [
     /line 2 of the file: found “1.000,0”, expected a time for way_ms/,
   ],
   [
-    'a net with a keyframe twice and a way to nowhere',
+    'a net with a duplicate keyframe and a dangling transition',
     'a.mef',
     'nao\nLShoulderPitch;\nkeyframe;0;0;0;0\nkeyframe;1;0;0;10\nkeyframe;1;0;0;99\ntransition;0;1;500;*\ntransition;1;7;500;*\n',
     [[500, 10]],
-    /line 5 of the file: found keyframe 1, which the file has already, and 1 more/,
+    /line 5 of the file: found keyframe 1, which is already defined, and 1 more/,
   ],
 ];
 
@@ -458,7 +458,7 @@ withBody('an import reads what editors and spreadsheets save', () => {
   assert.throws(() => readMotion('mine.csv', damaged, body, stand), /mine.csv was not imported: line 4 is not UTF-8/);
 });
 
-withBody('an old motion in Windows-1252 stays in it', () => {
+withBody('an old motion in Windows-1252 keeps its encoding', () => {
   const bytes = new Uint8Array(Buffer.from(`// für Zoë\r\n500 ${stand.join(' ')}\r\n`, 'latin1'));
 
   const { document, notes } = readMotion('old.txt', bytes, body, stand);
@@ -467,7 +467,7 @@ withBody('an old motion in Windows-1252 stays in it', () => {
   assert.match(notes[0], /^In line 1 is not UTF-8|line 1 is not UTF-8 and was read as Windows-1252/);
 });
 
-withBody('a motion with ways of no length survives the way through other formats', () => {
+withBody('a motion with zero durations survives the round trip through other formats', () => {
   for (const format of FORMATS.filter(({ id }) => id !== 'original-text')) {
     const given = format.write(parse(`500 ${stand.join(' ')}\n0 ${stand.map(() => 1).join(' ')}\n`), body, stand);
     const { document, notes } = read(`mine${format.ending}`, given);
@@ -483,11 +483,11 @@ withBody('a motion with ways of no length survives the way through other formats
 const POSE = (/** @type {number} */ millis, /** @type {number} */ angle) =>
   `${millis} ${Array(22).fill(angle).join(' ')}\n`;
 
-test('a motion of RoboNewbie 1.1 is known by the keyframes that were skipped', () => {
+test('a motion of RoboNewbie 1.1 is recognised by its skipped keyframes', () => {
   const old = POSE(300, 0) + POSE(20, 5) + POSE(300, 10) + POSE(39, 0) + POSE(200, 1);
   assert.ok(hasSkippedKeyframes(parse(old)) && isUndescribed(parse(`// Author: Ada\n${old}`)));
   assert.ok(!hasSkippedKeyframes(parse(POSE(300, 0) + POSE(40, 5))));
-  assert.ok(!hasSkippedKeyframes(parse(POSE(300, 0) + POSE(20, 0))), 'a rest is a rest by either rule');
+  assert.ok(!hasSkippedKeyframes(parse(POSE(300, 0) + POSE(20, 0))), 'a pause is a pause by either rule');
   assert.ok(!hasSkippedKeyframes(parse(POSE(20, 0) + POSE(20, 1) + POSE(20, 2))), 'a recorded motion');
   for (const line of ['// play: 1.1', '// columns: milliseconds', '//made by: hand', '// Start: stance']) {
     assert.ok(!isUndescribed(parse(`${line}\n${old}`)), line);

@@ -49,13 +49,13 @@ test('an old file with umlauts keeps its bytes', () => {
   );
 });
 
-test('a changed angle leaves all other characters alone', () => {
+test('changing an angle keeps all other characters', () => {
   const degrees = keyframesOf(parse(FILE))[1].degrees.with(2, -12.375);
   const text = textOf(withKeyframe(parse(FILE), 1, { degrees }));
   assert.equal(text, FILE.replace(/0\.250 0\.5/, '0.250 -12.375'));
 });
 
-test('keyframes are put in, taken out and moved with their comments', () => {
+test('keyframes are inserted, removed and moved with their comments', () => {
   const document = parse(FILE);
   const frame = { millis: 40, degrees: keyframesOf(document)[0].degrees };
   const grown = withInserted(document, 2, frame);
@@ -91,7 +91,7 @@ test('numbers are written without exponent', () => {
   assert.equal(numberText(-12.5), '-12.5');
 });
 
-test('undo goes back without limit, and one gesture is one step', () => {
+test('undo is unlimited, and one gesture is one step', () => {
   let history = historyOf(0);
   for (let i = 1; i <= 1000; i++) {
     history = changed(history, i, `step ${i}`);
@@ -106,7 +106,7 @@ test('undo goes back without limit, and one gesture is one step', () => {
   assert.equal(redone(history).present.value, 1);
 });
 
-test('a joint moves evenly from keyframe to keyframe', () => {
+test('a joint moves linearly from keyframe to keyframe', () => {
   const frames = keyframesOf(parse(FILE)).map((frame, i) => ({ ...frame, degrees: frame.degrees.map(() => 10 * i) }));
   assert.deepEqual(timesOf(frames), [500, 800]);
   assert.equal(postureAt(frames, new Array(22).fill(-10), 250)[0], -5);
@@ -114,7 +114,7 @@ test('a joint moves evenly from keyframe to keyframe', () => {
   assert.equal(postureAt(frames, new Array(22).fill(-10), 900)[0], 10);
 });
 
-test('the page understands and changes files exactly as the robot does', (context) => {
+test('the page parses and edits files exactly like the robot', (context) => {
   const folder = process.env.STUDIO_FRAME_FOLDER ?? '';
   const cases = existsSync(join(folder, 'motions'))
     ? readdirSync(join(folder, 'motions')).filter((name) => name.endsWith('.txt'))
@@ -141,7 +141,7 @@ test('the page understands and changes files exactly as the robot does', (contex
   }
 });
 
-test('a line that no robot can read is told with its number', () => {
+test('an invalid line is reported with its number', () => {
   assert.equal(problemOf(parse('// fine\n\n')), '');
   assert.equal(
     problemOf(parse('// fine\nthis line is nonsense\n')),

@@ -37,7 +37,7 @@ function editor() {
 const millis = (/** @type {any} */ state) => framesOf(state).map((/** @type {any} */ frame) => frame.millis);
 const yaws = (/** @type {any} */ state) => framesOf(state).map((/** @type {any} */ frame) => frame.degrees[0]);
 
-test('a keyframe takes those after it along, or moves alone and overtakes none', () => {
+test('a moved keyframe shifts those after it, or moves alone without overtaking', () => {
   const ways = [100, 200, 300, 400];
 
   assert.deepEqual(retimed(ways, [1], 100, false), [100, 300, 300, 400]);
@@ -48,7 +48,7 @@ test('a keyframe takes those after it along, or moves alone and overtakes none',
   assert.deepEqual(retimed(ways, [1], -1000, false), [100, 20, 300, 400]);
 });
 
-test('several keyframes that move alone keep their distances, also if others lie between', () => {
+test('several keyframes that move alone keep their distances, even with others in between', () => {
   const ways = [100, 200, 300, 400];
 
   assert.deepEqual(retimed(ways, [1, 2], 100, true), [100, 300, 300, 300]);
@@ -56,7 +56,7 @@ test('several keyframes that move alone keep their distances, also if others lie
   assert.deepEqual(retimed(ways, [0, 2], -500, true), [20, 280, 220, 480]);
 });
 
-test('the timeline shows the whole motion until it is zoomed, and stays inside of it', () => {
+test('the timeline shows the whole motion until it is zoomed, and never scrolls beyond it', () => {
   assert.deepEqual(shownPart(WHOLE, 2000), { from: 0, span: 2000 });
   const near = zoomed(WHOLE, 2000, 0.5, 1500);
   assert.deepEqual(near, { from: 750, span: 1000 });
@@ -68,7 +68,7 @@ test('the timeline shows the whole motion until it is zoomed, and stays inside o
   assert.equal(revealing(near, 2000, 800), near);
 });
 
-withBody('the chosen keyframes move in one step of undo and keep their comments', () => {
+withBody('the selected keyframes move in one undo step and keep their comments', () => {
   const state = selected(selected(editor(), 1), 2, true);
 
   const later = moved(state, 60, { alone: true });
@@ -80,7 +80,7 @@ withBody('the chosen keyframes move in one step of undo and keep their comments'
   assert.equal(textOf(documentOf(withUndo(later))), textOf(documentOf(state)));
 });
 
-withBody('one drag is one step and goes on from where it began', () => {
+withBody('one drag is one undo step relative to its start', () => {
   const state = selected(editor(), 1);
   const base = documentOf(state);
 
@@ -90,7 +90,7 @@ withBody('one drag is one step and goes on from where it began', () => {
   assert.equal(dragged.history.past.length, 1);
 });
 
-withBody('an angle changes by the same amount in all chosen keyframes, as far as each can go', () => {
+withBody('an angle changes by the same amount in all selected keyframes within their ranges', () => {
   const state = withRow(toggled(selected(editor(), 1), 3), 0);
 
   assert.deepEqual(yaws(turnedBy(state, [0], 5)), [0, 15, 20, 35]);
@@ -98,7 +98,7 @@ withBody('an angle changes by the same amount in all chosen keyframes, as far as
   assert.equal(turnedBy(state, [0], 5).history.past.length, 1);
 });
 
-withBody('both sides alike turns the partner the mirrored way', () => {
+withBody('symmetric editing mirrors the rotation of the partner', () => {
   const [left, right] = ['LEFT_SHOULDER_YAW', 'RIGHT_SHOULDER_YAW'].map(joint);
 
   const turned = framesOf(turnedBy({ ...editor(), symmetric: true }, [left], 20))[0].degrees;
@@ -107,7 +107,7 @@ withBody('both sides alike turns the partner the mirrored way', () => {
   assert.equal(turned[right], stand[right] - 20);
 });
 
-withBody('a box chooses keyframes and joints, on curves by their angles', () => {
+withBody('a box selects keyframes and joints, on curves by their angles', () => {
   const rows = jointRows(body).slice(0, 2);
 
   const box = boxed(editor(), { from: 250, to: 700, rows });
@@ -120,14 +120,14 @@ withBody('a box chooses keyframes and joints, on curves by their angles', () => 
   assert.deepEqual(withAllChosen(box).chosen, [0, 1, 2, 3]);
 });
 
-withBody('keyframes that do not lie together are deleted and copied together', () => {
+withBody('non-adjacent keyframes are deleted and copied together', () => {
   const state = toggled(selected(editor(), 0), 2);
 
   assert.deepEqual(yaws(deleted(state)), [10, 30]);
   assert.deepEqual(yaws(pasted(selected(editor(), 3), copied(state))), [0, 10, 20, 30, 0, 20]);
 });
 
-withBody('of chosen joints only the angles are copied, pasted and taken out', () => {
+withBody('for selected joints only the angles are copied, pasted and removed', () => {
   const state = withRow(selected(editor(), 2), 0);
   const clip = copied(state);
 

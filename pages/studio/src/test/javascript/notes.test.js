@@ -5,7 +5,7 @@ import { notesOf } from '../../main/resources/org/robonewbie/studio/web/state/re
 /** @param {number} seconds @param {string} level @param {string} text */
 const line = (seconds, level, text) => JSON.stringify({ seconds, robot: 'Blue 1', level, text });
 
-test('warnings and lines of logs become events at their cycles', () => {
+test('warnings and log lines become events at their cycles', () => {
   const events = notesOf(
     `${line(1.02, 'INFO', 'I see the ball')}\n${line(2, 'WARNING', 'too fast')}\n${line(2, 'ERROR', 'no')}\n`,
     1,
@@ -18,7 +18,7 @@ test('warnings and lines of logs become events at their cycles', () => {
   ]);
 });
 
-test('a line that is still being written is left out', () => {
+test('an incomplete line is skipped', () => {
   assert.deepEqual(notesOf(line(1, 'INFO', 'all').slice(0, -4), 0), []);
   assert.deepEqual(notesOf('', 0), []);
 });

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { numberOf, roundStep } from '../../main/resources/org/robonewbie/studio/web/state/numbers.js';
 
-test('a number may have a comma, and nothing else is one', () => {
+test('a number may have a decimal comma, and other texts are refused', () => {
   assert.equal(numberOf(' 12,5 '), 12.5);
   assert.equal(numberOf('-3'), -3);
   for (const text of ['', ' ', '12,5,1', 'abc', 'Infinity', 'NaN']) {
@@ -10,7 +10,7 @@ test('a number may have a comma, and nothing else is one', () => {
   }
 });
 
-test('lines of a scale are a round number apart, and few, however much it shows', () => {
+test('ticks of a scale are few and have round distances at every range', () => {
   assert.equal(roundStep(56), 100);
   assert.equal(roundStep(1), 1);
   assert.equal(roundStep(0.3), 0.5);

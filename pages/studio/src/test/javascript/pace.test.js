@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { paced } from '../../main/resources/org/robonewbie/studio/web/panels/pace.js';
 
-test('what is asked for often is drawn at its pace, and the last wish is not forgotten', () => {
+test('frequent requests are throttled, and the last one is drawn', () => {
   /** @type {number[]} */
   const drawn = [];
   const pace = paced((now) => drawn.push(now), 90);

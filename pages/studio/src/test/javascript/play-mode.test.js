@@ -9,15 +9,15 @@ test('play modes of a team name the team', () => {
   assert.equal(playModeText('Goal_Left', teams), 'Goal · Blue');
 });
 
-test('a team that has no name yet is named by its side', () => {
+test('a team without a name is named by its side', () => {
   assert.equal(playModeText('KickOff_Right', teams), 'Kick-off · right');
 });
 
-test('other play modes are said in words', () => {
+test('other play modes have display names', () => {
   assert.equal(playModeText('BeforeKickOff', teams), 'Before kick-off');
   assert.equal(playModeText('PlayOn', teams), 'Play on');
 });
 
-test('an unknown play mode is shown as it is', () => {
+test('an unknown play mode is shown unchanged', () => {
   assert.equal(playModeText('Penalty_Shootout', teams), 'Penalty_Shootout');
 });

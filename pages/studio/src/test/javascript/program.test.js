@@ -6,7 +6,7 @@ import { test } from 'node:test';
 const state = '../../main/resources/org/robonewbie/studio/web/state';
 const { lineOf, rangeOf, remarksText, withMistake } = await import(`${state}/program/remarks.js`);
 const { isUnderWay, NO_RUN, ownRobot, runText } = await import(`${state}/program/run.js`);
-const { ChosenNumbers, numberText, stepOf, withUsual } = await import(`${state}/program/sliders.js`);
+const { ChosenNumbers, numberText, stepOf, withDefault } = await import(`${state}/program/sliders.js`);
 const { valuesAtLines } = await import(`${state}/program/values.js`);
 const {
   classNameProblem,
@@ -24,13 +24,13 @@ const { PROGRAM, restoredLayout, UNDERSTAND } = await import(`${state}/layout.js
 
 const mistake = { from: 4, to: 9, line: 2, serious: true, text: 'cannot find symbol', hint: '' };
 
-test('a message of a robot names the line of its own file only', () => {
+test('a robot’s message is matched to the line of its own file only', () => {
   assert.equal(lineOf('think() failed with java.lang.Error (MyAgent.java:31)', 'src/main/java/my/MyAgent.java'), 31);
   assert.equal(lineOf('think() failed with java.lang.Error (Other.java:31)', 'MyAgent.java'), 0);
   assert.equal(lineOf('Joint speed NaN', 'MyAgent.java'), 0);
 });
 
-test('what the compiler says is shown on at least one character, and nowhere without a place', () => {
+test('a compiler message covers at least one character, and is hidden without a place', () => {
   assert.deepEqual(rangeOf(mistake, 20), { from: 4, to: 9 });
   assert.deepEqual(rangeOf({ ...mistake, from: 20, to: 20 }, 20), { from: 19, to: 20 });
   assert.deepEqual(rangeOf({ ...mistake, to: 4 }, 20), { from: 4, to: 5 });
@@ -38,14 +38,14 @@ test('what the compiler says is shown on at least one character, and nowhere wit
   assert.equal(rangeOf({ ...mistake, from: -1 }, 20), undefined);
 });
 
-test('mistakes are counted, and the first has its line', () => {
-  assert.equal(remarksText([]), 'No mistakes');
-  assert.equal(remarksText([mistake]), '1 mistake, line 2');
-  assert.equal(remarksText([mistake, { ...mistake, line: 7 }]), '2 mistakes, line 2');
-  assert.equal(remarksText([{ ...mistake, serious: false }]), 'No mistakes, but a warning');
+test('errors are counted, and the first is named with its line', () => {
+  assert.equal(remarksText([]), 'No errors');
+  assert.equal(remarksText([mistake]), '1 error, line 2');
+  assert.equal(remarksText([mistake, { ...mistake, line: 7 }]), '2 errors, line 2');
+  assert.equal(remarksText([{ ...mistake, serious: false }]), 'No errors, but a warning');
 });
 
-test('the same mistake of a running program is kept once, and only the last five', () => {
+test('equal runtime errors are kept once, and only the last five', () => {
   const many = [1, 2, 3, 4, 5, 6, 6].reduce((all, line) => withMistake(all, { line, text: 'oh' }), []);
 
   assert.deepEqual(
@@ -54,7 +54,7 @@ test('the same mistake of a running program is kept once, and only the last five
   );
 });
 
-test('the state of a program is said, and an endless loop is named', () => {
+test('the state of a program is described, and an endless loop is named', () => {
   const run = { ...NO_RUN, program: 'my/MyAgent.java' };
   const output =
     '3.02 s: think() has not returned for 5 s; the run ends here. Is this an endless loop? (MyAgent.java:12)';
@@ -62,12 +62,12 @@ test('the state of a program is said, and an endless loop is named', () => {
   assert.equal(runText({ ...run, state: 'RUNNING' }), 'MyAgent.java is running.');
   assert.equal(runText({ ...run, state: 'ENDED' }), 'MyAgent.java has ended.');
   assert.match(runText({ ...run, state: 'ENDED', exitCode: 1, output }), /did not return \(MyAgent\.java:12\)/);
-  assert.match(runText({ ...run, state: 'ENDED', exitCode: 1 }), /ended with a mistake/);
+  assert.match(runText({ ...run, state: 'ENDED', exitCode: 1 }), /has failed/);
   assert.equal(isUnderWay({ ...run, state: 'STARTING' }), true);
   assert.equal(isUnderWay({ ...run, state: 'REFUSED' }), false);
 });
 
-test('the robot of the program is the one that came with it, also after a change of the program', () => {
+test('the robot of the program is the one that joined with it, even after a restart', () => {
   assert.equal(ownRobot('', ['A\t1'], ['A\t1', 'B\t2']), 'B\t2');
   assert.equal(ownRobot('B\t2', ['A\t1'], ['B\t2', 'C\t3']), 'B\t2');
   assert.equal(ownRobot('', ['A\t1'], ['A\t1']), 'A\t1');
@@ -76,7 +76,7 @@ test('the robot of the program is the one that came with it, also after a change
   assert.equal(ownRobot('', [], [], true), '');
 });
 
-test('plotted values stand beside the lines that plot them', () => {
+test('plotted values are shown at the lines that plot them', () => {
   const program = 'void think() {\n  nao.plot("angle", a); nao.plot("speed", s);\n  nao.plot("other", 1);\n}';
   const values = new Map([
     ['angle', 31.23456],
@@ -86,7 +86,7 @@ test('plotted values stand beside the lines that plot them', () => {
   assert.deepEqual(valuesAtLines(program, values), [{ line: 2, text: '31.23, 60' }]);
 });
 
-test('a file of Windows keeps its line ends, and is unsaved only after a change', () => {
+test('a Windows file keeps its line ends, and is unsaved only after a change', () => {
   const file = opened('own', 'My.java', newText('one\r\ntwo\r\n', 'v1'));
   assert.equal(file.saved, 'one\ntwo\n');
   assert.equal(written(file, 'one\nthree\n'), 'one\r\nthree\r\n');
@@ -107,7 +107,7 @@ for (const [content, typed, expected] of [
   ['a\r\na\na\n', 'a\na\na\na\n', 'a\r\na\na\na\r\n'],
   ['a\r\n', '', ''],
 ]) {
-  test(`lines that stay keep their ends: ${JSON.stringify([content, typed])}`, () => {
+  test(`unchanged lines keep their ends: ${JSON.stringify([content, typed])}`, () => {
     assert.equal(written(opened('own', 'My.java', newText(content)), typed), expected);
   });
 }
@@ -118,7 +118,7 @@ test('a file that cannot be decoded is never unsaved', () => {
   assert.ok(!isUnsaved(file, 'b'));
 });
 
-test('what is wrong with the name of a class is said', () => {
+test('problems of a class name are explained', () => {
   for (const good of ['My', 'Größe', 'Привет', '_a1', 'My.java', '$x']) {
     assert.equal(classNameProblem(good), '', good);
   }
@@ -128,7 +128,7 @@ test('what is wrong with the name of a class is said', () => {
   assert.equal(classNameProblem(''), 'The name of a class has 1 to 80 letters.');
 });
 
-test('a new program gets a free name beside the others of its project', () => {
+test('a new program gets a free name in the folder of its project', () => {
   const files = [{ path: 'src/main/java/my/team/MyAgent.java' }];
 
   assert.equal(folderOfNew(files), 'src/main/java/my/team/');
@@ -144,45 +144,45 @@ test('the program has a layout of its own', () => {
   assert.equal(restoredLayout(PROGRAM.wide, 'wide'), UNDERSTAND.wide);
 });
 
-test('the editor is the file that its command has made', () => {
+test('the bundled editor is the output of its build command', () => {
   const made = readFileSync('src/main/resources/org/robonewbie/studio/web/vendor/codemirror/codemirror.js');
   const known = readFileSync('src/vendor/codemirror.sha256', 'utf8').trim();
 
   assert.equal(createHash('sha256').update(made).digest('hex'), known);
 });
 
-const gain = { name: 'gain', usual: 0.5, least: 0, most: 1, value: 0.5 };
+const gain = { name: 'gain', defaultValue: 0.5, min: 0, max: 1, value: 0.5 };
 
-test('a slider moves in steps that people would choose', () => {
+test('a slider moves in round steps', () => {
   assert.equal(stepOf(gain), 0.005);
-  assert.equal(stepOf({ ...gain, least: 1, most: 60 }), 0.5);
-  assert.equal(stepOf({ ...gain, least: -20, most: 20 }), 0.2);
-  assert.equal(stepOf({ ...gain, least: 1, most: 1000 }), 5);
+  assert.equal(stepOf({ ...gain, min: 1, max: 60 }), 0.5);
+  assert.equal(stepOf({ ...gain, min: -20, max: 20 }), 0.2);
+  assert.equal(stepOf({ ...gain, min: 1, max: 1000 }), 5);
   assert.equal(numberText(0.1 + 0.2), '0.3');
 });
 
-test('what a slider has found is written into the program, where it stands as a plain number', () => {
+test('a slider’s value is written into the program if it is a number literal there', () => {
   const text = 'double a = number("gain", 0.5, 0, 1), b = number( "other", -1e-3d , -1, 1);';
   assert.equal(
-    withUsual(text, 'gain', 0.1 + 0.2),
+    withDefault(text, 'gain', 0.1 + 0.2),
     'double a = number("gain", 0.3, 0, 1), b = number( "other", -1e-3d , -1, 1);',
   );
   assert.equal(
-    withUsual(text, 'other', -0.25),
+    withDefault(text, 'other', -0.25),
     'double a = number("gain", 0.5, 0, 1), b = number( "other", -0.25 , -1, 1);',
   );
-  assert.equal(withUsual('number("gain", USUAL, 0, 1)', 'gain', 0.3), undefined);
-  assert.equal(withUsual('number("g.in", 1, 0, 2)', 'gain', 0.3), undefined);
+  assert.equal(withDefault('number("gain", USUAL, 0, 1)', 'gain', 0.3), undefined);
+  assert.equal(withDefault('number("g.in", 1, 0, 2)', 'gain', 0.3), undefined);
 });
 
-test('a program that begins once more is told what was chosen, unless its text says something else now', () => {
+test('a restarted program gets the chosen value unless its default has changed', () => {
   const chosen = new ChosenNumbers();
   chosen.choose(gain, 0.8, 1000);
   assert.equal(chosen.shown(gain), 0.8);
-  assert.equal(chosen.wish(gain, 1100), undefined);
-  assert.equal(chosen.wish(gain, 2000), 0.8);
-  assert.equal(chosen.wish(gain, 2100), undefined);
-  assert.equal(chosen.wish({ ...gain, value: 0.8 }, 4000), undefined);
-  assert.equal(chosen.wish({ ...gain, usual: 0.6, value: 0.6 }, 5000), undefined);
-  assert.equal(chosen.shown({ ...gain, usual: 0.6, value: 0.6 }), 0.6);
+  assert.equal(chosen.pendingValue(gain, 1100), undefined);
+  assert.equal(chosen.pendingValue(gain, 2000), 0.8);
+  assert.equal(chosen.pendingValue(gain, 2100), undefined);
+  assert.equal(chosen.pendingValue({ ...gain, value: 0.8 }, 4000), undefined);
+  assert.equal(chosen.pendingValue({ ...gain, defaultValue: 0.6, value: 0.6 }, 5000), undefined);
+  assert.equal(chosen.shown({ ...gain, defaultValue: 0.6, value: 0.6 }), 0.6);
 });

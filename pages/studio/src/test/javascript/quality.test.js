@@ -50,7 +50,7 @@ test('quick pictures raise the quality up to its limit', () => {
   assert.equal(chooser.quality.name, 'medium');
 });
 
-test('a quality that was too slow is tried again only after a long easy time', () => {
+test('a quality that was too slow is retried only after many fast rounds', () => {
   const chooser = fromHigh();
   draw(chooser, 90, 24);
   assert.equal(chooser.quality.name, 'medium');
@@ -62,7 +62,7 @@ test('a quality that was too slow is tried again only after a long easy time', (
   assert.equal(chooser.quality.name, 'high');
 });
 
-test('a quality that the person has chosen stays', () => {
+test('a quality chosen by the user is fixed', () => {
   const chooser = new QualityChooser({ first: 3, highest: 3 }, true);
 
   assert.equal(draw(chooser, 500, 500), 0);

@@ -25,7 +25,7 @@ const folder = process.env.STUDIO_FRAME_FOLDER ?? '';
 const skip = existsSync(join(folder, 'run.rec')) ? false : 'run by Maven';
 const read = (/** @type {string} */ name) => readFileSync(join(folder, name));
 
-test('a recording is understood as by the reader in Java, however its bytes come', { skip }, () => {
+test('a recording is read like in Java, however its bytes are split', { skip }, () => {
   const models = { TYPE_0: JSON.parse(read('robot.json').toString()).model };
   const bytes = gunzipSync(read('run.rec'));
   const truth = JSON.parse(read('run.json').toString());
@@ -63,7 +63,7 @@ function readAll(content) {
   return reader;
 }
 
-test('what is written again shows the same, without commands', { skip }, () => {
+test('a rewritten recording shows the same, without commands', { skip }, () => {
   const before = readAll(gunzipSync(read('run.rec')));
   const writer = new RecordingWriter(before.header, () => 22);
 
@@ -83,7 +83,7 @@ test('what is written again shows the same, without commands', { skip }, () => {
   assert.deepEqual(after.header, before.header);
 });
 
-test('things that stand on the pitch are read where they are, and written again', () => {
+test('objects on the pitch are read and written with their poses', () => {
   const game = { playMode: 'PlayOn', half: 1, scoreLeft: 0, scoreRight: 0, left: '', right: '' };
   const at = (/** @type {number} */ x) => Int32Array.of(x, -20, 2000, 20_000, 0, 0, 0);
   const thing = { name: 'box', size: /** @type {[number, number, number]} */ ([0.4, 1.6, 0.4]), movable: true };
@@ -115,7 +115,7 @@ test('things that stand on the pitch are read where they are, and written again'
   assert.equal(reader.things[0].pose[0], 8000);
 });
 
-test('a recording that was thinned out plays as long as before', { skip }, () => {
+test('a thinned-out recording keeps its duration', { skip }, () => {
   const before = readAll(gunzipSync(read('run.rec')));
   const writer = new RecordingWriter(before.header, () => 22);
   before.moments
@@ -141,7 +141,7 @@ test('the address names a recording and a moment', () => {
   assert.deepEqual(placeOf('#replay/my%20game@play'), { name: 'my game', seconds: undefined, plays: true });
 });
 
-test('pieces are fetched when they are wanted, and forgotten when there are many', async () => {
+test('pieces are loaded on demand and evicted when there are many', async () => {
   const empty = new RecordingWriter({}, () => 22);
   const game = { playMode: 'PlayOn', half: 1, scoreLeft: 0, scoreRight: 0, left: '', right: '' };
   const numbers = new Int32Array(7);
@@ -182,7 +182,7 @@ test('pieces are fetched when they are wanted, and forgotten when there are many
   assert.equal(asked.length > before, true, 'the first piece was forgotten');
 });
 
-test('something else is refused in plain words', () => {
+test('other files are refused with a message', () => {
   assert.throws(
     () => new RecordingReader(() => 22).push(new TextEncoder().encode('Hello, this is some other file')),
     /not a recording/,

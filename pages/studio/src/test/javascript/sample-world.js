@@ -1,6 +1,6 @@
-/** A small made-up world for the tests of pure state. */
+/** A small fictitious world for the tests of pure state. */
 
-/** @returns {any} two teams, one robot of one link that turns a second one */
+/** @returns {any} two teams, one robot with two links and a hinge between them */
 export function sampleScene() {
   return {
     kind: 'scene',
@@ -13,7 +13,7 @@ export function sampleScene() {
   };
 }
 
-/** @returns {any} a torso with an arm to the front on a hinge at its right side, 0.1 m forward */
+/** @returns {any} a torso with a forward arm on a hinge at its right side, 0.1 m forward */
 export function sampleModel() {
   return {
     links: [

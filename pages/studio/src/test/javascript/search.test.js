@@ -40,7 +40,7 @@ const whole = {
   place: '#motion/kick',
 };
 
-test('a page that comes late knows the rounds before', () => {
+test('a page that connects late gets the earlier rounds', () => {
   const late = withNews(initialSearch(), whole);
   const later = withNews(late, { kind: 'round', round: round(2), numbers: [number(12)], place: '#motion/kick' });
 
@@ -58,16 +58,16 @@ test('a page that comes late knows the rounds before', () => {
   assert.equal(later.numbers[0].value, 12);
 });
 
-test('facts are told with their unit', () => {
-  const told = Object.fromEntries(facts(withNews(initialSearch(), whole)));
+test('facts have their units', () => {
+  const values = Object.fromEntries(facts(withNews(initialSearch(), whole)));
 
-  assert.equal(told['Round'], '1 of 4');
-  assert.equal(told['Start'], '5.500 m');
-  assert.equal(told['Trials that succeed'], '75 %');
-  assert.equal(told['Time left'], '1:15');
+  assert.equal(values['Round'], '1 of 4');
+  assert.equal(values['Start'], '5.500 m');
+  assert.equal(values['Successful trials'], '75 %');
+  assert.equal(values['Time left'], '1:15');
 });
 
-test('what a search has told outlives its program', () => {
+test('the results of a search outlive its program', () => {
   const ended = withoutLine(withNews(initialSearch(), { ...whole, after: 6.1, outcome: 'Written to kick.txt.' }));
   const broken = withoutLine(withNews(initialSearch(), whole));
 
@@ -88,7 +88,7 @@ test('the numbers that changed most come first', () => {
   assert.ok(shown.every(({ at, half }) => at - half >= 0 && at + half <= 1));
 });
 
-test('durations are told as clocks do', () => {
+test('durations are formatted like clock times', () => {
   assert.equal(duration(9), '0:09');
   assert.equal(duration(3909), '1:05:09');
 });

@@ -20,7 +20,7 @@ test('a message is read and written as expressions', () => {
   assert.equal(readExpressions(MESSAGE).map(writeExpression).join(''), MESSAGE);
 });
 
-test('senses are read in the framework’s directions', () => {
+test('perceptors are read in the framework’s directions', () => {
   const senses = readSenses(MESSAGE);
 
   assert.equal(senses.now, 104.87);
@@ -59,7 +59,7 @@ test('what the camera sees is read', () => {
   assert.deepEqual(readSenses('(See )').seen, { things: [], lines: [] });
 });
 
-test('orders are read: speeds of motors and what is called', () => {
+test('commands are read: motor speeds and said texts', () => {
   const { speeds, said } = readOrders('(lle1 3.14159265)(he2 -1.0)(say hello there)(beam 1 2 3)(syn)');
 
   assert.ok(Math.abs(speeds.lle1 - 180) < 1e-6);
@@ -68,7 +68,7 @@ test('orders are read: speeds of motors and what is called', () => {
   assert.deepEqual(said, ['hello there']);
 });
 
-test('nothing is minus zero', () => {
+test('no value is minus zero', () => {
   assert.equal(fixed(-0.04, 1), '0.0');
   assert.equal(fixed(-0.4, 0), '0');
   assert.equal(fixed(-0.06, 1), '-0.1');

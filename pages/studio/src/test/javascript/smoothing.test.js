@@ -17,7 +17,7 @@ function settledAt40(smoothing) {
   }
 }
 
-test('the first frame is drawn as it is', () => {
+test('the first frame is drawn without interpolation', () => {
   const smoothing = new Smoothing();
   const frame = frameAt(1, 10);
   smoothing.push(frame, 0);
@@ -38,7 +38,7 @@ test('half an interval later the picture is halfway', () => {
   assert.equal(smoothing.isMoving(2420), true);
 });
 
-test('after an interval the frame is reached and nothing moves any more', () => {
+test('after an interval the frame is reached and the picture is still', () => {
   const smoothing = new Smoothing();
   settledAt40(smoothing);
   const last = frameAt(0.1, 20);
@@ -48,7 +48,7 @@ test('after an interval the frame is reached and nothing moves any more', () => 
   assert.equal(smoothing.isMoving(2480), false);
 });
 
-test('a robot that was put elsewhere does not slide there', () => {
+test('a repositioned robot is not interpolated', () => {
   const smoothing = new Smoothing();
   settledAt40(smoothing);
   smoothing.push(frameAt(3, 0), 2400);

@@ -7,7 +7,7 @@ import { computeLinkPoses } from '../../main/resources/org/robonewbie/studio/web
 
 const folder = process.env.STUDIO_FRAME_FOLDER;
 
-/** @returns {any} what the Java side has written: a scene, its frame and the true state */
+/** @returns {any} output of the Java side: a scene, its frame and the expected state */
 function written() {
   const bytes = readFileSync(`${folder}/frame.bin`);
   return {
@@ -17,7 +17,7 @@ function written() {
   };
 }
 
-test('limbs computed from a frame are where the simulator has them', { skip: !folder && 'run by Maven' }, () => {
+test('limbs computed from a frame equal those of the simulator', { skip: !folder && 'run by Maven' }, () => {
   const { scene, bytes, truth } = written();
 
   const frame = readFrame(bytes, scene);
@@ -49,7 +49,7 @@ test('time, score and play mode arrive', { skip: !folder && 'run by Maven' }, ()
   assert.equal(frame?.speed, Infinity);
 });
 
-test('what else stands on the pitch arrives with its size and pose', { skip: !folder && 'run by Maven' }, () => {
+test('other objects on the pitch have their size and pose', { skip: !folder && 'run by Maven' }, () => {
   const { scene, bytes, truth } = written();
 
   const frame = readFrame(bytes, scene);
@@ -63,12 +63,12 @@ test('what else stands on the pitch arrives with its size and pose', { skip: !fo
   assert.equal(frame?.things?.length, 4);
 });
 
-test('a frame of another scene is left out', { skip: !folder && 'run by Maven' }, () => {
+test('a frame of another scene is ignored', { skip: !folder && 'run by Maven' }, () => {
   const { scene, bytes } = written();
 
   assert.equal(readFrame(bytes, { ...scene, revision: scene.revision + 1 }), undefined);
 });
 
 test('a frame of another version asks to load the page again', () => {
-  assert.throws(() => readFrame(Uint8Array.of(99, 0, 0, 0).buffer, /** @type {any} */ ({})), /Load the page again/);
+  assert.throws(() => readFrame(Uint8Array.of(99, 0, 0, 0).buffer, /** @type {any} */ ({})), /Reload the page/);
 });

@@ -18,26 +18,26 @@ import { sampleFrame, sampleScene } from './sample-world.js';
 
 const live = () => withScene(withConnection(initialState()), sampleScene());
 
-test('a page that opens looks for the simulator', () => {
+test('a new page looks for the simulator', () => {
   assert.match(message(initialState(), 0)?.title ?? '', /Looking for the simulator/);
 });
 
-test('losing the connection says that the page comes back by itself', () => {
+test('a lost connection is reported as temporary', () => {
   const lost = withoutConnection(live());
 
   assert.match(message(lost, 0)?.title ?? '', /has ended/);
-  assert.match(message(lost, 0)?.text ?? '', /comes back by itself/);
+  assert.match(message(lost, 0)?.text ?? '', /reconnects automatically/);
 });
 
-test('a page that never was connected goes on looking', () => {
+test('a page that was never connected keeps looking', () => {
   assert.match(message(withoutConnection(initialState()), 0)?.title ?? '', /Looking/);
 });
 
-test('a page that is not let in says why, until it is', () => {
-  const refused = withRefusal(withoutConnection(live()), 'This browser has not been let in yet.');
+test('a refused page shows the reason until it is accepted', () => {
+  const refused = withRefusal(withoutConnection(live()), 'This browser is not signed in.');
 
-  assert.equal(message(refused, 0)?.text, 'This browser has not been let in yet.');
-  assert.notEqual(message(withConnection(refused), 0)?.text, 'This browser has not been let in yet.');
+  assert.equal(message(refused, 0)?.text, 'This browser is not signed in.');
+  assert.notEqual(message(withConnection(refused), 0)?.text, 'This browser is not signed in.');
 });
 
 test('an empty field waits for a robot', () => {
@@ -47,10 +47,10 @@ test('an empty field waits for a robot', () => {
   assert.match(message(empty, 0)?.text ?? '', /run Agent_BasicStructure/);
 });
 
-test('a world without a port names nothing that nobody can do there', () => {
+test('a world without a port suggests only what is possible there', () => {
   const closed = withScene(live(), { ...sampleScene(), robots: [], agentPort: 0 });
 
-  assert.match(message(closed, 0)?.text ?? '', /Choose an agent in the bar/);
+  assert.match(message(closed, 0)?.text ?? '', /Choose an agent in the toolbar/);
 });
 
 test('a moving world needs no message', () => {
@@ -61,7 +61,7 @@ test('a world that stands still without pause waits for an agent', () => {
   const first = withFrame(live(), sampleFrame(), 1000);
   const same = withFrame(first, sampleFrame(), 3000);
 
-  assert.match(message(same, 3100)?.title ?? '', /waits for an agent/);
+  assert.match(message(same, 3100)?.title ?? '', /is waiting for an agent/);
 });
 
 test('a paused world needs no message', () => {
@@ -95,7 +95,7 @@ test('the score board shows teams, score, time and play mode', () => {
   assert.equal(board.playMode, 'Kick-off · Blue');
 });
 
-test('a goal is cheered for some seconds', () => {
+test('a goal is celebrated for some seconds', () => {
   const before = withFrame(live(), sampleFrame({ scoreRight: 0 }), 1000);
   const goal = withFrame(before, sampleFrame({ scoreRight: 1 }), 2000);
 
@@ -108,7 +108,7 @@ test('the score board is readable before anything is known', () => {
   assert.equal(scoreBoard(initialState(), 0).score, '– : –');
 });
 
-test('time controls work only while a world is there', () => {
+test('time controls work only with a world', () => {
   assert.equal(transport(live()).enabled, false);
   assert.equal(transport(withFrame(live(), sampleFrame(), 0)).enabled, true);
 });
@@ -127,7 +127,7 @@ test('a clock has minutes and seconds', () => {
   assert.equal(clock(600), '10:00');
 });
 
-test('asked speeds are shown as the nearest of the list', () => {
+test('requested speeds are shown as the nearest of the list', () => {
   assert.equal(nearestSpeed(0.3), 0.25);
   assert.equal(nearestSpeed(1), 1);
   assert.equal(nearestSpeed(12), 10);
@@ -142,7 +142,7 @@ test('faster and slower walk through the list and stop at its ends', () => {
   assert.equal(neighbourSpeed(0.1, -1), 0.1);
 });
 
-test('a side without a team is not called by the name of a side', () => {
+test('a side without a team has a placeholder', () => {
   const { left, right } = scoreBoard(initialState(), 0);
 
   assert.deepEqual([left, right], ['no team yet', 'no team yet']);

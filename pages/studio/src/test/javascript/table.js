@@ -1,4 +1,4 @@
-/** Reads a table that the tests of the Java classes read as well. */
+/** Reads a table that the Java tests read as well. */
 import { readFileSync } from 'node:fs';
 
 const FOLDER = '../../../../../core/nao/src/test/resources/org/robonewbie/nao/text';

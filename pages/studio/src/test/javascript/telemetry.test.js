@@ -14,7 +14,7 @@ const LINES = [
 
 const remembered = (/** @type {string[]} */ ...lines) => {
   const memory = new RobotMemory();
-  lines.forEach((line) => memory.hear(line));
+  lines.forEach((line) => memory.receive(line));
   return memory;
 };
 
@@ -38,15 +38,15 @@ test('log, motion, belief and drawings of a robot are read', () => {
   assert.equal(thoughts.drawings[2].text, 'hello');
 });
 
-test('a value is given to those who plot it, and its robot is known', () => {
-  const told = remembered().hear('plot\t12.36\tBlue\t3\tball distance\t1.2');
+test('a plotted value has its robot', () => {
+  const parsed = remembered().receive('plot\t12.36\tBlue\t3\tball distance\t1.2');
 
-  assert.equal(told?.name, 'ball distance');
-  assert.equal(told?.value, 1.2);
+  assert.equal(parsed?.name, 'ball distance');
+  assert.equal(parsed?.value, 1.2);
   assert.equal(readTelemetry(LINES[0]).robot, robotKey('Blue', 3));
 });
 
-test('a belief without own place is read, and a line of another kind is left out', () => {
+test('a belief without own pose is read, and a line of another kind is ignored', () => {
   const { belief } = remembered('belief\t1\tBlue\t3\t-\tball\t1\t2\t3\t0\t1', 'dance\t1\tBlue\t3').at(1);
 
   assert.equal(belief?.self, undefined);
@@ -71,7 +71,7 @@ test('drawings of older cycles vanish', () => {
   assert.deepEqual(memory.at(2.04).drawings, []);
 });
 
-test('each moment has what was known then', () => {
+test('each moment has the telemetry of its time', () => {
   const memory = remembered('motion\t1\tBlue\t3\twave\t1', 'motion\t2\tBlue\t3\twave\t2', 'motion\t3\tBlue\t3\t\t0');
   memory.exchanged({ seconds: 1, perceptors: '(See (B (pol 1 2 3)))', effectors: '' });
   memory.exchanged({ seconds: 1.02, perceptors: '(GYR)', effectors: '(syn)' });
@@ -84,14 +84,14 @@ test('each moment has what was known then', () => {
   assert.equal(memory.at(5).exchange, undefined);
 });
 
-test('a place is seen from the robot: forward and left', () => {
+test('a position is converted to the robot’s frame: forward and left', () => {
   const standing = [1, 2, 0.36, 1, 0, 0, 0];
   const [forward, left] = seenFrom(standing, [1, 5]);
   assert.ok(Math.abs(forward - 3) < 1e-9);
   assert.ok(Math.abs(left) < 1e-9);
 });
 
-test('the right team counts from its own side', () => {
+test('the coordinates of the right team are rotated', () => {
   const { position, heading } = believedPlace([-1, -2, 0.36, 1, 0, 0, 0], 'right', [1, 2, -90]);
 
   assert.ok(Math.hypot(...position) < 1e-9);
@@ -100,18 +100,18 @@ test('the right team counts from its own side', () => {
 
 const folder = process.env.STUDIO_FRAME_FOLDER;
 
-test('each line that Java writes means here what it meant there', { skip: !folder && 'run by Maven' }, () => {
+test('each line written by Java is parsed with the same meaning', { skip: !folder && 'run by Maven' }, () => {
   const written = JSON.parse(readFileSync(`${folder}/telemetry.json`, 'utf8'));
 
   for (const { line, team, number, seconds, kind, item } of written) {
-    const told = readTelemetry(line);
-    assert.deepEqual([told.seconds, told.robot], [seconds, robotKey(team, number)], line);
-    assert.deepEqual(MEANINGS[kind](told), item, line);
+    const parsed = readTelemetry(line);
+    assert.deepEqual([parsed.seconds, parsed.robot], [seconds, robotKey(team, number)], line);
+    assert.deepEqual(MEANINGS[kind](parsed), item, line);
   }
   assert.deepEqual(new Set(written.map(({ kind }) => kind)), new Set(Object.keys(MEANINGS)));
 });
 
-/** What was read, in the words of the Java classes. */
+/** Formats parsed telemetry like the Java classes. */
 const MEANINGS = {
   LogEntry: ({ log: { level, text } }) => ({ level, text }),
   MotionProgress: ({ motion }) => motion,
@@ -121,7 +121,7 @@ const MEANINGS = {
   DeclaredNumber: ({ number }) => number,
 };
 
-/** The parts that a shape has. */
+/** The fields used by a shape. */
 function meant({ shape, colour, place, to, radius, text }) {
   const parts = { point: {}, line: { to }, circle: { radius }, text: { text } };
   return { shape, colour, place, ...parts[shape] };

@@ -8,7 +8,7 @@ import { readFrame } from '../../main/resources/org/robonewbie/studio/web/live/s
 
 const folder = process.env.STUDIO_FRAME_FOLDER;
 
-test('values of a cycle that come late find their row', () => {
+test('late values of a cycle find their row', () => {
   const traces = new Traces();
   traces.add(10, [['a', 1]]);
   traces.add(12, [['a', 3]]);
@@ -26,7 +26,7 @@ test('values of a cycle that come late find their row', () => {
   assert.equal(tableOf(traces, ['a', 'b'], 0, 1), 'seconds,a,b\n0.20,1,5\n0.22,,6\n0.24,3,\n');
 });
 
-test('only the wanted part of long curves is given', () => {
+test('only the requested part of long curves is returned', () => {
   const traces = new Traces();
   for (let cycle = 0; cycle < 20_000; cycle++) {
     traces.add(cycle, [['a', cycle]]);
@@ -39,7 +39,7 @@ test('only the wanted part of long curves is given', () => {
 });
 
 test(
-  'the cursor goes back while the simulation goes on, and to now again',
+  'the cursor goes back while the simulation continues, and returns to the present',
   { skip: folder ? false : 'run by Maven' },
   () => {
     const scene = JSON.parse(readFileSync(join(String(folder), 'scene.json'), 'utf8'));

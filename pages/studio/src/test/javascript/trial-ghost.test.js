@@ -22,7 +22,7 @@ test(
       for (const cycle of cycles) {
         const copy = bytes.slice(0);
         new DataView(copy).setUint32(4, cycle, true);
-        ghost.hear(cycle, where, copy);
+        ghost.receive(cycle, where, copy);
       }
     };
     const besides = (/** @type {any} */ where, /** @type {number} */ cycle) => {

@@ -16,7 +16,7 @@ const view = { target: [1, 2, 0], azimuthDegrees: -90, elevationDegrees: 30, dis
 
 const FREE = { across: 0.5, up: 0.3 };
 
-test('the eye is at its distance from the target', () => {
+test('the camera is at its distance from the target', () => {
   const [x, y, z] = eye(view);
 
   assert.ok(isNear([x, y, z], [1, 2 - 10 * Math.cos(Math.PI / 6), 5]));
@@ -43,7 +43,7 @@ test('the overview from the top looks straight down at the middle', () => {
   assert.ok(isNear(eye(top).slice(0, 2), [0, 0], 0.05));
 });
 
-test('a fitted view holds all points and is no farther than it must be', () => {
+test('a fitted view contains all points and is as near as possible', () => {
   const fit = fitted(
     { ...view, target: [0, 0, 0], elevationDegrees: 0 },
     [
@@ -56,7 +56,7 @@ test('a fitted view holds all points and is no farther than it must be', () => {
   assert.equal(fit.distance.toFixed(3), '6.000');
 });
 
-test('zooming to a point keeps it in the same direction from the eye', () => {
+test('zooming to a point keeps its direction from the camera', () => {
   const point = [4, 5, 0];
   const direction = (
     /** @type {import('../../main/resources/org/robonewbie/studio/web/state/view-point.js').ViewPoint} */ from,
@@ -71,7 +71,7 @@ test('zooming to a point keeps it in the same direction from the eye', () => {
   assert.ok(isNear(direction(near), direction(view)));
 });
 
-test('the first picture looks past the robot at ball and goal', () => {
+test('the opening shot looks past the robot at ball and goal', () => {
   const shot = openingShot([-0.8, 0.3, 0.29], [0, 0, 0.04], [6, 0, 0], FREE);
 
   assert.ok(eye(shot)[0] < -0.8, 'from behind the robot');

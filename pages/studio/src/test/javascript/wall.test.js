@@ -22,7 +22,7 @@ const moment = (id, seconds) => ({
   robots: [],
 });
 
-test('a trial keeps its tile, and its last picture stays until another one needs the place', () => {
+test('a trial keeps its tile, and its last picture stays until another trial needs the tile', () => {
   let wall = withWallNews(initialWall(), whole(trial('a', 'Red'), trial('b', 'Blue')));
   wall = withWallNews(wall, { kind: 'moments', moments: [moment('a', 3), moment('b', 4)] });
 
@@ -47,7 +47,7 @@ test('a trial keeps its tile, and its last picture stays until another one needs
   );
 });
 
-test('a tile says who plays, how it stands and for how long', () => {
+test('a tile shows teams, score and time', () => {
   const running = { trial: trial('x', 'Red', 'Blue'), running: true, moment: moment('x', 65) };
 
   assert.deepEqual(tileWords(running), { teams: 'Red 1 : 0 Blue', time: '01:05', mode: 'Play on' });
@@ -56,15 +56,15 @@ test('a tile says who plays, how it stands and for how long', () => {
   assert.deepEqual(tileWords({ ...running, moment: undefined }), {
     teams: 'Red – Blue',
     time: '',
-    mode: 'The robots come …',
+    mode: 'The robots are joining …',
   });
 });
 
-test('a broken line is told, but not after the end', () => {
+test('a lost connection is reported, but not after the end', () => {
   const running = withWallNews(initialWall(), whole(trial('a', 'Red')));
   const over = withWallNews(running, { ...whole(), outcome: 'Table: table.html' });
 
-  assert.match(wallSentence(withoutWallLine(running)).text, /does not answer/);
+  assert.match(wallSentence(withoutWallLine(running)).text, /does not respond/);
   assert.equal(withoutWallLine(running).tiles[0].running, false);
   assert.equal(wallSentence(withoutWallLine(over)).text, 'The competition is over. Table: table.html');
   assert.match(wallSentence(withWallNews(initialWall(), whole())).text, /next trials/);

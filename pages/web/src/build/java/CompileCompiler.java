@@ -14,8 +14,8 @@ import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 
 /**
- * Compiles javac to WebAssembly: takes it out of the JDK that runs this, compiles what makes it callable from a page and what the
- * studio proposes, and calls {@code CompileToWebAssembly}. All that needs files is left out.
+ * Compiles javac to WebAssembly: copies it from the running JDK, compiles the page's entry points and the studio's code completion, and
+ * calls {@code CompileToWebAssembly}. Parts that need files are stubbed out.
  *
  * <p>Usage: {@code java -cp CLASS_PATH CompileCompiler.java FOLDER_OF_SOURCES WORK_FOLDER FILE}
  */
@@ -23,10 +23,10 @@ final class CompileCompiler {
 
     private static final List<String> MODULES = List.of("jdk.compiler", "java.compiler", "jdk.internal.opt");
 
-    /** What the studio proposes and says while somebody writes; the page does the same. */
+    /** Code completion and hints that the page shares with the studio. */
     private static final List<String> SHARED = List.of(
-            "pages/studio/src/main/java/org/robonewbie/studio/completion",
-            "app/src/main/java/org/robonewbie/app/hint",
+            "course/programs/src/main/java/org/robonewbie/programs/completion",
+            "course/programs/src/main/java/org/robonewbie/programs/hint",
             "core/nao/src/main/java/org/robonewbie/nao/text/ConfusableCharacter.java",
             "core/nao/src/main/java/org/robonewbie/nao/text/Spelling.java");
 
@@ -48,21 +48,28 @@ final class CompileCompiler {
         copy(sources.resolveSibling("resources"), classes);
         String libraries = javac + File.pathSeparator + withoutRobonewbie(System.getProperty("java.class.path"));
         List<Path> ours = new ArrayList<>(List.of(sources));
-        SHARED.forEach(place -> ours.add(sources.resolve("../../../../..").resolve(place).normalize()));
+        SHARED.forEach(place ->
+                ours.add(sources.resolve("../../../../..").resolve(place).normalize()));
         compile(ours, classes, libraries);
-        Path compileToWebAssembly = sources.resolve("../../build/java/CompileToWebAssembly.java").normalize();
+        Path compileToWebAssembly =
+                sources.resolve("../../build/java/CompileToWebAssembly.java").normalize();
         int exitCode = new ProcessBuilder(
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-Xmx3g", "-Xss8m", "-XX:+UseSerialGC",
-                        "-classpath", classes + File.pathSeparator + libraries,
-                        compileToWebAssembly.toString(), MAIN_CLASS, file.toString())
+                        "-Xmx3g",
+                        "-Xss8m",
+                        "-XX:+UseSerialGC",
+                        "-classpath",
+                        classes + File.pathSeparator + libraries,
+                        compileToWebAssembly.toString(),
+                        MAIN_CLASS,
+                        file.toString())
                 .inheritIO()
                 .start()
                 .waitFor();
         System.exit(exitCode);
     }
 
-    /** The compiler needs nothing of RoboNewbie, and least of all the rules for its other program. */
+    /** The compiler must not see RoboNewbie's classes, and in particular not the TeaVM policies of the other module. */
     private static String withoutRobonewbie(String classPath) {
         return Arrays.stream(classPath.split(File.pathSeparator))
                 .filter(place -> !place.endsWith("classes") && !place.contains("robonewbie-"))

@@ -13,8 +13,8 @@ import java.util.stream.Stream;
 import org.robonewbie.studio.ModuleGraph;
 
 /**
- * Turns a folder with the studio's files and those of the web edition into a page: adds its style sheet, names the scripts that it
- * will need, links it from the documentation, and writes the list of files that the service worker keeps.
+ * Assembles the web page from the studio's files and those of the web edition: adds the style sheet, preloads scripts, links the page from
+ * the documentation, and writes the service worker's list of files.
  *
  * <p>Usage: {@code java -cp CLASS_PATH FinishPage.java FOLDER}
  */
@@ -22,7 +22,7 @@ final class FinishPage {
 
     private static final String LIST = "files.json";
     private static final String SERVICE_WORKER = "service-worker.js";
-    /** The teacher's: what is there may change at any time. */
+    /** Not cached, since a teacher may change the solutions at any time. */
     private static final String SOLUTIONS = "solutions/";
 
     private static final String STYLE = "    <link rel=\"stylesheet\" href=\"page/page.css\" />\n  </head>";
@@ -51,7 +51,7 @@ final class FinishPage {
                 "{\n  \"version\": \"" + version + "\",\n  \"files\": [\n    " + names + "\n  ]\n}\n");
     }
 
-    /** Each page of the documentation inside of this folder leads back to its front page. */
+    /** Adds a link to the front page to each page of the documentation. */
     private static void offerToTry(Path folder) throws IOException {
         Path documentation = folder.resolve("docs");
         try (Stream<Path> pages = Files.walk(documentation)) {
@@ -63,7 +63,7 @@ final class FinishPage {
                 String way = "../".repeat(folder.relativize(page).getNameCount() - 1);
                 String offered = text.replaceFirst("<input id=\"search\"", TRY + way + "index.html\">Try it now</a>\n      $0");
                 if (offered.equals(text) && text.contains("class=\"brand\"")) {
-                    throw new IOException(page + " has no place for the link \"Try it now\".");
+                    throw new IOException(page + " has no search field before which the link \"Try it now\" could be inserted.");
                 }
                 Files.writeString(page, offered);
             }

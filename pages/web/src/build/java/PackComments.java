@@ -13,12 +13,12 @@ import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
-import org.robonewbie.studio.completion.ApiDocumentation;
+import org.robonewbie.programs.completion.ApiDocumentation;
 import org.robonewbie.web.compiling.ProgramLibrary;
 
 /**
- * Writes what the classes of RoboNewbie that programs may use and their members do, for the proposals of the editor: plain texts by
- * class and member.
+ * Writes the Javadoc of RoboNewbie's classes that programs may use, as plain text by class and member, for the code completion of the
+ * page.
  *
  * <p>Usage: {@code java -cp CLASS_PATH PackComments.java ROOT FILE}
  */
@@ -33,8 +33,12 @@ final class PackComments {
         for (String module : MODULES) {
             Path sources = Path.of(args[0], module, "src", "main", "java");
             try (Stream<Path> files = Files.walk(sources)) {
-                for (Path file : files.filter(each -> each.toString().endsWith(".java")).toList()) {
-                    String name = sources.relativize(file).toString().replaceAll("[/\\\\]", ".").replaceFirst("\\.java$", "");
+                for (Path file :
+                        files.filter(each -> each.toString().endsWith(".java")).toList()) {
+                    String name = sources.relativize(file)
+                            .toString()
+                            .replaceAll("[/\\\\]", ".")
+                            .replaceFirst("\\.java$", "");
                     if (ProgramLibrary.has(name)) {
                         comments.put(name, comments(file));
                     }
@@ -48,7 +52,8 @@ final class PackComments {
     private static Map<String, String> comments(Path file) throws IOException {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         try (StandardJavaFileManager files = compiler.getStandardFileManager(null, null, StandardCharsets.UTF_8)) {
-            JavacTask task = (JavacTask) compiler.getTask(null, files, null, null, null, files.getJavaFileObjects(file));
+            JavacTask task =
+                    (JavacTask) compiler.getTask(null, files, null, null, null, files.getJavaFileObjects(file));
             CompilationUnitTree unit = task.parse().iterator().next();
             return new TreeMap<>(ApiDocumentation.comments(unit, Trees.instance(task)));
         }

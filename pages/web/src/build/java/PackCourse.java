@@ -13,8 +13,8 @@ import org.robonewbie.exercises.progress.Badge;
 import org.robonewbie.exercises.progress.Worksheet;
 
 /**
- * Writes what the page tells about the exercises, a file for each language: title, goal and hints of each, and the program to begin
- * with; and in {@code badges.json} what earns the badges.
+ * Writes the exercises for the page, one file per language with titles, goals, hints and starter programs, and the rules of the badges
+ * to {@code badges.json}.
  *
  * <p>Usage: {@code java -cp CLASS_PATH PackCourse.java FOLDER}
  */

@@ -22,15 +22,15 @@ import java.util.stream.Stream;
 import org.robonewbie.web.compiling.ProgramLibrary;
 
 /**
- * Packs what the compiler in the page has to know: Java's classes that programs may use there, with all that these are made of, and
- * those of RoboNewbie. A file is its number of classes, then each with its path, the number of its bytes, and these.
+ * Packs the class files that the compiler in the page needs: the Java classes that programs may use, their dependencies, and those of
+ * RoboNewbie. Format: number of classes, then for each its path, the number of its bytes, and its content.
  *
- * <p>Usage: {@code java -cp CLASS_PATH PackLibrary.java FILE MISSING}. The second file gets the names of Java's classes that
- * programs of the page do not have: a line for each package, with its name and those of the classes.
+ * <p>Usage: {@code java -cp CLASS_PATH PackLibrary.java FILE MISSING}. The second file receives the names of Java classes that are not
+ * available in the page, one line per package: its name, then the class names.
  */
 final class PackLibrary {
 
-    /** What javac itself looks for. */
+    /** Classes that javac requires. */
     private static final String[] ALSO = {
         "java.lang.Override", "java.lang.Deprecated", "java.lang.SuppressWarnings", "java.lang.FunctionalInterface",
         "java.lang.SafeVarargs", "java.lang.Void", "java.lang.annotation.Annotation", "java.lang.annotation.Target",
@@ -45,7 +45,7 @@ final class PackLibrary {
         "java.lang.IncompatibleClassChangeError"
     };
 
-    /** Whose classes students know from elsewhere. */
+    /** Modules whose classes students may know. */
     private static final List<String> MODULES =
             List.of("java.base", "java.desktop", "java.logging", "java.net.http", "java.prefs", "java.sql", "java.xml");
 
@@ -76,7 +76,7 @@ final class PackLibrary {
         System.out.println(classes.size() + " classes, " + packed.size() + " bytes");
     }
 
-    /** Java's public classes that are not in the page, and whose names none of its classes has. */
+    /** Lists Java's public classes that are missing in the page, except those whose simple name exists there. */
     private static String missing(Set<String> files) throws IOException, ClassNotFoundException {
         Set<String> known = files.stream()
                 .map(file -> file.substring(file.lastIndexOf('/') + 1).replace(".class", ""))
@@ -112,7 +112,7 @@ final class PackLibrary {
                 Class.forName(name, false, ClassLoader.getPlatformClassLoader()).getModifiers());
     }
 
-    /** The named classes, what they are made of, and what their methods take and give. */
+    /** The allowed classes, their supertypes, and the types in their signatures. */
     private static TreeSet<String> javaClasses() throws ClassNotFoundException, IOException {
         TreeSet<String> names = new TreeSet<>();
         for (String name : ProgramLibrary.javaClasses()) {

@@ -10,8 +10,8 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * Lets {@code robonewbie new} make a project and puts it into the page, which fills it with somebody's programs when they are
- * downloaded. Without the program's jar the page has no project, and says so.
+ * Creates a project with {@code robonewbie new} and adds it to the page, which fills it with the user's programs for download. Without
+ * the program's jar the page offers no project and says so.
  *
  * <p>Usage: {@code java -cp CLASS_PATH PackProject.java ROOT FOLDER}
  */
@@ -35,14 +35,14 @@ final class PackProject {
         if (Files.isRegularFile(jar)) {
             pack(made(root, jar), folder, texts, libraries);
         } else {
-            System.out.println("No project in the page, since there is no " + jar + ".");
+            System.out.println("The page will offer no project for download: missing " + jar + ".");
         }
         project.add("texts", texts);
         project.add("libraries", libraries);
         Files.writeString(folder.resolve("project.json"), new Gson().toJson(project) + "\n");
     }
 
-    /** A project, which the program itself has made. */
+    /** Creates a project with the packaged program. */
     private static Path made(Path root, Path jar) throws IOException, InterruptedException {
         Path place = Files.createTempDirectory("project");
         Process program = new ProcessBuilder(
@@ -58,7 +58,7 @@ final class PackProject {
                 .inheritIO()
                 .start();
         if (program.waitFor() != 0) {
-            throw new IOException("robonewbie new has failed.");
+            throw new IOException("\"robonewbie new\" failed.");
         }
         return place.resolve(NAME);
     }

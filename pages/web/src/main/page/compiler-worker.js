@@ -1,4 +1,6 @@
-/** Java's compiler, off the page's own thread: `{id, sources}` is answered by `{id, remarks, classes}`, and with `at` by `{id, proposals}`. */
+/**
+ * Web worker with the Java compiler: answers `{id, sources}` with `{id, remarks, classes}`, and if `at` is given, with `{id, proposals}`.
+ */
 import { load } from './compiler/webassembly-loader.js';
 
 /** @param {string} name */
@@ -26,7 +28,7 @@ function compile(exports, sources) {
   return { remarks, classes: files.map((/** @type {string} */ _, /** @type {number} */ i) => exports.classFile(i)) };
 }
 
-/** @param {any} exports @param {[string, string][]} sources the first one is being written @param {number} at index of the place */
+/** @param {any} exports @param {[string, string][]} sources the edited one first @param {number} at index at index of the cursor */
 function complete(exports, sources, at) {
   for (const [path, text] of sources) {
     exports.takeSource(path, text);

@@ -1,4 +1,4 @@
-/** Starts the simulator of this page first, which loads meanwhile, and then what shows it. */
+/** Starts the simulator of this page, then the studio while it loads. */
 import './page/world-process.js';
 
 await import('./page/begin.js');

@@ -1,10 +1,10 @@
-/** Keeps all files of the page, so that it also opens without a network; a newer page takes the place of an older one at once. */
+/** Service worker: caches all files of the page for offline use; a newer version replaces an older one immediately. */
 
 const LIST = 'files.json';
-/** The folder of the page. Caches belong to the whole host, on which there may be other editions. */
+/** The folder of the page. Caches belong to the whole host, which may contain other editions. */
 const SCOPE = self.registration.scope;
 const OURS = `robonewbie ${new URL(SCOPE).pathname} `;
-/** Large, or seldom wanted: kept from the first time on that somebody asks for it. */
+/** Large or rarely used files: cached on first use. */
 const ON_DEMAND = /\/(compiler|docs|examples|programs|project|vendor\/codemirror)\//;
 
 /** @returns {Promise<{cacheName: string, files: string[]}>} */
@@ -13,7 +13,7 @@ async function list() {
   return { cacheName: OURS + version, files };
 }
 
-/** Whether a cache is an older one of this edition; those of the first version did not name their folder. @param {string} name */
+/** Whether a cache is an older one of this edition; the first version did not put the folder into the name. @param {string} name */
 async function isOlder(name) {
   const isNameless = /^robonewbie-\w+$/.test(name);
   return name.startsWith(OURS) || (isNameless && (await (await caches.open(name)).match(SCOPE)) !== undefined);
@@ -46,7 +46,7 @@ async function fetched(request) {
   return answer;
 }
 
-/** Keeps what is in some folders and was not kept before. @param {string[]} folders */
+/** Caches the files of some folders that are not cached yet. @param {string[]} folders */
 async function keepFolders(folders) {
   const { cacheName, files } = await list();
   const cache = await caches.open(cacheName);

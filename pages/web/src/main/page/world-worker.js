@@ -1,6 +1,6 @@
 /**
- * The simulator and its agent, off the page's own thread. A message such as `{begin: {agents, seed}}` or `{ask: command}` has the name of
- * a action and what it needs. News are sent as texts, states as bytes.
+ * Web worker with the simulator and its agent. A message such as `{begin: {agents, seed}}` or `{ask: command}` contains the name of an
+ * action and its argument. News are sent as texts, states as bytes.
  */
 import { load } from './webassembly-loader.js';
 
@@ -8,7 +8,7 @@ const TURN_MILLISECONDS = 20;
 const REPORT_MILLISECONDS = 200;
 const SHORTEST_SECONDS = 0.001;
 
-/** A service worker may answer with a script whose address has no more than its name, so that tells what is wanted. */
+/** A service worker may answer with a script whose address has no query, so the worker's name selects the program. */
 const FOR_PROGRAMS = self.name === 'programs';
 
 const program = load(new URL(FOR_PROGRAMS ? 'programs/robonewbie.wasm' : 'field.wasm', import.meta.url).href);
@@ -33,8 +33,13 @@ function report(exports) {
   postMessage({ attempt: exports.attempt(language) });
 }
 
-/** A new world has begun. @param {any} exports @param {string} begun name of the agent; empty for a program of one's own */
-function goOn(exports, begun) {
+/**
+ * Called when a new world has started.
+ *
+ * @param {any} exports
+ * @param {string} begun name name of the agent; empty for a program of the user
+ */
+function announceStart(exports, begun) {
   postMessage({ begun, agents: exports.agents().split(' ') });
   last = performance.now();
   turns ??= setInterval(() => attempt(() => turn(exports)), TURN_MILLISECONDS);
@@ -43,18 +48,22 @@ function goOn(exports, begun) {
   }
 }
 
-/** @param {any} exports @param {Int8Array[]} classes @param {() => string} beginning gives why the program cannot run here */
-function beginWith(exports, classes, beginning) {
+/**
+ * @param {any} exports
+ * @param {Int8Array[]} classes
+ * @param {() => string} start starts the program and returns why it cannot run here, or empty
+ */
+function startProgram(exports, classes, start) {
   take(exports, classes);
-  const refusal = beginning();
+  const refusal = start();
   if (refusal) {
     postMessage({ refusal });
   } else {
-    goOn(exports, '');
+    announceStart(exports, '');
   }
 }
 
-/** The world stays. @param {any} exports @param {Int8Array[]} classes of the program that takes the place of the one that runs */
+/** Replaces the running program and keeps the world. @param {any} exports @param {Int8Array[]} classes classes of the new program */
 function swap(exports, classes) {
   take(exports, classes);
   const refusal = exports.swapProgram();
@@ -73,18 +82,18 @@ function take(exports, classes) {
   }
 }
 
-/** What the page asks for, by the name of its message. @type {Record<string, (exports: any, data: any) => void>} */
-const DEEDS = {
+/** Actions that the page can request, by the name of the message. @type {Record<string, (exports: any, data: any) => void>} */
+const ACTIONS = {
   begin: (exports, { agents, seed }) => {
     exports.begin(agents.join(' '), seed);
-    goOn(exports, agents[0]);
+    announceStart(exports, agents[0]);
   },
   join: (exports, agent) => exports.join(agent),
   program: (exports, { classes, seed, others, keep }) => {
     if (keep && exports.isProgramRunning()) {
       swap(exports, classes);
     } else {
-      beginWith(exports, classes, () => exports.beginProgram(seed, others.join(' ')));
+      startProgram(exports, classes, () => exports.beginProgram(seed, others.join(' ')));
     }
   },
   motions: (exports, motions) => {
@@ -101,7 +110,7 @@ const DEEDS = {
   },
   exercise: (exports, wanted) => {
     language = wanted.language;
-    beginWith(exports, wanted.classes, () => exports.beginExercise(wanted.name, wanted.trials));
+    startProgram(exports, wanted.classes, () => exports.beginExercise(wanted.name, wanted.trials));
   },
   language: (_, code) => {
     language = code;
@@ -112,7 +121,7 @@ const DEEDS = {
     take(exports, classes);
     postMessage({ result: exports.score(exercise, seed) });
   },
-  call: (exports, { id, name, given }) => postMessage({ id, result: exports[name](...given) }),
+  call: (exports, { id, name, argument }) => postMessage({ id, result: exports[name](...argument) }),
 };
 
 /** @param {() => void} action */
@@ -131,8 +140,8 @@ onmessage = async ({ data }) => {
     (failure) => postMessage({ failure: String(failure) }),
   );
   attempt(() => {
-    for (const [name, given] of Object.entries(data)) {
-      DEEDS[name](exports, given);
+    for (const [name, argument] of Object.entries(data)) {
+      ACTIONS[name](exports, argument);
     }
   });
 };

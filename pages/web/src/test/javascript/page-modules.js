@@ -1,4 +1,4 @@
-/** Lets the scripts of the page find those of the studio, which lie in the same folder only when the page is built. */
+/** Resolves the page's imports of studio scripts, which share a folder only after the build. */
 import { existsSync } from 'node:fs';
 import { register } from 'node:module';
 

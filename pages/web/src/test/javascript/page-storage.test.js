@@ -6,7 +6,7 @@ useStudio();
 const { NO_ROOM, PageStorage } = await import('../../main/page/page/page-storage.js');
 const { ProgramRepository } = await import('../../main/page/page/program-repository.js');
 
-/** A browser's storage with room for some letters. */
+/** A browser storage with a limited number of characters. */
 function storeOf(room = Infinity, texts = new Map()) {
   return {
     texts,
@@ -27,24 +27,24 @@ function storeOf(room = Infinity, texts = new Map()) {
   };
 }
 
-const shelfIn = (store, folder = '/') => {
+const repositoryIn = (store, folder = '/') => {
   const storage = new PageStorage(() => store, folder);
   return new ProgramRepository(() => storage);
 };
 const paths = (entries) => entries.map(({ path }) => path);
 const versionIn = (entries, wanted) => entries.find(({ path }) => path === wanted)?.version ?? '';
 
-test('editions in two folders of a host share nothing', () => {
+test('editions in two folders of a host have separate storage', () => {
   const store = storeOf();
-  shelfIn(store, '/').overwrite('MyAgent.java', 'root', '');
-  shelfIn(store, '/2025/').overwrite('MyAgent.java', 'old', '');
+  repositoryIn(store, '/').overwrite('MyAgent.java', 'root', '');
+  repositoryIn(store, '/2025/').overwrite('MyAgent.java', 'old', '');
 
-  assert.equal(shelfIn(store, '/2025/').read('own', 'MyAgent.java'), 'old');
-  assert.equal(shelfIn(store, '/').read('own', 'MyAgent.java'), 'root');
-  assert.deepEqual(paths(shelfIn(store, '/2026/').own), []);
+  assert.equal(repositoryIn(store, '/2025/').read('own', 'MyAgent.java'), 'old');
+  assert.equal(repositoryIn(store, '/').read('own', 'MyAgent.java'), 'root');
+  assert.deepEqual(paths(repositoryIn(store, '/2026/').own), []);
 });
 
-test('what the first edition kept is found again, once, in each folder, and stays where it was', () => {
+test('data of the first edition are migrated once per folder and not removed', () => {
   const store = storeOf();
   store.setItem('robonewbie-page-file:MyAgent.java', 'mine');
   store.setItem('robonewbie-page-draft:Other.java', 'draft');
@@ -52,81 +52,81 @@ test('what the first edition kept is found again, once, in each folder, and stay
   store.setItem('of another page', 'x');
 
   for (const folder of ['/', '/2025/']) {
-    assert.equal(shelfIn(store, folder).read('own', 'MyAgent.java'), 'mine');
-    assert.equal(shelfIn(store, folder).read('draft', 'Other.java'), 'draft');
+    assert.equal(repositoryIn(store, folder).read('own', 'MyAgent.java'), 'mine');
+    assert.equal(repositoryIn(store, folder).read('draft', 'Other.java'), 'draft');
   }
-  shelfIn(store, '/').overwrite('MyAgent.java', 'changed', versionIn(shelfIn(store, '/').own, 'MyAgent.java'));
-  shelfIn(store, '/').removeDraft('Other.java');
-  assert.equal(shelfIn(store, '/').read('own', 'MyAgent.java'), 'changed');
-  assert.equal(shelfIn(store, '/').read('draft', 'Other.java'), null);
+  repositoryIn(store, '/').overwrite('MyAgent.java', 'changed', versionIn(repositoryIn(store, '/').own, 'MyAgent.java'));
+  repositoryIn(store, '/').removeDraft('Other.java');
+  assert.equal(repositoryIn(store, '/').read('own', 'MyAgent.java'), 'changed');
+  assert.equal(repositoryIn(store, '/').read('draft', 'Other.java'), null);
   assert.equal(store.getItem('robonewbie-page-file:MyAgent.java'), 'mine');
 });
 
-test('what has no room twice is moved, and lost in no case', () => {
+test('data without space for two copies are moved and never lost', () => {
   const old = 'robonewbie-page-file:MyAgent.java';
   const key = `/${old}`;
   for (let room = old.length + 10; room < 2 * (key.length + 10) + 60; room += 1) {
     const store = storeOf(room, new Map([[old, 'my program']]));
 
-    shelfIn(store);
+    repositoryIn(store);
 
     assert.equal(store.getItem(key) ?? store.getItem(old), 'my program', `room for ${room}`);
   }
 });
 
-test('a full storage is told in words, and what was there is there still', () => {
+test('a full storage is reported, and the previous content is kept', () => {
   const store = storeOf(200);
-  const shelf = shelfIn(store);
-  shelf.overwrite('MyAgent.java', 'first', '');
-  const { version } = shelf.own[0];
+  const repository = repositoryIn(store);
+  repository.overwrite('MyAgent.java', 'first', '');
+  const { version } = repository.own[0];
 
-  assert.throws(() => shelf.overwrite('MyAgent.java', 'x'.repeat(300), version), { message: NO_ROOM });
-  assert.throws(() => shelf.writeDraft('MyAgent.java', 'x'.repeat(300), ''), { message: NO_ROOM });
-  assert.equal(shelf.read('own', 'MyAgent.java'), 'first');
+  assert.throws(() => repository.overwrite('MyAgent.java', 'x'.repeat(300), version), { message: NO_ROOM });
+  assert.throws(() => repository.writeDraft('MyAgent.java', 'x'.repeat(300), ''), { message: NO_ROOM });
+  assert.equal(repository.read('own', 'MyAgent.java'), 'first');
 });
 
-test('a draft that has no room beside its file makes room for it', () => {
+test('a draft without space beside its file makes room for it', () => {
   const text = 'x'.repeat(100);
-  const shelf = shelfIn(storeOf(240));
-  shelf.writeDraft('MyAgent.java', text, '');
+  const repository = repositoryIn(storeOf(240));
+  repository.writeDraft('MyAgent.java', text, '');
 
-  assert.equal(shelf.overwrite('MyAgent.java', text, '').ok, true);
-  assert.equal(shelf.read('own', 'MyAgent.java'), text);
+  assert.equal(repository.overwrite('MyAgent.java', text, '').ok, true);
+  assert.equal(repository.read('own', 'MyAgent.java'), text);
 });
 
-test('a browser that refuses its storage keeps texts as long as the page is open', () => {
+test('a browser without storage keeps texts until the page is closed', () => {
   const storage = new PageStorage(() => {
     throw new DOMException('The operation is insecure.', 'SecurityError');
   }, '/');
-  const shelf = new ProgramRepository(() => storage);
+  const repository = new ProgramRepository(() => storage);
 
-  shelf.overwrite('MyAgent.java', 'mine', '');
+  repository.overwrite('MyAgent.java', 'mine', '');
 
   assert.equal(storage.isLost, true);
-  assert.deepEqual(paths(shelf.own), ['MyAgent.java']);
+  assert.deepEqual(paths(repository.own), ['MyAgent.java']);
 });
 
 test('a shared program opens beside one of the same name, saved or not', () => {
-  const shelf = shelfIn(storeOf());
-  shelf.overwrite('MyAgent.java', 'saved', '');
-  shelf.writeDraft('myagent2.java', 'unsaved', '');
+  const repository = repositoryIn(storeOf());
+  repository.overwrite('MyAgent.java', 'saved', '');
+  repository.writeDraft('myagent2.java', 'unsaved', '');
 
-  const path = shelf.takeShared('MyAgent.java', 'theirs', 'MyAgent.java');
+  const path = repository.takeShared('MyAgent.java', 'theirs', 'MyAgent.java');
 
   assert.equal(path, 'MyAgent3.java');
-  assert.equal(shelf.read('own', 'MyAgent.java'), 'saved');
-  assert.equal(shelf.read('draft', 'myagent2.java'), 'unsaved');
-  assert.deepEqual(shelf.shared, [{ path, before: 'MyAgent.java' }]);
-  shelf.overwrite(path, 'theirs', '');
-  assert.deepEqual(shelf.shared, []);
+  assert.equal(repository.read('own', 'MyAgent.java'), 'saved');
+  assert.equal(repository.read('draft', 'myagent2.java'), 'unsaved');
+  assert.deepEqual(repository.shared, [{ path, before: 'MyAgent.java' }]);
+  repository.overwrite(path, 'theirs', '');
+  assert.deepEqual(repository.shared, []);
 });
 
-test("one's own link opens the program that is there", () => {
-  const shelf = shelfIn(storeOf());
-  shelf.overwrite('MyAgent.java', 'mine', '');
+test("the user’s own link opens the existing program", () => {
+  const repository = repositoryIn(storeOf());
+  repository.overwrite('MyAgent.java', 'mine', '');
 
-  assert.equal(shelf.takeShared('MyAgent.java', 'mine', ''), 'MyAgent.java');
-  assert.deepEqual(shelf.shared, []);
+  assert.equal(repository.takeShared('MyAgent.java', 'mine', ''), 'MyAgent.java');
+  assert.deepEqual(repository.shared, []);
 });
 
 for (const path of [
@@ -139,38 +139,38 @@ for (const path of [
   '.java',
 ]) {
   test(`the path ${path.slice(0, 30)} of a link becomes a plain name`, () => {
-    assert.equal(shelfIn(storeOf()).takeShared(path, 'x', ''), 'Shared.java');
+    assert.equal(repositoryIn(storeOf()).takeShared(path, 'x', ''), 'Shared.java');
   });
 }
 
-test('of folders in a link only the name stays', () => {
-  assert.equal(shelfIn(storeOf()).takeShared('../../src\\main/Walker.java', 'x', ''), 'Walker.java');
+test('folders in a link are removed', () => {
+  assert.equal(repositoryIn(storeOf()).takeShared('../../src\\main/Walker.java', 'x', ''), 'Walker.java');
 });
 
-test('a window does not replace or remove the unsaved work of another one', () => {
-  const shelf = shelfIn(storeOf());
-  shelf.overwrite('MyAgent.java', 'saved', '');
-  shelf.writeDraft('MyAgent.java', 'of one window', '');
+test('a window does not replace or remove the unsaved work of another', () => {
+  const repository = repositoryIn(storeOf());
+  repository.overwrite('MyAgent.java', 'saved', '');
+  repository.writeDraft('MyAgent.java', 'of one window', '');
 
-  assert.equal(shelf.writeDraft('MyAgent.java', 'of the other', '').status, 409);
-  shelf.overwrite('MyAgent.java', 'of the other', versionIn(shelf.own, 'MyAgent.java'));
-  shelf.removeDraft('MyAgent.java', 'another version');
+  assert.equal(repository.writeDraft('MyAgent.java', 'of the other', '').status, 409);
+  repository.overwrite('MyAgent.java', 'of the other', versionIn(repository.own, 'MyAgent.java'));
+  repository.removeDraft('MyAgent.java', 'another version');
 
-  assert.equal(shelf.read('draft', 'MyAgent.java'), 'of one window');
+  assert.equal(repository.read('draft', 'MyAgent.java'), 'of one window');
   assert.equal(
-    shelf.writeDraft('MyAgent.java', 'of one window, longer', versionIn(shelf.drafts, 'MyAgent.java')).ok,
+    repository.writeDraft('MyAgent.java', 'of one window, longer', versionIn(repository.drafts, 'MyAgent.java')).ok,
     true,
   );
 });
 
-test('start code never takes the place of a program, saved or not', () => {
-  const shelf = shelfIn(storeOf());
-  shelf.writeDraft('StopAt30.java', 'unsaved', '');
-  shelf.overwrite('RaiseArms.java', 'saved', '');
+test('starter code never replaces a program, saved or not', () => {
+  const repository = repositoryIn(storeOf());
+  repository.writeDraft('StopAt30.java', 'unsaved', '');
+  repository.overwrite('RaiseArms.java', 'saved', '');
 
-  assert.equal(shelf.add('StopAt30.java', 'start code'), false);
-  assert.equal(shelf.add('RaiseArms.java', 'start code'), false);
-  assert.equal(shelf.add('Fresh.java', 'start code'), true);
-  assert.equal(shelf.read('draft', 'StopAt30.java'), 'unsaved');
-  assert.equal(shelf.read('own', 'RaiseArms.java'), 'saved');
+  assert.equal(repository.add('StopAt30.java', 'start code'), false);
+  assert.equal(repository.add('RaiseArms.java', 'start code'), false);
+  assert.equal(repository.add('Fresh.java', 'start code'), true);
+  assert.equal(repository.read('draft', 'StopAt30.java'), 'unsaved');
+  assert.equal(repository.read('own', 'RaiseArms.java'), 'saved');
 });

@@ -9,7 +9,7 @@ const { filled } = await import('../../main/page/page/project.js');
 
 const hashOf = (bytes) => `#program?shared=${deflateRawSync(bytes).toString('base64url')}`;
 
-test('a link gives back the program, whatever it holds', async () => {
+test('a link restores any program', async () => {
   const text = 'class A {} // grüße 🤖\r\n\tline\n'.repeat(3000);
 
   const hash = `#${await sharedHash('MyAgent.java', text)}`;
@@ -18,7 +18,7 @@ test('a link gives back the program, whatever it holds', async () => {
   assert.deepEqual(await sharedProgram(hash), { path: 'MyAgent.java', text });
 });
 
-test('a link of the first edition is read', async () => {
+test('a link of the first format is read', async () => {
   assert.deepEqual(await sharedProgram(hashOf('MyAgent.java\nclass A {}')), {
     path: 'MyAgent.java',
     text: 'class A {}',
@@ -38,16 +38,16 @@ test('a link that is cut off or damaged is refused in one sentence', async () =>
   ];
   for (const hash of damaged) {
     await assert.rejects(sharedProgram(hash), {
-      message: /^The program of this link cannot be read: .* Ask for it again/,
+      message: /^The program of this link cannot be read: .* Ask for the complete link/,
     });
   }
 });
 
-test('a link that unpacks to more than a program may have is refused before all of it is unpacked', async () => {
+test('a link that unpacks to an oversized program is refused before it is unpacked completely', async () => {
   await assert.rejects(sharedProgram(hashOf(Buffer.alloc(300_000_000))), { message: /more than 1 MB/ });
 });
 
-test('two programs with the same class both come into the project', () => {
+test('two programs with the same class are both exported', () => {
   const template = {
     name: 'my-robot',
     package: 'myrobot',
@@ -69,7 +69,7 @@ test('two programs with the same class both come into the project', () => {
   assert.equal([...texts.values()].filter((text) => text.includes('int c')).length, 1);
 });
 
-test('no path of the project leads out of it', () => {
+test('no path of the project leaves it', () => {
   const template = {
     name: 'my-robot',
     package: 'myrobot',

@@ -1,8 +1,8 @@
-/** Which of the shipped agents play: two lists in the bar of the page, and a button that begins once more. */
+/** Choice of the shipped agents that play: two lists in the toolbar and a restart button. */
 import { button, choice, setEntries } from '../panels/elements.js';
 
 const FIRST = 'Agent_BetterSoccer';
-const MOST_OTHERS = 3;
+const MAX_OTHERS = 3;
 
 export class AgentChoice {
   /** @type {() => void} */
@@ -10,28 +10,28 @@ export class AgentChoice {
   /** @type {(agent: string) => void} */
   #join = () => {};
 
-  /** @param {readonly string[]} wanted by the page's address */
+  /** @param {readonly string[]} wanted wanted agents requested by the page's address */
   constructor([first, ...others]) {
     this.chosen = first ?? FIRST;
-    /** Those that play beside the chosen one, or beside one's own program. */
-    this.others = others.slice(0, MOST_OTHERS);
-    this.list = choice({ id: 'page-agent', 'aria-label': 'Agent that plays' }, [], (agent) => this.#take(agent));
-    const title = 'Lets one more agent play; every second robot plays against the first one, and four are the most';
+    /** Agents that play beside the selected one, or beside the user's program. */
+    this.others = others.slice(0, MAX_OTHERS);
+    this.list = choice({ id: 'page-agent', 'aria-label': 'Playing agent' }, [], (agent) => this.#take(agent));
+    const title = 'Adds an agent; every second one plays against the first, up to four in all';
     this.more = choice({ id: 'page-more', title, 'aria-label': title }, [], (agent) => this.#add(agent));
-    const again = button('⟲', 'From the start: begins once more with a new world', () => this.#begin(), {
+    const again = button('⟲', 'Restarts with a new world', () => this.#begin(), {
       id: 'page-again',
-      'aria-label': 'From the start',
+      'aria-label': 'Restart',
     });
     document.querySelector('.bar-end')?.prepend(this.list, this.more, again);
   }
 
-  /** All agents that play when nobody programs. @returns {string[]} */
+  /** All agents that play without a user program. @returns {string[]} */
   get all() {
     return [this.chosen, ...this.others];
   }
 
-  /** @param {() => void} begin lets all agents play in a new world @param {(agent: string) => void} join lets one more play */
-  whenTaken(begin, join) {
+  /** @param {() => void} begin starts all agents in a new world @param {(agent: string) => void} join adds an agent */
+  onChoice(begin, join) {
     this.#begin = begin;
     this.#join = join;
   }
@@ -47,10 +47,10 @@ export class AgentChoice {
 
   #draw() {
     this.more.value = '';
-    this.more.disabled = this.others.length >= MOST_OTHERS;
+    this.more.disabled = this.others.length >= MAX_OTHERS;
   }
 
-  /** @param {string} agent plays alone */
+  /** @param {string} agent the only player */
   #take(agent) {
     this.chosen = agent;
     this.others = [];

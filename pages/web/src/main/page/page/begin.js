@@ -1,17 +1,17 @@
-/** Begins the studio over the world of this page. Tests find it in the browser's console as `studio`. */
+/** Starts the studio for the world of this page and exposes it in the browser's console as `studio`, for tests. */
 import { keep, recall } from '../panels/memory.js';
 import { LAST_PROGRAM } from '../state/program/documents.js';
 import { Studio } from '../studio.js';
 import { AgentChoice } from './agent-choice.js';
 import { CourseServer } from './course-server.js';
-import { sayHowToInstall } from './old-browser.js';
+import { showBrowserAdvice } from './old-browser.js';
 import { PageCompiler } from './page-compiler.js';
 import { MotionServer } from './motion-server.js';
 import { answerInsteadOfServer } from './page-server.js';
 import { PageRecordings } from './page-recordings.js';
 import { ProgramServer } from './program-server.js';
 import { ProgramRepository } from './program-repository.js';
-import { addTakeaways } from './program-takeaway.js';
+import { addExportButtons } from './program-takeaway.js';
 import { RecordingStore } from './recording-store.js';
 import { addRecordingTools } from './recording-tools.js';
 import { ReplayServer } from './replay-server.js';
@@ -23,13 +23,18 @@ import { world } from './world-process.js';
 import { WorldQuestions } from './world-questions.js';
 
 const NOT_KEPT =
-  'This browser keeps nothing for this page, as in a private window: press Download before you close it, or your work is gone.';
+  'This browser stores nothing for this page, as in a private window: press Download before you close it, or your work is lost.';
 
 const NO_ROOM_FOR_SHARED =
-  'This browser has no room for the program of this link: delete scenes that you do not need, and open the link again.';
+  'This browser has no space for the program of this link: delete scenes that you do not need, and open the link again.';
 
-/** Takes the program out of the page's address, if it holds one. @param {ProgramRepository} shelf @returns {Promise<string>} what went wrong */
-async function takeShared(shelf) {
+/**
+ * Stores the program from the page's address, if there is one.
+ *
+ * @param {ProgramRepository} repository
+ * @returns {Promise<string>} error message, or empty
+ */
+async function takeShared(repository) {
   const { hash } = location;
   if (!isShared(hash)) {
     return '';
@@ -37,7 +42,7 @@ async function takeShared(shelf) {
   history.replaceState(undefined, '', '#program');
   try {
     const { path, text } = await sharedProgram(hash);
-    keep(LAST_PROGRAM, shelf.takeShared(path, text, recall(LAST_PROGRAM, '')));
+    keep(LAST_PROGRAM, repository.takeShared(path, text, recall(LAST_PROGRAM, '')));
     return '';
   } catch (failure) {
     const { message } = /** @type {Error} */ (failure);
@@ -47,12 +52,12 @@ async function takeShared(shelf) {
 
 /** @param {import('./world-process.js').World} worker */
 async function begin(worker) {
-  const shelf = new ProgramRepository();
-  const trouble = (await takeShared(shelf)) || (storage().isLost ? NOT_KEPT : '');
+  const repository = new ProgramRepository();
+  const trouble = (await takeShared(repository)) || (storage().isLost ? NOT_KEPT : '');
   const options = new URLSearchParams(location.search);
   const choice = new AgentChoice(options.getAll('agent'));
-  const programs = new ProgramServer(new PageCompiler(() => worker.prepare()), worker, shelf, choice);
-  const course = new CourseServer(worker, shelf, programs);
+  const programs = new ProgramServer(new PageCompiler(() => worker.prepare()), worker, repository, choice);
+  const course = new CourseServer(worker, repository, programs);
   const questions = new WorldQuestions(worker);
   const motions = new MotionServer(questions);
   worker.ownMotions = () => motions.own;
@@ -74,7 +79,7 @@ async function begin(worker) {
     (listener) => new WorldConnection(worker, listener, choice, { programs, course, questions, recordings, scenes }),
   );
   Object.assign(window, { studio });
-  addTakeaways(() => studio.rooms.program, shelf);
+  addExportButtons(() => studio.rooms.program, repository);
   addRecordingTools(() => studio, recordings);
   studio.start();
   if (trouble) {
@@ -88,5 +93,5 @@ async function begin(worker) {
 if (world) {
   begin(world);
 } else {
-  sayHowToInstall();
+  showBrowserAdvice();
 }

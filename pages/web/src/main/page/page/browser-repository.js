@@ -1,9 +1,9 @@
-/** Texts with names, kept by the browser: closed and opened again, the page has them all. */
+/** Named texts in the browser's storage; they persist when the page is closed. */
 import { storage } from './page-storage.js';
 
 const CHUNK = 8192;
 
-/** Some things are bytes, and the browser's memory takes texts: a character for each byte. @param {Uint8Array} bytes */
+/** Encodes bytes as one character per byte, because the browser's storage holds texts. @param {Uint8Array} bytes */
 export function asText(bytes) {
   let text = '';
   for (let i = 0; i < bytes.length; i += CHUNK) {
@@ -15,7 +15,7 @@ export function asText(bytes) {
 /** @param {string} text @returns {Uint8Array<ArrayBuffer>} */
 export const asBytes = (text) => Uint8Array.from(text, (letter) => letter.charCodeAt(0));
 
-/** @param {string} text @returns {string} another one for another text */
+/** @param {string} text @returns {string} hash of the text */
 export function versionOf(text) {
   let hash = 5381;
   for (let i = 0; i < text.length; i += 1) {
@@ -25,7 +25,7 @@ export function versionOf(text) {
 }
 
 export class BrowserRepository {
-  /** @param {string} prefix of the shelf's keys in the page's storage @param {() => import('./page-storage.js').PageStorage} [open] */
+  /** @param {string} prefix prefix of the keys in the page's storage @param {() => import('./page-storage.js').PageStorage} [open] */
   constructor(prefix, open = storage) {
     this.prefix = prefix;
     this.open = open;
@@ -50,11 +50,11 @@ export class BrowserRepository {
   }
 
   /**
-   * Writes a text that nothing may replace: if another one of this name is there, nothing happens.
+   * Writes a text unless one of this name exists.
    *
    * @param {string} path
    * @param {string} text
-   * @returns {boolean} whether it is there now
+   * @returns {boolean} whether it was written or an equal text exists
    */
   add(path, text) {
     const there = this.read(path);
@@ -65,24 +65,24 @@ export class BrowserRepository {
   }
 
   /**
-   * Writes a text unless another one is there than the writer knows.
+   * Writes a text if the stored version is the one that the writer has read.
    *
    * @param {string} path
    * @param {string} text
-   * @param {string} known version of what the writer has read
-   * @returns {Response} with the new version, or a refusal
+   * @param {string} known version read by the writer
+   * @returns {Response} the new version, or a refusal
    */
   overwrite(path, text, known) {
     const there = this.read(path);
     if (there !== null && there !== text && versionOf(there) !== known) {
-      const refusal = `${path} was changed in another window. Load it again, or save under another name.`;
+      const refusal = `${path} was changed in another window. Reload it, or save it under another name.`;
       return new Response(refusal, { status: 409 });
     }
     this.write(path, text);
     return new Response('', { headers: { Version: versionOf(text) } });
   }
 
-  /** @param {string} path @param {string} [known] only this version is removed */
+  /** @param {string} path @param {string} [known] version to remove; any other is kept */
   remove(path, known) {
     if (known !== undefined && versionOf(this.read(path) ?? '') !== known) {
       return;

@@ -1,9 +1,9 @@
-/** How far somebody is with the exercises; the browser keeps it. */
+/** Progress in the exercises, stored by the browser. */
 import { csvCell } from '../state/csv-cell.js';
 import { storage } from './page-storage.js';
 
 const KEY = 'robonewbie-page-progress';
-const MOST_POINTS = 10;
+const MAX_POINTS = 10;
 const TRIES_BEFORE_SOLUTION = 3;
 const MINUTES_PER_HOUR = 60;
 const COLUMNS = ['name', 'exercise', 'passed', 'best points', 'tries', 'minutes', 'hints', 'solution seen', 'last'];
@@ -19,7 +19,7 @@ const PAUSE_MILLISECONDS = 20 * 60 * 1000;
 const NEW = { tries: 0, best: 0, passed: false, milliseconds: 0, hints: 0, seenAt: 0 };
 
 export class CourseProgress {
-  /** What the browser had no room for, as long as the page is open. @type {Record<string, State>} */
+  /** State that the browser's storage cannot hold, kept until the page is closed. @type {Record<string, State>} */
   #open = {};
 
   /** @param {string} exercise @returns {import('../state/course.js').Standing} */
@@ -28,28 +28,28 @@ export class CourseProgress {
     return { tries, best, passed, minutes: Math.floor(milliseconds / 60_000) };
   }
 
-  /** @param {string} exercise how many of its hints are open */
+  /** @param {string} exercise name of the exercise */
   hints(exercise) {
     return this.#of(exercise).hints;
   }
 
-  /** @param {string} exercise @param {number} all how many hints there are */
+  /** @param {string} exercise @param {number} all number of hints */
   openHint(exercise, all) {
     this.#change(exercise, (state) => ({ ...state, hints: Math.min(all, state.hints + 1) }));
   }
 
-  /** @param {string} exercise how many tries are missing until a solution is shown */
+  /** @param {string} exercise name of the exercise */
   triesBeforeSolution(exercise) {
     const { passed, tries } = this.#of(exercise);
     return passed ? 0 : Math.max(0, TRIES_BEFORE_SOLUTION - tries);
   }
 
-  /** @param {string} exercise whose solution is shown now */
+  /** @param {string} exercise whose solution is shown */
   seeSolution(exercise) {
     this.#change(exercise, (state) => ({ ...state, solution: true }));
   }
 
-  /** Somebody works at an exercise; pauses of more than 20 minutes do not count. @param {string} exercise */
+  /** Adds working time to an exercise; pauses of more than 20 minutes do not count. @param {string} exercise */
   seen(exercise) {
     this.#change(exercise, worked);
   }
@@ -69,7 +69,7 @@ export class CourseProgress {
     const points = states.reduce((sum, { best }) => sum + best, 0);
     const work = time(states.reduce((sum, { milliseconds }) => sum + milliseconds, 0));
     return {
-      sum: `${passed} of ${lessons.length} exercises passed, ${points.toFixed(1)} of ${lessons.length * MOST_POINTS} points, ${work}`,
+      sum: `${passed} of ${lessons.length} exercises passed, ${points.toFixed(1)} of ${lessons.length * MAX_POINTS} points, ${work}`,
       badges: badges.filter((badge) => this.#hasEarned(badge)).map(({ title }) => title),
       csv: [COLUMNS, ...lessons.map(({ name, fullName }) => row(fullName, this.#of(name)))]
         .map((cells) => `${cells.map(csvCell).join(',')}\r\n`)
@@ -104,7 +104,7 @@ export class CourseProgress {
       storage().set(KEY, JSON.stringify(this.#all));
       this.#open = {};
     } catch {
-      // Who saves a program next is told that there is no room; the next change tries it again.
+      // The next attempt to save a program reports the full storage; the next change tries again.
     }
   }
 }
@@ -117,7 +117,7 @@ function worked(state) {
   return { ...state, milliseconds: state.milliseconds + (isWork ? gap : 0), seenAt: now };
 }
 
-/** @param {string} exercise @param {State} state @returns {string[]} cells of the table for a teacher */
+/** @param {string} exercise @param {State} state @returns {string[]} cells of the teacher's table */
 function row(exercise, { passed, best, tries, milliseconds, hints, solution = false, seenAt }) {
   return [
     '',

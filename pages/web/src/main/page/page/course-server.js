@@ -1,4 +1,4 @@
-/** Answers what the exercises ask their server: worksheets, the judge in the world's worker, and how far one is. */
+/** Local replacement for the course server: worksheets, the judge in the world's worker, and progress. */
 import { CourseProgress } from './course-progress.js';
 import { solutionOf } from './course-solutions.js';
 import { storage } from './page-storage.js';
@@ -26,7 +26,7 @@ const NONE = {
 };
 
 export class CourseServer {
-  #shelf;
+  #repository;
   #programs;
   #progress = new CourseProgress();
   /** @type {Map<string, Promise<Sheet[]>>} */
@@ -37,36 +37,36 @@ export class CourseServer {
   /** @type {Attempt} */
   #attempt = NONE;
   /** @type {((refusal: string) => void) | undefined} */
-  #begun;
+  #resolveStart;
   /** Shows the free pitch again. */
   freePitch = () => {};
 
   /**
    * @param {import('./world-process.js').World} world
-   * @param {import('./program-repository.js').ProgramRepository} shelf
+   * @param {import('./program-repository.js').ProgramRepository} repository
    * @param {import('./program-server.js').ProgramServer} programs
    */
-  constructor(world, shelf, programs) {
+  constructor(world, repository, programs) {
     this.world = world;
-    this.#shelf = shelf;
+    this.#repository = repository;
     this.#programs = programs;
   }
 
-  /** Something else has the world now. */
+  /** Called when another program has taken over the world. */
   forget() {
     this.#attempt = NONE;
   }
 
-  /** @param {string} refusal why the program cannot be tried; empty if its trials go on */
+  /** @param {string} refusal why the program cannot be judged; empty if its trials are running */
   answered(refusal) {
-    const heard = this.#begun;
-    this.#begun = undefined;
-    heard?.(refusal);
-    return heard !== undefined;
+    const resolveStart = this.#resolveStart;
+    this.#resolveStart = undefined;
+    resolveStart?.(refusal);
+    return resolveStart !== undefined;
   }
 
-  /** @param {string} text what the judge says: one JSON object */
-  heard(text) {
+  /** @param {string} text progress of the judge, a JSON object */
+  receive(text) {
     if (text === '' || this.#attempt.state === 'NONE') {
       return;
     }
@@ -88,7 +88,7 @@ export class CourseServer {
     }
   }
 
-  /** @param {string} place behind `course` @param {RequestInit} options @returns {Promise<Response>} */
+  /** @param {string} place path after `course` @param {RequestInit} options @returns {Promise<Response>} */
   async answer(place, options) {
     const [path, search = ''] = place.split('?');
     const wish = new URLSearchParams(search);
@@ -109,7 +109,7 @@ export class CourseServer {
       return Response.json(await this.#help(sheet, method === 'POST' ? help : ''));
     }
     if (method === 'PUT') {
-      return Response.json(this.#handOut(sheet));
+      return Response.json(this.#createStarter(sheet));
     }
     if (method === 'POST') {
       await this.#begin(sheet, wish.get('program') ?? '', Number(wish.get('trials')));
@@ -134,7 +134,7 @@ export class CourseServer {
     return {
       language: this.#language,
       lessons,
-      programs: this.#shelf.own.map(({ path }) => path),
+      programs: this.#repository.own.map(({ path }) => path),
       standings: this.#progress.standings(lessons, await this.#badges),
     };
   }
@@ -156,7 +156,7 @@ export class CourseServer {
     return sheet;
   }
 
-  /** @param {Sheet} sheet @param {string} wish `hint` or `solution`; empty to look only */
+  /** @param {Sheet} sheet @param {string} wish `hint` or `solution`; empty to only read */
   async #help(sheet, wish) {
     const { name, hints } = sheet;
     const solution = await solutionOf(sheet);
@@ -176,9 +176,9 @@ export class CourseServer {
     };
   }
 
-  /** @param {Sheet} sheet @returns {string} the path of the written file */
-  #handOut({ name, file, startCode }) {
-    if (!this.#shelf.add(file, startCode)) {
+  /** @param {Sheet} sheet @returns {string} path of the written file */
+  #createStarter({ name, file, startCode }) {
+    if (!this.#repository.add(file, startCode)) {
       throw new Error(`There is a file ${file} already, and it is kept. Rename it to start over.`);
     }
     this.#progress.seen(name);
@@ -188,11 +188,11 @@ export class CourseServer {
   /** @param {Sheet} sheet @param {string} program @param {number} trials */
   async #begin({ name }, program, trials) {
     if (program === '') {
-      throw new Error('This page tries programs that are written in it: choose one.');
+      throw new Error('This page only runs programs written in it: choose one.');
     }
     const classes = await this.#programs.compiled(program);
     const refusal = await new Promise((done) => {
-      this.#begun = done;
+      this.#resolveStart = done;
       this.world.postMessage({ exercise: { name, trials, classes, language: this.#language } });
     });
     if (refusal) {

@@ -1,6 +1,6 @@
 /**
- * The solutions of the exercises, if this page has them: a teacher has put the folder `solutions` of the teachers' zip beside it. Its
- * file `locked.txt` names exercises, one a line, whose solution nobody is shown yet; `all` locks all.
+ * Solutions of the exercises, if a teacher has put the folder `solutions` of the teachers' zip beside this page. Its file `locked.txt`
+ * lists exercises whose solution must not be shown yet, one per line; `all` locks all.
  */
 
 const FOLDER = 'solutions';
@@ -10,7 +10,7 @@ const PACKAGE = /^package .*;(\r?\n)+/m;
  * @typedef {{name: string, fullName: string, number: number, file: string}} Exercise
  */
 
-/** @param {Exercise} exercise @returns {Promise<string>} the program; empty if there is none, or none that one may see */
+/** @param {Exercise} exercise @returns {Promise<string>} the program; empty if there is none or it is locked */
 export async function solutionOf(exercise) {
   if (isLocked(exercise, await text('locked.txt').catch(() => 'all'))) {
     return '';
@@ -19,7 +19,7 @@ export async function solutionOf(exercise) {
   return program.replace(PACKAGE, '');
 }
 
-/** @param {Exercise} exercise @param {string} locks lines of the file */
+/** @param {Exercise} exercise @param {string} locks content of the file */
 function isLocked({ name, fullName, number }, locks) {
   const names = [name, fullName, String(number)];
   return locks.split('\n').some((line) => {

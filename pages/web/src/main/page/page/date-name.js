@@ -1,4 +1,4 @@
-/** How a recording is called that nobody has named. */
+/** Default name of a recording. */
 
 /** @param {Date} time @returns {string} such as `2026-11-24 09-30-05` */
 export function dateName(time) {

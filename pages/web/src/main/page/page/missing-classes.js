@@ -1,12 +1,12 @@
-/** What to do instead of that which Java has and this page lacks. Pure. */
+/** Advice for Java features that this page lacks. Pure. */
 
 const ELSEWHERE = 'RoboNewbie on your computer has it.';
 const THREADS = `This page has no threads: let think() do a little of each behaviour, one after the other, and count cycles or compare nao.getTime() instead of waiting. ${ELSEWHERE}`;
 const FILES = `This page has neither files nor a keyboard for programs: log.info(...) shows what a program says. ${ELSEWHERE}`;
-const DATES = `Time on the pitch is nao.getTime(), in seconds. Dates are not in this page. ${ELSEWHERE}`;
-const WINDOWS = `This page opens no windows. ${ELSEWHERE}`;
+const DATES = `Time on the pitch is nao.getTime(), in seconds. Dates are not available in this page. ${ELSEWHERE}`;
+const WINDOWS = `Programs of this page cannot open windows. ${ELSEWHERE}`;
 
-/** What a full name of Java's begins with. @type {Array<[RegExp, string]>} */
+/** Prefixes of full Java names, with advice. @type {Array<[RegExp, string]>} */
 const BY_NAME = [
   [/^java\.(util\.concurrent|lang\.Thread|util\.Timer|lang\.(Runtime|Process))/, THREADS],
   [/^java\.(io|nio|net)\.|^java\.util\.(Scanner|Properties|zip|jar)\b/, FILES],
@@ -35,7 +35,7 @@ const SIMILAR = {
   ThreadLocalRandom: 'Random',
 };
 
-/** Words of javac about parts of RoboNewbie. @type {Array<[RegExp, string]>} */
+/** Messages of javac about parts of RoboNewbie, with advice. @type {Array<[RegExp, string]>} */
 const OF_ROBONEWBIE = [
   [
     /package org\.robonewbie\.(exercises|trial|simulator|learning)|class (Grader|Exercises|ExerciseCheck)\b/,
@@ -43,7 +43,7 @@ const OF_ROBONEWBIE = [
   ],
 ];
 
-/** What javac names that it does not know, or the page that it does not have. */
+/** Names that javac or the page reports as missing. */
 const NAMES = [
   /package ((?:[a-z]\w*\.)+[a-z]\w*) does not exist/,
   /symbol: +(?:class|variable|static) +([A-Z]\w*)[^]*location: +package ([\w.]+)/,
@@ -53,7 +53,7 @@ const NAMES = [
 ];
 
 /**
- * @param {string} list a line for each package of Java, with its name and those of its classes that the page lacks
+ * @param {string} list one line per Java package, with its name and the classes that the page lacks
  * @returns {Map<string, string>} full name by simple name
  */
 export function missingClasses(list) {
@@ -67,9 +67,9 @@ export function missingClasses(list) {
 }
 
 /**
- * @param {string} remark of javac, or why a program cannot run here
- * @param {Map<string, string>} missing full names of what the page lacks, by simple names
- * @returns {string} what to do; empty if that is nothing that only the page lacks
+ * @param {string} remark message of javac, or why a program cannot run here
+ * @param {Map<string, string>} missing full names of missing classes, by simple names
+ * @returns {string} what to do; empty if the cause is not a limitation of the page
  */
 export function insteadOfMissing(remark, missing = new Map()) {
   const own = OF_ROBONEWBIE.find(([lacking]) => lacking.test(remark));
@@ -80,7 +80,7 @@ export function insteadOfMissing(remark, missing = new Map()) {
   return name ? advice(name) : '';
 }
 
-/** @param {string} name of a class or package of Java's, with its package */
+/** @param {string} name qualified name of a Java class or package */
 function advice(name) {
   const known = BY_NAME.find(([begin]) => begin.test(name));
   if (known) {
@@ -105,7 +105,12 @@ function fullName(remark, missing) {
   return '';
 }
 
-/** A misspelt package or class of Java's is a mistake and no lack. @param {string} name @param {Map<string, string>} missing */
+/**
+ * Whether a name is missing here but exists in Java; a misspelt name is an ordinary error.
+ *
+ * @param {string} name
+ * @param {Map<string, string>} missing
+ */
 function isMissing(name, missing) {
   const simple = name.slice(name.lastIndexOf('.') + 1);
   const full = [...missing.values()];

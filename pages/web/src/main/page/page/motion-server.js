@@ -1,4 +1,4 @@
-/** Answers what the motion editor asks its server: motions of the browser, those of the library, and trials on a physical robot. */
+/** Local replacement for the motion server: the user's motions, those of the library, and trials on a physical robot. */
 import { decodeText } from '../state/decoded-text.js';
 import { asBytes, asText, BrowserRepository, versionOf } from './browser-repository.js';
 
@@ -7,8 +7,8 @@ const POSES = 'poses';
 /** @param {RequestInit} options */
 const bodyOf = async (options) => new Uint8Array(await new Response(options.body).arrayBuffer());
 
-/** @param {BrowserRepository} shelf */
-const entries = (shelf) => shelf.list.map(({ path, version }) => ({ name: path, version }));
+/** @param {BrowserRepository} repository */
+const entries = (repository) => repository.list.map(({ path, version }) => ({ name: path, version }));
 
 export class MotionServer {
   #own = new BrowserRepository('robonewbie-page-motion:');
@@ -16,7 +16,7 @@ export class MotionServer {
   #poses = new BrowserRepository('robonewbie-page-postures:');
   /** @type {Promise<string> | undefined} */
   #robot;
-  /** Called when a motion of this browser was saved or removed. */
+  /** Called when a motion of the user was saved or removed. */
   changed = () => {};
 
   /** @param {import('./world-questions.js').WorldQuestions} questions */
@@ -24,17 +24,17 @@ export class MotionServer {
     this.questions = questions;
   }
 
-  /** @returns {[string, Int8Array][]} name and bytes of each motion of this browser */
+  /** @returns {[string, Int8Array][]} name and bytes of each motion of the user */
   get own() {
     return this.#own.list.map(({ path }) => [path, new Int8Array(asBytes(this.#own.read(path) ?? '').buffer)]);
   }
 
-  /** The parts of a server that this one is, by the first words of their places. */
+  /** Request handlers by the first segment of their path. */
   get parts() {
     return {
       robot: { answer: () => this.#describe() },
-      motions: this.#shelf(this.#own),
-      drafts: this.#shelf(this.#drafts),
+      motions: this.#serve(this.#own),
+      drafts: this.#serve(this.#drafts),
       library: { answer: (/** @type {string} */ place) => fetch(`library${place}.txt`) },
       poses: { answer: (/** @type {string} */ _, /** @type {RequestInit} */ options) => this.#postures(options) },
       trial: { answer: (/** @type {string} */ _, /** @type {RequestInit} */ options) => this.#try(options) },
@@ -57,8 +57,8 @@ export class MotionServer {
     });
   }
 
-  /** @param {BrowserRepository} shelf */
-  #shelf(shelf) {
+  /** @param {BrowserRepository} repository */
+  #serve(repository) {
     return {
       answer: async (/** @type {string} */ place, /** @type {RequestInit} */ options) => {
         const name = decodeURIComponent(place.slice(1));
@@ -67,26 +67,26 @@ export class MotionServer {
         }
         switch (options.method) {
           case 'PUT':
-            return this.#write(shelf, name, options);
+            return this.#write(repository, name, options);
           case 'DELETE':
-            shelf.remove(name);
+            repository.remove(name);
             this.changed();
             return new Response('');
           default:
-            return file(shelf.read(name), name);
+            return file(repository.read(name), name);
         }
       },
     };
   }
 
-  /** @param {BrowserRepository} shelf @param {string} name @param {RequestInit} options */
-  async #write(shelf, name, options) {
+  /** @param {BrowserRepository} repository @param {string} name @param {RequestInit} options */
+  async #write(repository, name, options) {
     const text = asText(await bodyOf(options));
     const known = new Headers(options.headers).get('Known-Version');
     if (known === null) {
-      shelf.write(name, text);
+      repository.write(name, text);
     }
-    const answer = known === null ? new Response('') : shelf.overwrite(name, text, known);
+    const answer = known === null ? new Response('') : repository.overwrite(name, text, known);
     this.changed();
     return answer;
   }

@@ -1,10 +1,10 @@
-/** A recording that is at hand: its bytes, and what stands in them as far as it was asked for. */
+/** An open recording: its bytes, and its parsed content as far as requested. */
 import { RecordingReader } from '../state/replay/recording-reader.js';
 
 const FIRST_BYTES = 1 << 16;
 const STEPS_PER_METRE = 10_000;
-const MOST_BYTES = 400_000_000;
-const MOST_PLACES = 256;
+const MAX_BYTES = 400_000_000;
+const MAX_PLACES = 256;
 
 /** @typedef {import('../live/state-frame.js').Player} Player */
 
@@ -12,18 +12,18 @@ export class OpenRecording {
   #bytes = new Uint8Array(FIRST_BYTES);
   #read = 0;
   length = 0;
-  /** What robots logged and drew, one line of JSON each. */
+  /** Logs and drawings of the robots, one line of JSON each. */
   notes = '';
 
-  /** @param {(type: string) => number} hingesOf how many hinges a type of robot has */
+  /** @param {(type: string) => number} hingesOf number of hinges of a robot type */
   constructor(hingesOf) {
     this.hingesOf = hingesOf;
     this.reader = new RecordingReader(hingesOf);
   }
 
-  /** @param {Uint8Array} bytes the next ones, unpacked */
+  /** @param {Uint8Array} bytes next decompressed bytes */
   push(bytes) {
-    if (this.length + bytes.length > MOST_BYTES) {
+    if (this.length + bytes.length > MAX_BYTES) {
       throw new Error('The recording is larger than a page can show.');
     }
     if (this.length + bytes.length > this.#bytes.length) {
@@ -35,18 +35,18 @@ export class OpenRecording {
     this.length += bytes.length;
   }
 
-  /** @param {number} [from] @returns {Uint8Array<ArrayBuffer>} the bytes from there on */
+  /** @param {number} [from] @returns {Uint8Array<ArrayBuffer>} the bytes from an offset on */
   slice(from = 0) {
     return this.#bytes.slice(from, this.length);
   }
 
-  /** Reads what has come. @throws {Error} if it is no recording; the message is meant for people */
+  /** Parses the new bytes. @throws {Error} if it is not a recording; the message is meant for the user */
   readOn() {
     this.reader.push(this.slice(this.#read));
     this.#read = this.length;
   }
 
-  /** What stands on its card in the list of recordings. */
+  /** Summary for its card in the list of recordings. */
   get card() {
     const { moments, events, game, header } = this.reader;
     return {
@@ -62,7 +62,7 @@ export class OpenRecording {
     };
   }
 
-  /** @returns {Array<{robots: Player[], cycles: number}>} who was there together, and how long */
+  /** @returns {Array<{robots: Player[], cycles: number}>} rosters and how long each was present */
   get rosters() {
     /** @type {Map<Player[], number>} */
     const cycles = new Map();
@@ -94,8 +94,8 @@ const SIDES = ['', 'left', 'right'];
 /** @param {Int32Array} numbers @param {number} at @returns {[x: number, y: number]} metres */
 const placeAt = (numbers, at) => [numbers[at] / STEPS_PER_METRE, numbers[at + 1] / STEPS_PER_METRE];
 
-/** @param {[number, number][]} places @returns {[number, number][]} so few of them, evenly over the time, that they can be drawn */
+/** @param {[number, number][]} places @returns {[number, number][]} thinned out at equal intervals for drawing */
 function trail(places) {
-  const every = Math.ceil(places.length / MOST_PLACES);
+  const every = Math.ceil(places.length / MAX_PLACES);
   return places.filter((_, i) => i % every === 0);
 }

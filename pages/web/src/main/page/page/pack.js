@@ -1,4 +1,4 @@
-/** Packs bytes with gzip, as `replay/unpack.js` unpacks them. */
+/** Compresses bytes with gzip; the counterpart of `replay/unpack.js`. */
 
 /** @param {Uint8Array<ArrayBuffer>} bytes */
 export async function pack(bytes) {

@@ -1,29 +1,29 @@
-/** Java's compiler in a worker of its own, which begins when somebody opens the room for programs. */
+/** Client for the Java compiler worker, which starts when the program room is first opened. */
 import { insteadOfMissing, missingClasses } from './missing-classes.js';
 
 /**
  * @typedef {import('../state/program/remarks.js').Remark} Remark
  * @typedef {import('../program/program-service.js').Proposal} Proposal
  * @typedef {{remarks: Remark[], classes: Int8Array[]}} Compiled
- * @typedef {Record<string, Record<string, string>>} Comments by class and member
+ * @typedef {Record<string, Record<string, string>>} Comments documentation by class and member
  */
 
-/** What is kept for times without a network as soon as somebody has programmed. */
+/** Folders cached for offline use once the user programs. */
 const FOR_PROGRAMS = ['compiler/', 'programs/', 'examples/', 'vendor/codemirror/'];
 
 export class PageCompiler {
   /** @type {Worker | undefined} */
   #worker;
   #asked = 0;
-  /** @type {Promise<Map<string, string>> | undefined} what Java has and this page lacks */
+  /** @type {Promise<Map<string, string>> | undefined} Java classes that this page lacks */
   #missing;
-  /** @type {Promise<Comments> | undefined} what the classes of RoboNewbie do */
+  /** @type {Promise<Comments> | undefined} documentation of RoboNewbie's classes */
   #comments;
   #begun;
   /** @type {Map<number, {done: (made: any) => void, fail: (reason: Error) => void}>} */
   #waiting = new Map();
 
-  /** @param {() => void} begun what else is loaded when somebody programs */
+  /** @param {() => void} begun called when the user starts programming */
   constructor(begun) {
     this.#begun = begun;
   }
@@ -42,7 +42,7 @@ export class PageCompiler {
 
   /**
    * @param {Map<string, string>} sources text by path, the file in the editor first
-   * @param {number} at index of the place where somebody writes
+   * @param {number} at index index of the cursor
    * @returns {Promise<Proposal[]>}
    */
   async complete(sources, at) {
@@ -71,7 +71,7 @@ export class PageCompiler {
       const waiting = this.#waiting.get(data.id);
       this.#waiting.delete(data.id);
       if (data.failure) {
-        waiting?.fail(new Error(`The compiler of this page has failed: ${data.failure}. Load the page again.`));
+        waiting?.fail(new Error(`The compiler of this page has failed: ${data.failure}. Reload the page.`));
       } else {
         waiting?.done(data);
       }
@@ -81,11 +81,11 @@ export class PageCompiler {
 }
 
 /**
- * @param {string[]} lines one remark of the compiler each, with tabs between its parts
+ * @param {string[]} lines diagnostics of the compiler, with tab-separated fields
  * @param {string} shown
  * @param {string} text
  * @param {Map<string, string>} missing
- * @returns {Remark[]} those of the file in the editor, and those of no place
+ * @returns {Remark[]} those of the shown file, and those without a place
  */
 function remarks(lines, shown, text, missing) {
   return lines.map((line) => {
@@ -103,7 +103,7 @@ function remarks(lines, shown, text, missing) {
   });
 }
 
-/** @param {string} line of the compiler, with tabs between its parts @param {Comments} comments @returns {Proposal} */
+/** @param {string} line line of the compiler, with tab-separated fields @param {Comments} comments @returns {Proposal} */
 function proposal(line, comments) {
   const [label, detail, kind, insert, own = '', owner = '', key = ''] = line.split('\t');
   const documentation = own || comments[owner.replace(/\$.*/, '')]?.[key] || '';

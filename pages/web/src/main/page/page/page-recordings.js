@@ -1,4 +1,4 @@
-/** The recordings of this browser: that of the world which the page shows grows, the others are kept until room is needed. */
+/** The recordings of this browser: the one of the shown world grows; the others are kept until space is needed. */
 import { unpack } from '../replay/unpack.js';
 import { dateName } from './date-name.js';
 import { OpenRecording } from './open-recording.js';
@@ -9,30 +9,30 @@ import { pack } from './pack.js';
  * @typedef {import('../replay/recording-api.js').Bookmark} Bookmark
  */
 
-const MOST_BYTES = 100_000_000;
+const MAX_BYTES = 100_000_000;
 /** About an hour of one robot. */
-const MOST_BYTES_OF_ONE = 40_000_000;
+const MAX_BYTES_OF_ONE = 40_000_000;
 const SAVE_MILLISECONDS = 10_000;
 const HOUR_MILLISECONDS = 3_600_000;
-const MOST_NAME_LETTERS = 80;
-const MOST_NOTE_LETTERS = 300;
-const MOST_BOOKMARKS = 500;
-const MOST_OPEN = 3;
+const MAX_NAME_LETTERS = 80;
+const MAX_NOTE_LETTERS = 300;
+const MAX_BOOKMARKS = 500;
+const MAX_OPEN = 3;
 
 export class PageRecordings {
   /** @type {Map<number, Entry>} */
   #entries = new Map();
-  /** Those that were looked at last, and the one that grows. @type {Map<number, Promise<OpenRecording>>} */
+  /** Recordings opened last, and the growing one. @type {Map<number, Promise<OpenRecording>>} */
   #open = new Map();
   /** @type {{entry: Entry, content: OpenRecording, savedBytes: number, savedNotes: number} | undefined} */
   #running;
   #work;
-  /** What plays in the world that begins next. */
+  /** Name of the agent in the next world. */
   agent = '';
 
   /**
    * @param {import('./recording-store.js').RecordingStore} store
-   * @param {() => Promise<Record<string, {hinges: unknown[]}>>} models the bodies of all robot types
+   * @param {() => Promise<Record<string, {hinges: unknown[]}>>} models loads the models of all robot types
    */
   constructor(store, models) {
     this.store = store;
@@ -42,7 +42,7 @@ export class PageRecordings {
     document.addEventListener('visibilitychange', () => document.hidden && this.#save(true));
   }
 
-  /** @param {Entry[]} entries of earlier visits */
+  /** @param {Entry[]} entries entries of earlier visits */
   async #begin(entries) {
     const earlier = Date.now() - HOUR_MILLISECONDS;
     for (const entry of entries) {
@@ -54,29 +54,29 @@ export class PageRecordings {
     }
   }
 
-  /** @param {Uint8Array} bytes of the world that is shown @param {boolean} isFirst whether another recording begins with them */
-  hear(bytes, isFirst) {
-    this.#then(async () => {
+  /** @param {Uint8Array} bytes bytes of the shown world @param {boolean} isFirst whether they start another recording */
+  receive(bytes, isFirst) {
+    this.#enqueue(async () => {
       if (isFirst || !this.#running) {
         await this.#write();
-        this.#running = await this.#beginning();
+        this.#running = await this.#create();
       }
-      if (this.#running.content.length + bytes.length <= MOST_BYTES_OF_ONE) {
+      if (this.#running.content.length + bytes.length <= MAX_BYTES_OF_ONE) {
         this.#running.content.push(bytes);
       }
     });
   }
 
-  /** @param {string} line what a robot has logged or drawn */
+  /** @param {string} line log entry or drawing of a robot */
   note(line) {
-    this.#then(async () => {
+    this.#enqueue(async () => {
       if (this.#running) {
         this.#running.content.notes += `${line}\n`;
       }
     });
   }
 
-  async #beginning() {
+  async #create() {
     const entry = this.#fresh(dateName(new Date()), this.agent);
     const content = await this.#empty();
     this.#keepOpen(entry.id, Promise.resolve(content));
@@ -108,12 +108,12 @@ export class PageRecordings {
     }
   }
 
-  /** @param {boolean} [hurry] since the page may be gone in a moment */
+  /** @param {boolean} [hurry] whether the page may be closed immediately */
   #save(hurry = false) {
-    this.#then(() => this.#write(hurry));
+    this.#enqueue(() => this.#write(hurry));
   }
 
-  /** Keeps what has come since the last time. @param {boolean} [hurry] */
+  /** Stores what has arrived since the last write. @param {boolean} [hurry] */
   async #write(hurry = false) {
     const running = this.#running;
     if (!running || running.savedBytes === running.content.length) {
@@ -134,12 +134,12 @@ export class PageRecordings {
     await this.store.put(entry, piece);
   }
 
-  /** The oldest go; those with a star stay and do not count. */
+  /** Removes the oldest recordings; starred ones are kept and do not count. */
   async #makeRoom() {
     let sum = 0;
     for (const { id, starred, bytes } of [...this.#entries.values()].reverse()) {
       sum += starred ? 0 : bytes;
-      if (!starred && sum > MOST_BYTES) {
+      if (!starred && sum > MAX_BYTES) {
         await this.#forget(id);
       }
     }
@@ -152,12 +152,12 @@ export class PageRecordings {
     await this.store.remove(id);
   }
 
-  /** One piece of work after the other; one that fails does not keep the others from being done. @param {() => Promise<void>} work */
-  #then(work) {
+  /** Queues a task; a failed task does not stop the others. @param {() => Promise<void>} work */
+  #enqueue(work) {
     this.#work = this.#work.then(work).catch(() => {});
   }
 
-  /** @returns {Promise<import('../replay/recording-api.js').RecordingEntry[]>} the newest first */
+  /** @returns {Promise<import('../replay/recording-api.js').RecordingEntry[]>} newest first */
   async list() {
     await this.#work;
     return [...this.#entries.values()]
@@ -180,7 +180,7 @@ export class PageRecordings {
     return entry;
   }
 
-  /** @param {string} name @returns {Promise<OpenRecording>} with all that is there of it by now */
+  /** @param {string} name @returns {Promise<OpenRecording>} with everything recorded so far */
   async open(name) {
     await this.#work;
     const { id } = this.#find(name);
@@ -206,24 +206,24 @@ export class PageRecordings {
     this.#open.delete(id);
     this.#open.set(id, content);
     for (const each of [...this.#open.keys()].filter((other) => other !== this.#running?.entry.id)) {
-      if (this.#open.size > MOST_OPEN && each !== id) {
+      if (this.#open.size > MAX_OPEN && each !== id) {
         this.#open.delete(each);
       }
     }
   }
 
-  /** @param {string} name @returns {Promise<Blob>} the recording as the file that RoboNewbie writes */
+  /** @param {string} name @returns {Promise<Blob>} the recording as a RoboNewbie file */
   async file(name) {
     return new Blob([await pack((await this.open(name)).slice())], { type: 'application/gzip' });
   }
 
   /**
-   * Keeps a recording that was made elsewhere.
+   * Imports a recording.
    *
    * @param {string} name
    * @param {Uint8Array} packed
    * @returns {Promise<string>} its name here
-   * @throws {Error} if it is none; the message is meant for people
+   * @throws {Error} if it is not a recording; the message is meant for the user
    */
   async take(name, packed) {
     const content = await this.#empty();
@@ -249,7 +249,7 @@ export class PageRecordings {
   /** @param {string} from @param {string} wanted */
   async rename(from, wanted) {
     this.#refuseRunning(from);
-    const to = wanted.trim().slice(0, MOST_NAME_LETTERS);
+    const to = wanted.trim().slice(0, MAX_NAME_LETTERS);
     if (to !== from && [...this.#entries.values()].some(({ name }) => name === to)) {
       throw new Error(`There is a recording “${to}” already. Choose another name.`);
     }
@@ -279,13 +279,13 @@ export class PageRecordings {
     return this.#change(name, { starred });
   }
 
-  /** @param {string} name @param {Bookmark} bookmark takes the place of one at the same moment */
+  /** @param {string} name @param {Bookmark} bookmark replaces one at the same moment */
   async addBookmark(name, { seconds, note }) {
     const others = this.#find(name).bookmarks.filter((each) => each.seconds !== seconds);
-    if (others.length >= MOST_BOOKMARKS) {
-      throw new Error(`A recording has ${MOST_BOOKMARKS} bookmarks at most. Delete one that is not needed any more.`);
+    if (others.length >= MAX_BOOKMARKS) {
+      throw new Error(`A recording can have at most ${MAX_BOOKMARKS} bookmarks. Delete one that you no longer need.`);
     }
-    const bookmarks = [...others, { seconds, note: note.slice(0, MOST_NOTE_LETTERS) }];
+    const bookmarks = [...others, { seconds, note: note.slice(0, MAX_NOTE_LETTERS) }];
     await this.#change(name, { bookmarks: bookmarks.sort((one, other) => one.seconds - other.seconds) });
   }
 

@@ -1,10 +1,10 @@
-/** The studio asks its server for files, scenes and exercises. This page has no server behind it, and answers itself. */
+/** Answers the studio's requests for files, scenes and exercises locally, because this page has no server. */
 
-const NOT_HERE = 'That is not in this page yet. RoboNewbie on your computer has it.';
+const NOT_HERE = 'This is not available in this page. Use RoboNewbie on your computer.';
 
 /**
- * @typedef {{answer: (place: string, options: RequestInit) => Promise<Response>}} Part of a server
- * @param {Record<string, Part>} parts by the first word of their places
+ * @typedef {{answer: (place: string, options: RequestInit) => Promise<Response>}} Part request handler of a part of the server
+ * @param {Record<string, Part>} parts handlers by the first segment of their path
  */
 export function answerInsteadOfServer(parts) {
   const network = window.fetch.bind(window);

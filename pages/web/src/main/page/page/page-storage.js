@@ -1,17 +1,17 @@
 /**
- * Texts that the browser keeps for this page. All pages of a host share one storage; here each folder of the host has its own part of it,
- * so that two editions of RoboNewbie beside each other do not share programs.
+ * Texts in the browser's local storage. All pages of an origin share one storage; each folder uses its own part of it, so that two editions
+ * of RoboNewbie on one host do not share programs.
  */
 
-/** What an edition kept before each folder had its own part. */
+/** Keys from before each folder had its own part. */
 const COMMON = /^robonewbie-page-/;
 const MIGRATED = 'robonewbie-migrated';
 
 export const NO_ROOM =
-  'This browser has no room left for this page: nothing was saved, and the text is only here. ' +
+  'This browser has no space left for this page: nothing was saved, and the text exists only here. ' +
   'Press Download, or copy the text into a file; then delete scenes that you do not need.';
 
-/** Keeps texts as long as the page is open, where the browser allows no more. */
+/** In-memory storage for browsers that deny local storage. */
 class OpenPage {
   #texts = new Map();
 
@@ -44,12 +44,12 @@ export class PageStorage {
   #store;
 
   /**
-   * @param {() => Pick<Storage, 'length' | 'key' | 'getItem' | 'setItem' | 'removeItem'>} open a browser may refuse it
-   * @param {string} folder of the page, which begins and ends with a slash
+   * @param {() => Pick<Storage, 'length' | 'key' | 'getItem' | 'setItem' | 'removeItem'>} open opens the storage; may throw
+   * @param {string} folder folder of the page, with leading and trailing slash
    */
   constructor(open, folder) {
     this.folder = folder;
-    /** Whether nothing is there any more when the page is opened again. */
+    /** Whether the content is lost when the page is closed. */
     this.isLost = false;
     try {
       this.#store = open();
@@ -66,7 +66,7 @@ export class PageStorage {
     return this.#store.getItem(this.folder + key);
   }
 
-  /** @param {string} key @param {string} text @throws {Error} if there is no room; what was there before is there still */
+  /** @param {string} key @param {string} text @throws {Error} if the storage is full; the previous text is kept */
   set(key, text) {
     try {
       this.#store.setItem(this.folder + key, text);
@@ -80,7 +80,7 @@ export class PageStorage {
     this.#store.removeItem(this.folder + key);
   }
 
-  /** @param {string} prefix @returns {string[]} all keys that begin with it */
+  /** @param {string} prefix @returns {string[]} all keys with this prefix */
   keys(prefix) {
     return this.#all.filter((key) => key.startsWith(this.folder + prefix)).map((key) => key.slice(this.folder.length));
   }
@@ -89,7 +89,7 @@ export class PageStorage {
     return Array.from({ length: this.#store.length }, (_, index) => this.#store.key(index) ?? '');
   }
 
-  /** Takes over what was kept for the whole host, once; another edition of the host may want it too. */
+  /** Copies the data of the whole host once and keeps the original if possible, because another edition may need it too. */
   #migrate() {
     if (this.get(MIGRATED) !== null) {
       return;
@@ -100,7 +100,7 @@ export class PageStorage {
       }
       this.set(MIGRATED, 'yes');
     } catch {
-      // There is no room; the next visit tries the rest again.
+      // The storage is full; the next visit continues.
     }
   }
 
@@ -110,7 +110,7 @@ export class PageStorage {
     try {
       this.set(key, text);
     } catch {
-      this.#store.removeItem(key); // two of them have no room
+      this.#store.removeItem(key); // not enough space for two copies
       try {
         this.set(key, text);
       } catch (full) {
@@ -121,11 +121,11 @@ export class PageStorage {
   }
 }
 
-/** @returns {string} the folder of the host in which this page is */
+/** @returns {string} the folder of this page */
 export const folderOfPage = () => new URL('.', location.href).pathname;
 
 /** @type {PageStorage | undefined} */
 let ofPage;
 
-/** @returns {PageStorage} that of this page */
+/** @returns {PageStorage} the storage of this page */
 export const storage = () => (ofPage ??= new PageStorage(() => localStorage, folderOfPage()));

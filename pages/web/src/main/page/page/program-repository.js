@@ -1,16 +1,16 @@
-/** The programs of the person, and what of them is not saved yet. */
+/** The user's programs and their unsaved drafts. */
 import { freeName } from '../state/program/documents.js';
 import { fileName } from '../state/program/remarks.js';
 import { BrowserRepository } from './browser-repository.js';
 
-/** @typedef {{path: string, before: string}} Shared a program that came with a link, and the one that was open before */
+/** @typedef {{path: string, before: string}} Shared a program opened by a link, and the one that was open before */
 
 const SHARED_NAME = 'Shared.java';
 const CLASS_FILE = /^[\p{L}_$][\p{L}\p{N}_$]{0,79}\.java$/u;
-/** What Windows takes for a device. */
+/** Reserved device names on Windows. */
 const DEVICE = /^(con|prn|aux|nul|(com|lpt)\d)\./i;
 
-/** @param {string} path as a link has it @returns {string} a name that a program can have, without folders */
+/** @param {string} path path from a link @returns {string} a valid program name without folders */
 function plainName(path) {
   const name = fileName(path.replaceAll('\\', '/'));
   return CLASS_FILE.test(name) && !DEVICE.test(name) ? name : SHARED_NAME;
@@ -36,7 +36,7 @@ export class ProgramRepository {
     return this.#drafts.list;
   }
 
-  /** @returns {Shared[]} what came with links and is neither kept nor given back yet */
+  /** @returns {Shared[]} programs opened by links and neither kept nor discarded yet */
   get shared() {
     const drafts = new Set(this.drafts.map(({ path }) => path));
     return this.#shared.list
@@ -44,17 +44,17 @@ export class ProgramRepository {
       .map(({ path }) => ({ path, before: this.#shared.read(path) ?? '' }));
   }
 
-  /** @returns {Map<string, string>} the texts of all saved files */
+  /** @returns {Map<string, string>} texts of all saved files */
   get texts() {
     return new Map(this.own.map(({ path }) => [path, this.#own.read(path) ?? '']));
   }
 
-  /** @param {'own' | 'draft'} shelf @param {string} path @returns {string | null} */
-  read(shelf, path) {
-    return (shelf === 'own' ? this.#own : this.#drafts).read(path);
+  /** @param {'own' | 'draft'} kind @param {string} path @returns {string | null} */
+  read(kind, path) {
+    return (kind === 'own' ? this.#own : this.#drafts).read(path);
   }
 
-  /** @param {string} path @param {string} text @param {string} known version of what the writer has read @returns {Response} */
+  /** @param {string} path @param {string} text @param {string} known version read by the writer @returns {Response} */
   overwrite(path, text, known) {
     const draft = this.#drafts.read(path);
     const isOfWriter = draft === text;
@@ -65,7 +65,7 @@ export class ProgramRepository {
         throw full;
       }
     }
-    this.#drafts.remove(path); // file and draft have no room beside each other
+    this.#drafts.remove(path); // not enough space for file and draft
     try {
       return this.#overwritten(path, text, known, true);
     } catch (full) {
@@ -74,7 +74,7 @@ export class ProgramRepository {
     }
   }
 
-  /** @param {string} path @param {string} text @param {string} known @param {boolean} isOfWriter whether the draft is this text */
+  /** @param {string} path @param {string} text @param {string} known @param {boolean} isOfWriter whether the draft contains this text */
   #overwritten(path, text, known, isOfWriter) {
     const answer = this.#own.overwrite(path, text, known);
     if (answer.ok) {
@@ -87,25 +87,25 @@ export class ProgramRepository {
   }
 
   /**
-   * Writes a new file.
+   * Creates a file.
    *
    * @param {string} path
    * @param {string} text
-   * @returns {boolean} false if there is one of this name, saved or not
+   * @returns {boolean} false if a file or draft of this name exists
    */
   add(path, text) {
     return this.#drafts.read(path) === null && this.#own.add(path, text);
   }
 
-  /** @param {string} path @param {string} text @param {string} known version of the draft that the writer has seen @returns {Response} */
+  /** @param {string} path @param {string} text @param {string} known version of the draft read by the writer @returns {Response} */
   writeDraft(path, text, known) {
     return this.#drafts.overwrite(path, text, known);
   }
 
   /**
-   * Puts a program that came with the address beside what is there. Nothing that is there is changed.
+   * Adds a program from a link beside the existing ones, which are not changed.
    *
-   * @param {string} path as the link has it
+   * @param {string} path path from the link
    * @param {string} text
    * @param {string} before path of the program that was open
    * @returns {string} its path here
@@ -123,7 +123,7 @@ export class ProgramRepository {
     return name;
   }
 
-  /** @param {string} path @param {string} [known] only this version is removed */
+  /** @param {string} path @param {string} [known] version to remove; any other is kept */
   removeDraft(path, known) {
     this.#drafts.remove(path, known);
     if (this.#drafts.read(path) === null) {

@@ -1,4 +1,4 @@
-/** Answers what the room for programs asks its server: files of the browser, the compiler of the page, the program that runs. */
+/** Local replacement for the program server: the user's files, the compiler of the page, and the running program. */
 import { decodeText } from '../state/decoded-text.js';
 import { versionOf } from './browser-repository.js';
 import { insteadOfMissing } from './missing-classes.js';
@@ -20,7 +20,7 @@ const EXAMPLES = [
   'Agent_BetterSoccer',
 ];
 
-/** @param {string} name of the class @returns {string} the shortest program that moves a robot */
+/** @param {string} name of the class @returns {string} a minimal program that moves a robot */
 const shortest = (name) => `import org.robonewbie.agent.Agent;
 import org.robonewbie.nao.Joint;
 
@@ -41,34 +41,34 @@ public class ${name} extends Agent {
 /** @param {string} path @returns {string} the name of the class in a file */
 const className = (path) => (path.split('/').at(-1) ?? '').replace(/\.java$/, '');
 
-/** @param {string} text of an example @param {string} name @returns {string} the same as a program of one's own */
+/** @param {string} text of an example @param {string} name @returns {string} the example as a program of the user */
 function renamed(text, name) {
   const [, old = name] = /public (?:final )?class (\w+)/.exec(text) ?? [];
   return text.replace(/^package [^;]*;\s*/, '').replaceAll(new RegExp(`\\b${old}\\b`, 'g'), name);
 }
 
 export class ProgramServer {
-  #shelf;
+  #repository;
   #run = { id: 0, state: 'NONE', program: '', output: '', exitCode: 0, entersFirst: true };
 
-  /** The class of the program that was to run last, by itself or in an exercise. */
+  /** Class of the program started last, by itself or in an exercise. */
   lastTried = '';
 
   /**
    * @param {import('./page-compiler.js').PageCompiler} compiler
    * @param {import('./world-process.js').World} world
-   * @param {ProgramRepository} shelf
-   * @param {{others: string[]}} company the shipped agents that play beside a program
+   * @param {ProgramRepository} repository
+   * @param {{others: string[]}} agents shipped agents that play beside a program
    */
-  constructor(compiler, world, shelf, company) {
-    this.#shelf = shelf;
-    this.company = company;
+  constructor(compiler, world, repository, agents) {
+    this.#repository = repository;
+    this.agents = agents;
     this.compiler = compiler;
     this.world = world;
   }
 
-  /** @param {string} text state, exit code and what the program has printed, with tabs between them */
-  heard(text) {
+  /** @param {string} text state, exit code and output of the program, separated by tabs */
+  receive(text) {
     const [state, exitCode, ...output] = text.split('\t');
     if (state !== 'NONE') {
       this.#run = { ...this.#run, state, exitCode: Number(exitCode), output: output.join('\t') };
@@ -80,12 +80,12 @@ export class ProgramServer {
     this.#run = { ...this.#run, state: 'ENDED', exitCode: 1, output: `${reason}\n${insteadOfMissing(reason)}` };
   }
 
-  /** Another program has the world now. */
+  /** Called when another program has taken over the world. */
   forget() {
     this.#run = { ...this.#run, state: this.#run.state === 'RUNNING' ? 'STOPPED' : this.#run.state };
   }
 
-  /** @param {string} place behind `programs` @param {RequestInit} options @returns {Promise<Response>} */
+  /** @param {string} place path after `programs` @param {RequestInit} options @returns {Promise<Response>} */
   async answer(place, options) {
     const [path, search = ''] = place.split('?');
     const [, kind = '', ...rest] = path.split('/');
@@ -98,24 +98,24 @@ export class ProgramServer {
         return Response.json({
           open: true,
           folder: 'this browser',
-          own: this.#shelf.own,
-          drafts: this.#shelf.drafts,
-          shared: this.#shelf.shared,
+          own: this.#repository.own,
+          drafts: this.#repository.drafts,
+          shared: this.#repository.shared,
           examples: EXAMPLES,
         });
       case 'GET own':
       case 'GET draft':
-        return file(this.#shelf.read(kind === 'own' ? 'own' : 'draft', name), name);
+        return file(this.#repository.read(kind === 'own' ? 'own' : 'draft', name), name);
       case 'GET example':
         return new Response(await this.#example(name));
       case 'GET new':
         return new Response(await this.#newProgram(name, wish.get('example') ?? ''));
       case 'PUT own':
-        return this.#shelf.overwrite(name, body, known);
+        return this.#repository.overwrite(name, body, known);
       case 'PUT draft':
-        return this.#shelf.writeDraft(name, body, known);
+        return this.#repository.writeDraft(name, body, known);
       case 'DELETE draft':
-        this.#shelf.removeDraft(name, known);
+        this.#repository.removeDraft(name, known);
         return new Response('');
       case 'POST check':
         return Response.json((await this.#compile(name, body)).remarks);
@@ -128,7 +128,7 @@ export class ProgramServer {
     }
   }
 
-  /** @param {string} order @param {string} name @param {boolean} keep whether the world stays */
+  /** @param {string} order @param {string} name @param {boolean} keep whether to keep the world */
   async #runs(order, name, keep) {
     if (order === 'POST run') {
       return this.#start(name, keep);
@@ -142,7 +142,7 @@ export class ProgramServer {
 
   /** @param {string} path of a saved program @returns {Promise<Int8Array[]>} its classes */
   async compiled(path) {
-    const { remarks, classes } = await this.#compile(path, this.#shelf.read('own', path) ?? '');
+    const { remarks, classes } = await this.#compile(path, this.#repository.read('own', path) ?? '');
     const wrong = remarks.find(({ serious }) => serious);
     if (wrong) {
       throw new Error(`${path} does not compile. Line ${wrong.line}: ${wrong.text}`);
@@ -151,16 +151,16 @@ export class ProgramServer {
     return classes;
   }
 
-  /** A program with mistakes changes nothing: the one before it goes on. @param {string} path @param {boolean} keep */
+  /** Starts a program; if it does not compile, the previous one keeps running. @param {string} path @param {boolean} keep */
   async #start(path, keep) {
-    const { remarks, classes } = await this.#compile(path, this.#shelf.read('own', path) ?? '');
+    const { remarks, classes } = await this.#compile(path, this.#repository.read('own', path) ?? '');
     const run = { ...this.#run, id: this.#run.id + 1, state: 'RUNNING', program: path, output: '', exitCode: 0 };
     if (remarks.some(({ serious }) => serious)) {
       return { ...run, state: 'REFUSED' };
     }
     this.#run = run;
     this.lastTried = className(path);
-    this.world.postMessage({ program: { classes, seed: SEED, others: this.company.others, keep } });
+    this.world.postMessage({ program: { classes, seed: SEED, others: this.agents.others, keep } });
     return run;
   }
 
@@ -169,11 +169,11 @@ export class ProgramServer {
     return this.compiler.compile(this.#sources(path, text), path);
   }
 
-  /** The file in the editor, and those that it names. @param {string} path @param {string} text */
+  /** The file in the editor, and those that it references. @param {string} path @param {string} text */
   #sources(path, text) {
     const sources = new Map([[path, text]]);
     const classes = new Set([publicClass(text, path)]);
-    for (const [other, saved] of this.#shelf.texts) {
+    for (const [other, saved] of this.#repository.texts) {
       const name = publicClass(saved, other);
       if (other !== path && !classes.has(name) && text.includes(name)) {
         classes.add(name);

@@ -1,11 +1,11 @@
-/** Two buttons below the editor of the room for programs: all programs as a project in a zip, and a link that holds the one in the editor. */
+/** Two buttons below the editor: download all programs as a zipped project, and a link that contains the open program. */
 import { button, byId, offer } from '../panels/elements.js';
 import { project } from './project.js';
 import { linkOf } from './share.js';
 import { zip } from './zip.js';
 
-/** @param {() => any} room @param {import('./program-repository.js').ProgramRepository} shelf */
-export function addTakeaways(room, shelf) {
+/** @param {() => any} room @param {import('./program-repository.js').ProgramRepository} repository */
+export function addExportButtons(room, repository) {
   const place = byId('program-room');
   const watch = new MutationObserver(() => {
     const foot = place.querySelector('.program-foot');
@@ -14,11 +14,11 @@ export function addTakeaways(room, shelf) {
       foot.append(
         button(
           'Download',
-          'All programs of this browser as a project for your computer, with all that it needs but Java (a zip of 16 MB)',
-          () => room().attempt(() => save(room(), shelf)),
+          'All programs of this browser as a project for your computer, with everything that it needs except Java (a zip of 16 MB)',
+          () => room().attempt(() => save(room(), repository)),
           { id: 'program-zip' },
         ),
-        button('Link', 'Makes a link that holds this program', () => room().attempt(() => showLink(room())), {
+        button('Link', 'Creates a link that contains this program', () => room().attempt(() => showLink(room())), {
           id: 'program-link',
         }),
       );
@@ -27,11 +27,11 @@ export function addTakeaways(room, shelf) {
   watch.observe(place, { childList: true, subtree: true });
 }
 
-/** @param {any} room @param {import('./program-repository.js').ProgramRepository} shelf */
-async function save(room, shelf) {
+/** @param {any} room @param {import('./program-repository.js').ProgramRepository} repository */
+async function save(room, repository) {
   const { file } = room.files;
-  const programs = shelf.texts;
-  if (file?.shelf === 'own') {
+  const programs = repository.texts;
+  if (file?.repository === 'own') {
     programs.set(file.path, room.editor.text);
   }
   const { name, files } = await project(programs, file?.path ?? '');
@@ -44,6 +44,6 @@ async function showLink(room) {
   history.replaceState(undefined, '', link);
   await navigator.clipboard?.writeText(link).catch(() => {});
   room.surroundings.note(
-    'The link holds this program: it is in the address bar, and copied where the browser allows that.',
+    'The link contains this program: it is in the address bar, and was copied if the browser allows that.',
   );
 }

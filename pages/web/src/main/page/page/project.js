@@ -1,21 +1,21 @@
-/** All programs of this browser as a project such as `robonewbie new` makes: to be built and run without this page. */
+/** Exports all programs of this browser as a project like that of `robonewbie new`, to build and run without this page. */
 
 /**
- * @typedef {object} Template what `robonewbie new` has made while this page was built
+ * @typedef {object} Template project template, created by `robonewbie new` when this page was built
  * @property {string} name
  * @property {string} package
  * @property {Record<string, string>} texts by path
- * @property {string[]} libraries paths of files that are no texts
+ * @property {string[]} libraries paths of binary files
  */
 
 const FOLDER = 'project/';
 const JAVA = 'src/main/java/';
-const USUAL = 'MyAgent';
+const DEFAULT_CLASS = 'MyAgent';
 
 /** @param {string} path @returns {string} */
 const fileName = (path) => path.split('/').at(-1) ?? '';
 
-/** @param {string} text of a program @param {string} path @returns {string} the class that its file is to be named after */
+/** @param {string} text of a program @param {string} path @returns {string} the class after which its file must be named */
 export function publicClass(text, path) {
   return (
     /^\s*public\s+(?:(?:final|abstract|sealed)\s+)*(?:class|record|interface|enum)\s+(\w+)/m.exec(text)?.[1] ??
@@ -25,16 +25,16 @@ export function publicClass(text, path) {
   );
 }
 
-/** @param {string} text @param {string} name of the package it moves to */
+/** @param {string} text @param {string} name name of its new package */
 export function inPackage(text, name) {
   return `package ${name};\n\n${text.replace(/^\s*package\s+[^;]*;\s*/, '')}`;
 }
 
 /**
- * Names the files of programs. Two with classes of the same name, as many systems compare names, get packages of their own.
+ * Assigns files to programs. Programs whose class names differ at most in case get separate packages.
  *
  * @param {Map<string, string>} programs texts by path
- * @returns {Map<string, [inside: string, name: string]>} package below that of the project, and class, by path
+ * @returns {Map<string, [inside: string, name: string]>} subpackage and class, by path
  */
 function classFiles(programs) {
   const taken = new Set();
@@ -54,11 +54,11 @@ function classFiles(programs) {
 }
 
 /**
- * Puts programs into a project.
+ * Adds programs to a project template.
  *
  * @param {Template} template
  * @param {Map<string, string>} programs texts by path
- * @param {string} shown path of the program that the project runs unless another one is wanted
+ * @param {string} shown path path of the program that the project runs by default
  * @returns {Map<string, string>} texts by path
  */
 export function filled(template, programs, shown) {
@@ -72,18 +72,18 @@ export function filled(template, programs, shown) {
       inPackage(text, [template.package, inside].filter(Boolean).join('.')),
     );
   }
-  const main = programs.has(shown) ? (names.get(shown) ?? []).filter(Boolean).join('/') : USUAL;
+  const main = programs.has(shown) ? (names.get(shown) ?? []).filter(Boolean).join('/') : DEFAULT_CLASS;
   for (const script of ['robonewbie', 'robonewbie.cmd']) {
-    texts.set(script, (texts.get(script) ?? '').replaceAll(`${folder}${USUAL}.java`, `${folder}${main}.java`));
+    texts.set(script, (texts.get(script) ?? '').replaceAll(`${folder}${DEFAULT_CLASS}.java`, `${folder}${main}.java`));
   }
-  if (!/\bvoid\s+main\s*\(/.test(texts.get(`${folder}${USUAL}.java`) ?? '')) {
-    texts.delete(`${folder.replace('/main/', '/test/')}${USUAL}Test.java`);
+  if (!/\bvoid\s+main\s*\(/.test(texts.get(`${folder}${DEFAULT_CLASS}.java`) ?? '')) {
+    texts.delete(`${folder.replace('/main/', '/test/')}${DEFAULT_CLASS}Test.java`);
   }
   return texts;
 }
 
 /**
- * Fetches the template, and fills it.
+ * Loads the template and adds the programs.
  *
  * @param {Map<string, string>} programs texts by path
  * @param {string} shown path of the program in the editor
@@ -94,7 +94,7 @@ export async function project(programs, shown) {
   const template = await (await fetched('project.json')).json();
   if (template.libraries.length === 0) {
     throw new Error(
-      'This page was built without the program that a project needs; Copy the text of your program instead.',
+      'This page was built without the files of a project. Copy the text of your program instead.',
     );
   }
   /** @type {Map<string, string | Uint8Array>} */
@@ -113,7 +113,7 @@ export async function project(programs, shown) {
 async function fetched(name) {
   const answer = await fetch(FOLDER + name).catch(() => undefined);
   if (!answer?.ok) {
-    throw new Error('A project needs the program itself, which this page has to fetch: is there a network?');
+    throw new Error('The files of a project could not be loaded: is there a network?');
   }
   return answer;
 }

@@ -1,6 +1,6 @@
-/** Turns recordings into logs of SimSpark servers, in a worker of its own. */
+/** Converts recordings to SimSpark logs in a separate worker. */
 
-/** @param {Blob} recording as a file @returns {Promise<ArrayBuffer>} the log, packed with gzip */
+/** @param {Blob} recording recording file @returns {Promise<ArrayBuffer>} the log, gzip-compressed */
 export async function simSparkLog(recording) {
   const packed = new Int8Array(await recording.arrayBuffer());
   const worker = new Worker('world-worker.js', { type: 'module', name: 'programs' });

@@ -1,29 +1,28 @@
 /**
- * Where this browser keeps recordings, also when the page is closed. A browser that keeps nothing, such as one that surfs in private, has
- * an empty store.
+ * Persistent store of recordings in the browser's IndexedDB. It is empty if the browser stores nothing, for example in a private window.
  *
- * @typedef {object} Entry what is known of a recording
- * @property {number} id when it began, in milliseconds; no two are alike
+ * @typedef {object} Entry metadata of a recording
+ * @property {number} id start time in milliseconds; unique
  * @property {string} name
  * @property {string} agent
  * @property {boolean} starred
  * @property {import('../replay/recording-api.js').Bookmark[]} bookmarks
- * @property {number} bytes of all pieces
- * @property {number} pieces how many there are
- * @property {number} removedAt when it was deleted, in milliseconds; 0 if it was not
+ * @property {number} bytes total number of bytes
+ * @property {number} pieces number of pieces
+ * @property {number} removedAt time of deletion in milliseconds; 0 if it is not deleted
  *
  * @typedef {object} Piece the next part of a recording
  * @property {Uint8Array} bytes
- * @property {boolean} isPacked whether they are packed with gzip
- * @property {string} notes what robots logged and drew meanwhile
+ * @property {boolean} isPacked whether they are gzip-compressed
+ * @property {string} notes logs and drawings of the robots meanwhile
  */
 import { folderOfPage, storage } from './page-storage.js';
 
-/** What an edition kept before each folder of a host had its own part. */
+/** Name of the database from before each folder had its own. */
 const COMMON = 'robonewbie';
 const MIGRATED = 'robonewbie-migrated-recordings';
 
-const NO_ROOM = 'This browser has no room for this recording. Delete others in the room Replay, or save them as files.';
+const NO_ROOM = 'This browser has no space for this recording. Delete others in the room Replay, or save them as files.';
 const ENTRIES = 'recordings';
 const PIECES = 'pieces';
 
@@ -34,11 +33,11 @@ const result = (request) =>
     request.onerror = () => fail(request.error);
   });
 
-/** @param {IDBTransaction} transaction @returns {Promise<void>} what is written is there only when it has ended */
+/** @param {IDBTransaction} transaction @returns {Promise<void>} resolves when the transaction has committed */
 const ended = (transaction) =>
   new Promise((done, fail) => {
     transaction.oncomplete = () => done();
-    transaction.onabort = () => fail(transaction.error ?? new Error('The browser has given up.'));
+    transaction.onabort = () => fail(transaction.error ?? new Error('The browser aborted the transaction.'));
   });
 
 /** @param {string} name @returns {Promise<IDBDatabase>} */
@@ -55,13 +54,17 @@ function openDatabase(name) {
 async function open() {
   const database = await openDatabase(`${COMMON} ${folderOfPage()}`);
   if (storage().get(MIGRATED) === null) {
-    await takeCommon(database).catch(() => {}); // without room, the next visit tries it again
+    await migrateCommon(database).catch(() => {}); // if the storage is full, the next visit tries again
   }
   return database;
 }
 
-/** Takes over the recordings of the whole host, once; another edition of the host may want them too. @param {IDBDatabase} database */
-async function takeCommon(database) {
+/**
+ * Copies the recordings of the whole host once; they are not removed, because another edition on the host may need them too.
+ *
+ * @param {IDBDatabase} database
+ */
+async function migrateCommon(database) {
   const common = await openDatabase(COMMON);
   const read = (/** @type {string} */ store) => common.transaction(store).objectStore(store);
   for (const entry of await result(read(ENTRIES).getAll())) {
@@ -76,13 +79,13 @@ async function takeCommon(database) {
   storage().set(MIGRATED, 'yes');
 }
 
-/** The keys of all pieces of a recording. @param {number} id */
+/** Key range of all pieces of a recording. @param {number} id */
 const piecesOf = (id) => IDBKeyRange.bound([id, 0], [id, Infinity]);
 
 export class RecordingStore {
   #database = open().catch(() => undefined);
   #isFull = false;
-  /** Told once that the browser has no room for recordings. */
+  /** Called once when the browser has no space left for recordings. */
   full = (/** @type {string} */ _text) => {};
 
   /** @returns {Promise<Entry[]>} */
@@ -90,7 +93,7 @@ export class RecordingStore {
     return (await this.#do([ENTRIES], 'readonly', (store) => store(ENTRIES).getAll())) ?? [];
   }
 
-  /** @param {Entry} entry @param {Piece} [piece] that has come with it, the last one */
+  /** @param {Entry} entry @param {Piece} [piece] last piece of the recording */
   async put(entry, piece) {
     await this.#do([ENTRIES, PIECES], 'readwrite', (store) => {
       if (piece) {
@@ -100,7 +103,7 @@ export class RecordingStore {
     });
   }
 
-  /** @param {number} id of a recording that is not wanted any more */
+  /** @param {number} id id of the recording to remove */
   async remove(id) {
     await this.#do([ENTRIES, PIECES], 'readwrite', (store) => {
       store(PIECES).delete(piecesOf(id));
@@ -108,7 +111,7 @@ export class RecordingStore {
     });
   }
 
-  /** @param {number} id @returns {Promise<Piece[]>} in their order */
+  /** @param {number} id @returns {Promise<Piece[]>} the pieces in order */
   async pieces(id) {
     return (await this.#do([PIECES], 'readonly', (store) => store(PIECES).getAll(piecesOf(id)))) ?? [];
   }
@@ -132,13 +135,13 @@ export class RecordingStore {
     try {
       await end;
     } catch (failure) {
-      throw this.#inWords(/** @type {Error} */ (failure));
+      throw this.#explained(/** @type {Error} */ (failure));
     }
     return request.result;
   }
 
-  /** @param {Error} failure @returns {Error} meant for people, if they can do something about it */
-  #inWords(failure) {
+  /** @param {Error} failure @returns {Error} with a message for the user, if there is a remedy */
+  #explained(failure) {
     if (failure.name !== 'QuotaExceededError') {
       return failure;
     }

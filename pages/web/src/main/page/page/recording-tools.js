@@ -1,12 +1,12 @@
-/** Two buttons in the room Replay: a recording as a file for RoboNewbie on a computer, and such a file as a recording of this browser. */
+/** Two buttons in the replay room: download a recording as a file, and import such a file. */
 import { button, byId, element, offer } from '../panels/elements.js';
 
 /** @param {() => any} studio @param {import('./page-recordings.js').PageRecordings} recordings */
 export function addRecordingTools(studio, recordings) {
   const note = (/** @type {unknown} */ failure) => studio().note(/** @type {Error} */ (failure).message);
   const choice = element('input', { type: 'file', accept: '.rec', multiple: '', hidden: '', id: 'recording-file' });
-  choice.addEventListener('change', () => takeAll([...(choice.files ?? [])], recordings, studio().replay).catch(note));
-  const open = button('Open a file…', 'Opens recordings that RoboNewbie has made on a computer', () => choice.click(), {
+  choice.addEventListener('change', () => importAll([...(choice.files ?? [])], recordings, studio().replay).catch(note));
+  const open = button('Open a file…', 'Opens recordings made by RoboNewbie on a computer', () => choice.click(), {
     id: 'recording-open',
   });
   const save = button(
@@ -32,7 +32,7 @@ function whenThere(place, selector, act) {
 }
 
 /** @param {File[]} files @param {import('./page-recordings.js').PageRecordings} recordings @param {{refresh: () => Promise<void>}} room */
-async function takeAll(files, recordings, room) {
+async function importAll(files, recordings, room) {
   let last = '';
   for (const file of files) {
     last = await recordings.take(file.name, new Uint8Array(await file.arrayBuffer()));

@@ -1,4 +1,4 @@
-/** Answers what the room Replay asks its server, from the recordings of this browser. */
+/** Local replacement for the recording server, based on the recordings of this browser. */
 import { simSparkLog } from './recording-log.js';
 
 /**
@@ -13,7 +13,7 @@ export class ReplayServer {
     this.models = models;
   }
 
-  /** The parts of a server that this one is, by the first words of their places. */
+  /** Request handlers by the first segment of their path. */
   get parts() {
     const { recordings } = this;
     return {
@@ -64,7 +64,7 @@ export class ReplayServer {
     };
   }
 
-  /** @param {string} name @param {number} skip bytes that are known */
+  /** @param {string} name @param {number} skip bytes already known */
   async #notes(name, skip) {
     const { notes } = await this.recordings.open(name);
     return new Response(new TextEncoder().encode(notes).slice(skip));
@@ -83,7 +83,7 @@ export class ReplayServer {
 
 /**
  * @param {Reply} reply
- * @param {{read?: () => Promise<Response>}} [list] what is answered to one who names nothing
+ * @param {{read?: () => Promise<Response>}} [list] handler of requests without a name
  */
 function part(reply, { read } = {}) {
   return {

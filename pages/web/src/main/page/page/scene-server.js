@@ -1,13 +1,13 @@
 /**
- * Answers what the panel of scenes and the button *Start here* ask their server. The program in the worker reads and writes scenes; this
- * browser keeps them.
+ * Local replacement for the scene server and the button *Start here*. The program in the worker reads and writes scenes; this browser
+ * stores them.
  */
 import { asBytes, asText, BrowserRepository } from './browser-repository.js';
 
-const NO_ROOM = 'This browser has no room for one more scene. Delete another one first.';
+const NO_ROOM = 'This browser has no space for another scene. Delete one first.';
 
 export class SceneServer {
-  #shelf = new BrowserRepository('robonewbie-page-scene:');
+  #repository = new BrowserRepository('robonewbie-page-scene:');
   #isFull = false;
 
   /**
@@ -19,7 +19,7 @@ export class SceneServer {
     this.recordings = recordings;
   }
 
-  /** The parts of a server that this one is, by the first words of their places. */
+  /** Request handlers by the first segment of their path. */
   get parts() {
     return {
       scenes: {
@@ -30,17 +30,17 @@ export class SceneServer {
   }
 
   /**
-   * Keeps what the program has made of a scene.
+   * Stores a scene written by the program.
    *
-   * @param {{name: string, bytes?: Int8Array}} scene without bytes it is forgotten
+   * @param {{name: string, bytes?: Int8Array}} scene scene to store; without bytes it is removed
    */
   keep({ name, bytes }) {
     if (!bytes) {
-      this.#shelf.remove(name);
+      this.#repository.remove(name);
       return;
     }
     try {
-      this.#shelf.write(name, asText(new Uint8Array(bytes)));
+      this.#repository.write(name, asText(new Uint8Array(bytes)));
     } catch {
       this.#isFull = true;
     }
@@ -69,9 +69,9 @@ export class SceneServer {
 
   /** @returns {[string, Int8Array][]} name and bytes of each scene */
   get #own() {
-    return this.#shelf.list.map(({ path }) => [path, new Int8Array(asBytes(this.#shelf.read(path) ?? '').buffer)]);
+    return this.#repository.list.map(({ path }) => [path, new Int8Array(asBytes(this.#repository.read(path) ?? '').buffer)]);
   }
 }
 
-/** @param {string} result one JSON object, or why that cannot be */
+/** @param {string} result a JSON object, or an error message */
 const answer = (result) => new Response(result, { status: result.startsWith('{') ? 200 : 409 });

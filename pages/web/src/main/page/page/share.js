@@ -1,10 +1,10 @@
-/** A link that holds a program: its name and text, packed, behind the sign # of the page's address. Nothing is sent to any server. */
+/** Links that contain a program: its name and text, compressed, in the fragment of the page's address. Nothing is sent to a server. */
 
 const MARK = 'shared=';
-const MOST_BYTES = 1_000_000;
+const MAX_BYTES = 1_000_000;
 
-const DAMAGED = 'The program of this link cannot be read: the link is cut off or damaged. Ask for it again as a whole.';
-const TOO_LARGE = `The program of this link has more than ${MOST_BYTES / 1_000_000} MB, which is more than a program may have.`;
+const DAMAGED = 'The program of this link cannot be read: the link is cut off or damaged. Ask for the complete link.';
+const TOO_LARGE = `The program of this link has more than ${MAX_BYTES / 1_000_000} MB, the limit for programs.`;
 
 /** @param {ReadableStream<any>} stream @returns {Promise<Uint8Array>} */
 async function bytesOf(stream) {
@@ -16,7 +16,7 @@ async function bytesOf(stream) {
       return new Uint8Array(await new Blob(parts).arrayBuffer());
     }
     length += value.length;
-    if (length > MOST_BYTES) {
+    if (length > MAX_BYTES) {
       await reader.cancel();
       throw new Error(TOO_LARGE);
     }
@@ -38,7 +38,7 @@ async function unpacked(text) {
   return new TextDecoder('utf-8', { fatal: true }).decode(await bytesOf(stream));
 }
 
-/** @param {string} path @param {string} text @returns {Promise<string>} what stands behind # in a link */
+/** @param {string} path @param {string} text @returns {Promise<string>} fragment of a link */
 export async function sharedHash(path, text) {
   return `program?${MARK}${await packed(`${path}\n${text}`)}`;
 }
@@ -51,15 +51,15 @@ export async function linkOf(path, text) {
   return address.href;
 }
 
-/** @param {string} hash the end of an address @returns {boolean} whether it holds a program */
+/** @param {string} hash fragment of an address @returns {boolean} whether it contains a program */
 export const isShared = (hash) => hash.includes(`?${MARK}`);
 
 /**
- * Reads a program out of the end of an address.
+ * Reads a program from the fragment of an address.
  *
  * @param {string} hash
- * @returns {Promise<{path: string, text: string}>} its path is whatever somebody has written there
- * @throws {Error} if it cannot be read; the message is meant for people
+ * @returns {Promise<{path: string, text: string}>} the program; its path is untrusted
+ * @throws {Error} if it cannot be read; the message is meant for the user
  */
 export async function sharedProgram(hash) {
   const [, content] = hash.split(`?${MARK}`);

@@ -1,4 +1,4 @@
-/** The line to a world in a worker of this page: the sibling of the line over a WebSocket in `live/connection.js`. */
+/** Connection to a world in a worker of this page; the counterpart of the WebSocket connection in `live/connection.js`. */
 
 const SEED = 1;
 
@@ -27,7 +27,7 @@ export class WorldConnection {
       ({ data }) => this.#receive(data),
       (event) => this.#fail(event.message),
     );
-    choice.whenTaken(
+    choice.onChoice(
       () => this.#begin(),
       (agent) => this.worker.postMessage({ join: agent }),
     );
@@ -43,7 +43,7 @@ export class WorldConnection {
     this.worker.postMessage({ ask: command });
   }
 
-  /** A worker of the same page does not fall silent by itself. */
+  /** A worker of the same page needs no timeout. */
   checkSilence() {}
 
   #begin() {
@@ -52,14 +52,14 @@ export class WorldConnection {
     this.worker.postMessage({ begin: { agents: this.choice.all, seed: SEED } });
   }
 
-  /** @param {any} data a text, the bytes of a state, or what the worker says of itself */
+  /** @param {any} data a text message, a state frame, or a status of the worker */
   #receive(data) {
     if (typeof data === 'string') {
-      this.listener.told(JSON.parse(data));
+      this.listener.messageArrived(JSON.parse(data));
     } else if (data instanceof ArrayBuffer) {
       this.listener.frameArrived(data);
     } else if ('recorded' in data) {
-      this.recordings.hear(data.recorded, data.first);
+      this.recordings.receive(data.recorded, data.first);
     } else if ('noted' in data) {
       this.recordings.note(data.noted);
     } else if ('begun' in data) {
@@ -68,9 +68,9 @@ export class WorldConnection {
       this.listener.opened();
       this.course.answered('');
     } else if ('run' in data) {
-      this.programs.heard(data.run);
+      this.programs.receive(data.run);
     } else if ('attempt' in data) {
-      this.course.heard(data.attempt);
+      this.course.receive(data.attempt);
     } else if ('result' in data) {
       this.questions.answered(data);
     } else if ('scene' in data) {
@@ -91,6 +91,6 @@ export class WorldConnection {
 
   /** @param {string} reason */
   #fail(reason) {
-    this.listener.refused(`The simulator of this page has failed: ${reason}. Load the page again.`);
+    this.listener.refused(`The simulator of this page has failed: ${reason}. Reload the page.`);
   }
 }

@@ -1,38 +1,38 @@
-/** The worker in which the world of this page runs; it begins to load as soon as this script is read. */
+/** The worker that runs the world of this page; it starts loading as soon as this script is evaluated. */
 import { isBrowserNewEnough } from './old-browser.js';
 
-/** Only the larger of the two programs of this page can carry out what people write. */
+/** Actions that need the larger of the two worker programs, the one that executes user code. */
 const NEEDS_PROGRAMS = ['program', 'exercise'];
 
-/** @param {'field' | 'programs'} name of the program that is wanted @returns {Worker} */
+/** @param {'field' | 'programs'} name name of the worker program @returns {Worker} */
 const begin = (name) => new Worker('world-worker.js', { type: 'module', name });
 
 export class World {
   #worker = begin('field');
-  /** @type {Worker | undefined} that can carry out programs */
+  /** @type {Worker | undefined} worker that can execute user programs */
   #prepared;
   /** @type {(event: MessageEvent) => void} */
-  #hear = () => {};
+  #onMessage = () => {};
   /** @type {(event: ErrorEvent) => void} */
   #fail = () => {};
-  /** The motions of this browser, which programs may start: name and bytes of each. @type {() => [string, Int8Array][]} */
+  /** The user's motions, which programs may start: name and bytes of each. @type {() => [string, Int8Array][]} */
   ownMotions = () => [];
-  /** Called when another worker has taken the place of the first. */
+  /** Called when another worker has replaced the first. */
   moved = () => {};
 
-  /** @param {(event: MessageEvent) => void} hear @param {(event: ErrorEvent) => void} fail */
-  listen(hear, fail) {
-    this.#hear = hear;
+  /** @param {(event: MessageEvent) => void} onMessage @param {(event: ErrorEvent) => void} fail */
+  listen(onMessage, fail) {
+    this.#onMessage = onMessage;
     this.#fail = fail;
     this.#attach();
   }
 
-  /** Begins to load what programs need, while somebody reads or writes one. */
+  /** Starts loading the worker for programs in the background. */
   prepare() {
     this.#prepared ??= begin('programs');
   }
 
-  /** @param {object} data a action of the worker, and what it needs */
+  /** @param {object} data action of the worker with its arguments */
   postMessage(data) {
     if (NEEDS_PROGRAMS.some((name) => name in data)) {
       this.#move();
@@ -53,7 +53,7 @@ export class World {
   }
 
   #attach() {
-    this.#worker.onmessage = this.#hear;
+    this.#worker.onmessage = this.#onMessage;
     this.#worker.onerror = this.#fail;
   }
 }

@@ -1,4 +1,4 @@
-/** Questions to the program in the world's worker, each with its answer. */
+/** Request-response calls to the program in the world's worker. */
 
 export class WorldQuestions {
   #asked = 0;
@@ -8,13 +8,13 @@ export class WorldQuestions {
   /** @param {import('./world-process.js').World} world */
   constructor(world) {
     this.world = world;
-    world.moved = () => this.#askAgain();
+    world.moved = () => this.#repeatRequests();
   }
 
-  /** @param {string} name of a function of the program @param {...unknown} given @returns {Promise<any>} what it returns */
-  ask(name, ...given) {
+  /** @param {string} name name of a function of the program @param {...unknown} args @returns {Promise<any>} its result */
+  ask(name, ...args) {
     this.#asked += 1;
-    const call = { id: this.#asked, name, given };
+    const call = { id: this.#asked, name, args };
     this.world.postMessage({ call });
     return new Promise((done) => {
       this.#waiting.set(call.id, { call, done });
@@ -27,8 +27,8 @@ export class WorldQuestions {
     this.#waiting.delete(id);
   }
 
-  /** Another worker is there, which has not heard what the one before did not answer. */
-  #askAgain() {
+  /** Repeats the unanswered requests to a new worker. */
+  #repeatRequests() {
     for (const { call } of this.#waiting.values()) {
       this.world.postMessage({ call });
     }

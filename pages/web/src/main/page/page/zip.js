@@ -1,4 +1,4 @@
-/** Writes files into a zip, uncompressed: programs are short, and libraries are packed already. */
+/** Writes files into an uncompressed zip archive: programs are short, and libraries are already compressed. */
 
 const TABLE = Uint32Array.from({ length: 256 }, (_, number) => {
   let value = number;
@@ -17,13 +17,13 @@ function checksum(bytes) {
   return (value ^ 0xffffffff) >>> 0;
 }
 
-const MADE_ON_UNIX = 0x0314; // so that modes are read
+const MADE_ON_UNIX = 0x0314; // makes unzip apply file modes
 const MODE = 0o100644;
 const MODE_OF_SCRIPTS = 0o100755;
 const NAMES_ARE_UTF8 = 0x0800;
-const DATE = 0x21; // the first day that the format knows
+const DATE = 0x21; // the earliest date of the format
 
-/** @param {number[]} fields each with its number of bytes before it @returns {Uint8Array<ArrayBuffer>} */
+/** @param {number[]} fields fields pairs of byte count and value @returns {Uint8Array<ArrayBuffer>} */
 function header(...fields) {
   const bytes = [];
   for (let i = 0; i < fields.length; i += 2) {

@@ -5,7 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.robonewbie.app.program.ProgramFile;
+import org.robonewbie.programs.ClassPath;
 
 /**
  * The archive of loaded classes that halves the time of a start: Java's application class-data sharing (JEP 310, JEP 350). The
@@ -28,7 +28,7 @@ final class StartArchive {
     /** The archive that the launcher has named; empty if it named none or the program is no single file. */
     static Optional<StartArchive> wanted() {
         return Optional.ofNullable(System.getProperty(PROPERTY))
-                .flatMap(file -> ProgramFile.ofThisProgram().map(program -> new StartArchive(Path.of(file), program)));
+                .flatMap(file -> ClassPath.ownJar().map(program -> new StartArchive(Path.of(file), program)));
     }
 
     /** Lets the archive be made when this process ends, unless there is one already that fits the program. */

@@ -17,9 +17,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.agent.policy.file.PolicyFile;
-import org.robonewbie.app.program.StudentJava;
 import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.motion.file.MotionFiles;
+import org.robonewbie.programs.process.JavaCommand;
 import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.simulator.recording.RecordingReader;
 
@@ -106,9 +106,22 @@ class FormerFilesTest {
         assertThat(output).doesNotContain("There is no motion");
     }
 
+    /** The journal names the class of its experiment, which has changed since then. */
     @Test
     void experimentGoesOn() throws Exception {
-        assertThat(ends(0, "experiment", "push.plan", "--output", "push.csv")).contains("12 trials are done already");
+        Path journal = folder.resolve("push.csv.trials");
+        String refused = ends(2, "experiment", "push.plan", "--output", "push.csv");
+        String header = refused.lines()
+                .map(String::strip)
+                .filter(line -> line.startsWith("RoboNewbie trials "))
+                .reduce((former, present) -> present)
+                .orElseThrow();
+        AtomicFile.write(journal, Files.readString(journal).replaceFirst("RoboNewbie trials .*", header));
+
+        String resumed = ends(0, "experiment", "push.plan", "--output", "push.csv");
+
+        assertThat(refused).contains("push.csv.trials belongs to another run", "delete the file to begin again");
+        assertThat(resumed).contains("12 trials are done already");
         assertThat(folder.resolve("push.csv")).content().hasLineCount(41);
     }
 
@@ -117,7 +130,7 @@ class FormerFilesTest {
     void dataSetGoesOn() throws Exception {
         byte[] first = Files.readAllBytes(folder.resolve("dataset/cycles/run-00001.csv"));
         Path about = folder.resolve("dataset/dataset.json");
-        List<String> order = List.of("record MyAgent.java --runs 6 --seconds 1 --format csv --out dataset");
+        List<String> order = List.of("record MyAgent.java --runs 6 --seconds 1 --out dataset");
         String refused = ends(2, order);
         String version = Printed.by("--version").out().strip();
         AtomicFile.write(about, Files.readString(about).replaceFirst("RoboNewbie 2[^\"]*", version));
@@ -134,9 +147,8 @@ class FormerFilesTest {
     void searchGoesOn() throws Exception {
         String output = ends(
                 0,
-                List.of(
-                        "optimise --agent MyAgent.java --objective energy --seconds 0.5 --seeds 1 --population 4 --generations 6"
-                                + " --threads 1 --headless --output tuned.numbers --resume"));
+                List.of("optimise --agent MyAgent.java --objective energy --seconds 0.5 --seeds 1 --population 4"
+                        + " --generations 6 --threads 1 --headless --output tuned.numbers --resume"));
 
         assertThat(output).doesNotContain("generation 1/6").contains("generation 6/6");
         assertThat(folder.resolve("tuned.numbers")).content().contains("goal");
@@ -144,10 +156,11 @@ class FormerFilesTest {
 
     @Tag("slow")
     @Test
-    void trainingGoesOn() throws Exception {
-        ends(0, List.of("learn Stand --generations 3 --pairs 2 --hidden 4 --out stand.policy --resume"));
+    void trainingIsRefusedAndStays() throws Exception {
+        assertThat(ends(2, List.of("learn Stand stand.policy --generations 3 --pairs 2 --hidden 4")))
+                .contains("belongs to another run:");
 
-        assertThat(folder.resolve("stand.policy.csv")).content().hasLineCount(4);
+        assertThat(folder.resolve("stand.policy.csv")).content().hasLineCount(3);
     }
 
     @Tag("slow")
@@ -177,7 +190,7 @@ class FormerFilesTest {
 
     /** Runs a command in a folder; returns what it printed. */
     private String ends(int exitCode, Path place, String... arguments) throws Exception {
-        ProcessBuilder builder = new ProcessBuilder(StudentJava.command(List.of(), List.of(arguments)));
+        ProcessBuilder builder = new ProcessBuilder(JavaCommand.ofCommand(List.of(arguments)));
         builder.environment()
                 .put("ROBONEWBIE_PROGRESS", folder.resolve("progress.json").toString());
         Process process =

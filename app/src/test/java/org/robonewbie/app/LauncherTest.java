@@ -26,7 +26,7 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.robonewbie.competition.team.TeamFolder;
+import org.robonewbie.nao.file.TemporaryFolder;
 
 /** Starts the real launcher with a Java and a Maven that only say what they were asked. */
 @DisabledOnOs(OS.WINDOWS)
@@ -297,7 +297,7 @@ class LauncherTest {
             String address = made.getManifest().getMainAttributes().getValue(Attributes.Name.CLASS_PATH);
             assertThat(Path.of(URI.create(address))).isEqualTo(jar.toRealPath());
         } finally {
-            TeamFolder.delete(Path.of(link.group(1)));
+            TemporaryFolder.delete(Path.of(link.group(1)));
         }
     }
 

@@ -223,7 +223,7 @@ class PuppetTest {
         assertThat(folder.resolve("scenes").resolve("Corner 2.rec")).exists();
         assertThat(folder.resolve("scenes").resolve("Corner 2.rec.state")).exists();
         assertThat(taken.statusCode()).isEqualTo(409);
-        assertThat(taken.body()).isEqualTo("There is a scene \"Corner 2\" already. Choose another name.");
+        assertThat(taken.body()).isEqualTo("There is already a scene named \"Corner 2\". Choose another name.");
         assertThat(outside.statusCode()).isNotEqualTo(200);
     }
 
@@ -251,6 +251,6 @@ class PuppetTest {
         HttpResponse<String> answer = ask("POST", "/api/start/nothing?moment=5");
 
         assertThat(answer.statusCode()).isEqualTo(409);
-        assertThat(answer.body()).isEqualTo("There is no such recording any more. Choose another one.");
+        assertThat(answer.body()).isEqualTo("This recording no longer exists. Choose another one.");
     }
 }

@@ -18,7 +18,8 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.robonewbie.app.program.StudentJava;
+import org.robonewbie.programs.ClassPath;
+import org.robonewbie.programs.process.JavaCommand;
 
 /** Starts the program without its launcher in shells and folders that are not as usual. */
 @EnabledOnOs(OS.LINUX)
@@ -218,8 +219,9 @@ class StartPlaceTest {
     private static Ended start(Path java, String locale, List<String> javaOptions, Path folder, String... words)
             throws Exception {
         List<String> options = new ArrayList<>(javaOptions);
-        options.add(StudentJava.QUICK_START);
-        List<String> command = new ArrayList<>(StudentJava.command(options, List.of(words)));
+        options.add(JavaCommand.QUICK_START);
+        List<String> command = new ArrayList<>(
+                JavaCommand.of(options, ClassPath.ofThisProgram(), "org.robonewbie.app.Main", List.of(words)));
         command.set(0, java.toString());
         ProcessBuilder builder =
                 new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true);

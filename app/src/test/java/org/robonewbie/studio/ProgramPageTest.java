@@ -139,7 +139,7 @@ class ProgramPageTest {
             awaitAngle(60);
             picture("program-" + theme);
             write(RAISE.replace("DEGREES", "degres"));
-            awaitState("1 mistake");
+            awaitState("1 error");
             browser.resize(1024, 768);
             picture("program-mistake-" + theme);
         }
@@ -156,7 +156,7 @@ class ProgramPageTest {
 
         write(RAISE.replace("DEGREES", "degres"));
 
-        awaitState("1 mistake, line 12");
+        awaitState("1 error, line 12");
         browser.await(inEditor(".cm-said") + "?.innerText.includes('cannot find symbol')");
         write(RAISE.replace("DEGREES", "45"));
         browser.await(inEditor(".cm-said") + " === null");

@@ -86,7 +86,7 @@ class TeamPictureTest {
             trial.step();
             browser.press("1");
             browser.evaluate(view(trial.now().ball(), pass.end));
-            browser.await("studio.desk.isStill");
+            browser.await("studio.camera.isStill");
             trial.step();
             browser.await(LABELS + ".includes('pass to " + pass.receiver + "')");
 
@@ -139,7 +139,7 @@ class TeamPictureTest {
     private static String view(Vector3 ball, Vector3 end) {
         return String.format(
                 Locale.ROOT,
-                "studio.desk.jumpTo({target: [%.2f, %.2f, 0], azimuthDegrees: %.0f, elevationDegrees: 35, distance: 8.5});"
+                "studio.camera.jumpTo({target: [%.2f, %.2f, 0], azimuthDegrees: %.0f, elevationDegrees: 35, distance: 8.5});"
                         + " studio.touch()",
                 ball.x() + SHARE_OF_WAY * (end.x() - ball.x()),
                 ball.y() + SHARE_OF_WAY * (end.y() - ball.y()),

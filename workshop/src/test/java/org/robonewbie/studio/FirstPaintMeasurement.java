@@ -6,10 +6,10 @@ import java.util.Locale;
 import org.junit.jupiter.api.Test;
 
 /**
- * Measures how long a browser without graphics card takes from the address to the first paint of the page and to the first
- * picture of the field, for {@code docs/performance.md}: in a Java that has just started, which is the first line, and in one
- * that has served pages before; each time in a browser that has never seen the page, and once more in the same browser.
- * It is not part of the usual tests, since it judges the computer: {@code -Dtest=FirstPaintMeasurement}.
+ * Measures the time to the first paint of the page and to the first frame of the field in a browser without a graphics card, for
+ * {@code docs/performance.md}: in a JVM that has just started, which is the first line, and in a warm one; each in a browser with an empty
+ * cache, and again in the same browser. Not part of the usual tests, since it measures the computer:
+ * {@code -Dtest=FirstPaintMeasurement}.
  */
 class FirstPaintMeasurement {
 

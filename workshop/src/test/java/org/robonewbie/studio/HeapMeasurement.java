@@ -11,14 +11,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Measures how much the scripts of a page keep while 22 robots play for an hour and somebody goes from room to room, for
- * {@code docs/performance.md}. It is not part of the usual tests, since it takes this hour: {@code -Dtest=HeapMeasurement}, with
- * {@code -Dstudio.minutes=N} for another time.
+ * Measures the script heap of a page while 22 robots play for an hour and a user switches between the rooms, for
+ * {@code docs/performance.md}. Not part of the usual tests, since it takes this hour: {@code -Dtest=HeapMeasurement}, with
+ * {@code -Dstudio.minutes=N} for another duration.
  */
 class HeapMeasurement {
 
     private static final int SECONDS_IN_A_ROOM = 20;
-    private static final int MOST_BYTES = 80_000_000;
+    private static final int MAX_BYTES = 80_000_000;
     private static final List<String> ROOMS =
             List.of("#field", "#robot", "#program", "#motion", "#replay", "#field/exercises");
 
@@ -42,7 +42,7 @@ class HeapMeasurement {
             }
             long bytes = browser.heapBytes();
             System.out.printf(Locale.ROOT, "after %d minutes: %.1f MB%n", seconds / 60, bytes / 1e6);
-            assertThat(bytes).isLessThan(MOST_BYTES);
+            assertThat(bytes).isLessThan(MAX_BYTES);
         }
     }
 }

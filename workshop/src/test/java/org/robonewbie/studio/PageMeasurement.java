@@ -13,8 +13,8 @@ import org.junit.jupiter.api.Test;
 import org.robonewbie.examples.Agent_BetterSoccer;
 
 /**
- * Measures the static page for {@code docs/web.md}. It is not part of the usual tests, since it judges the computer: {@code
- * -Dtest=PageMeasurement}, with the page served at port 8000, by {@code python3 -m http.server -d pages/web/target/web}.
+ * Measures the static page for {@code docs/web.md}. Not part of the usual tests, since it measures the computer: {@code
+ * -Dtest=PageMeasurement}, with the page served at port 8000 by {@code python3 -m http.server -d pages/web/target/web}.
  */
 @InBrowser
 class PageMeasurement {
@@ -85,7 +85,7 @@ class PageMeasurement {
         this.browser = browser;
     }
 
-    /** The address of the page; each number is an origin of its own, of which the browser knows nothing yet. */
+    /** The address of the page; each number is a separate origin for which the browser has nothing cached. */
     private static String page(int number) {
         return "http://127.0.0." + number + ":8000/";
     }
@@ -104,9 +104,9 @@ class PageMeasurement {
             print("memory of so many pages: %.0f, %.0f MB", i + 1.0, (memoryOfPages() - empty) / 1e6);
             browser.visit("about:blank");
         }
-        tell("first paint", IntStream.range(0, OPENINGS).mapToDouble(i -> opened[i][0]));
-        tell("robot in the picture", IntStream.range(0, OPENINGS).mapToDouble(i -> opened[i][1]));
-        tell("cycle 60", IntStream.range(0, OPENINGS).mapToDouble(i -> opened[i][2]));
+        report("first paint", IntStream.range(0, OPENINGS).mapToDouble(i -> opened[i][0]));
+        report("robot in the picture", IntStream.range(0, OPENINGS).mapToDouble(i -> opened[i][1]));
+        report("cycle 60", IntStream.range(0, OPENINGS).mapToDouble(i -> opened[i][2]));
     }
 
     @Test
@@ -136,7 +136,7 @@ class PageMeasurement {
         browser.click("#program-run");
         browser.await("document.querySelector('#program-values').innerText.includes('gain 0.5')");
         browser.await("document.querySelector('#program-sliders input') !== null");
-        tell(
+        report(
                 "from slider to robot",
                 IntStream.rangeClosed(1, SLIDES)
                         .mapToDouble(i -> browser.evaluate(SLIDE.replace("VALUE", "0." + (i % 2 == 0 ? 2 : 7)))
@@ -145,7 +145,7 @@ class PageMeasurement {
         browser.visit("about:blank");
     }
 
-    private static void tell(String what, DoubleStream milliseconds) {
+    private static void report(String what, DoubleStream milliseconds) {
         double[] sorted = milliseconds.sorted().toArray();
         print(
                 what + ": median %.0f ms (%.0f to %.0f, %.0f times)",
@@ -168,8 +168,8 @@ class PageMeasurement {
     }
 
     /**
-     * What the browser's processes for pages and their workers have for themselves, in bytes; on Linux only. The browser keeps pages that
-     * were left, so a measurement of memory needs a browser of its own: {@code -Dtest=PageMeasurement#millisecondsFromASliderToTheRobot}.
+     * Private memory of the browser's processes for pages and workers in bytes; on Linux only. The browser keeps pages in memory after
+     * they are left, so a memory measurement needs its own browser: {@code -Dtest=PageMeasurement#millisecondsFromASliderToTheRobot}.
      */
     private static double memoryOfPages() {
         return ProcessHandle.current()

@@ -27,9 +27,9 @@ import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
 /**
- * Measures how many bytes per second one page of the studio gets on the wire while 22 robots move all their joints in real
- * time, for {@code docs/performance.md}: with and without the messages of one robot, packed as browsers ask for and not; and
- * how large the recording and the text in an exported page grow. It is not part of the usual tests, since it takes a minute: {@code -Dtest=StreamMeasurement}.
+ * Measures the bytes per second on the wire to one page of the studio while 22 robots move all their joints in real time, for
+ * {@code docs/performance.md}: with and without the messages of one robot, compressed and not; and the sizes of the recording and of the
+ * text in an exported page. Not part of the usual tests, since it takes a minute: {@code -Dtest=StreamMeasurement}.
  */
 class StreamMeasurement {
 
@@ -82,7 +82,7 @@ class StreamMeasurement {
         assertThat(perMinute).isPositive();
     }
 
-    /** What the page that plays a recording anywhere holds of it. */
+    /** Size of the recording's data in an exported page. */
     private static int packedWithoutCommands(Path recording) throws IOException {
         ByteArrayOutputStream packed = new ByteArrayOutputStream();
         try (DataInputStream in = new DataInputStream(
@@ -138,7 +138,7 @@ class StreamMeasurement {
         }
     }
 
-    /** Reads frames for some seconds and says after each picture that it has been seen. */
+    /** Reads frames for some seconds and acknowledges each one. */
     private static long read(Socket socket, DataInputStream in, int seconds) throws IOException {
         long bytes = 0;
         for (long end = System.nanoTime() + seconds * 1_000_000_000L; System.nanoTime() < end; ) {
@@ -155,7 +155,7 @@ class StreamMeasurement {
         return bytes;
     }
 
-    /** Sends a short text; the mask that clients must use is all zeros. */
+    /** Sends a short text with a mask of zeros. */
     private static void say(Socket socket, String text) throws IOException {
         byte[] content = text.getBytes(StandardCharsets.US_ASCII);
         byte[] frame = Arrays.copyOf(new byte[] {(byte) 0x81, (byte) (0x80 | content.length)}, 6 + content.length);
@@ -182,7 +182,7 @@ class StreamMeasurement {
                                     : act(index, cycle));
                 }
             } catch (IOException matchIsOver) {
-                // Nobody is left to play with.
+                // The simulator has ended.
             }
         };
     }

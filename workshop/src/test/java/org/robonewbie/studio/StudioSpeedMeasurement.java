@@ -11,9 +11,9 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
 
 /**
- * Measures how many pictures per second a browser without graphics card draws of one and of 22 robots, at the quality that the
- * studio chooses and at medium quality, and what each costs, for {@code docs/performance.md}.
- * It is not part of the usual tests, since it judges the computer: {@code -Dtest=StudioSpeedMeasurement}.
+ * Measures the frame rate of a browser without a graphics card for one and for 22 robots, at the quality that the studio selects and at
+ * medium quality, and the cost of each, for {@code docs/performance.md}. Not part of the usual tests, since it measures the computer:
+ * {@code -Dtest=StudioSpeedMeasurement}.
  */
 class StudioSpeedMeasurement {
 
@@ -32,7 +32,7 @@ class StudioSpeedMeasurement {
             browser.visit(studio.oneTimeAddress() + "&theme=light" + (quality.isEmpty() ? "" : "&quality=" + quality));
             browser.await("studio.state.scene?.robots.length === " + robots
                     + " && studio.state.frame && studio.view.drawCalls > 0");
-            browser.evaluate("studio.desk.setMode('free')");
+            browser.evaluate("studio.camera.setMode('free')");
             browser.rest(SETTLING_SECONDS);
             browser.evaluate(COUNT_PICTURES);
             long cycle = simulation.latest().cycle();

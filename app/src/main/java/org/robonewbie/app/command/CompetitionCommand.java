@@ -11,8 +11,6 @@ import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.function.Function;
 import org.robonewbie.app.course.ExerciseContests;
-import org.robonewbie.app.program.CalledWronglyException;
-import org.robonewbie.app.program.ExampleCatalogue;
 import org.robonewbie.app.studio.ContestStudio;
 import org.robonewbie.competition.Competition;
 import org.robonewbie.competition.CompetitionSettings;
@@ -22,13 +20,14 @@ import org.robonewbie.competition.contest.Contests;
 import org.robonewbie.competition.contest.MatchContest;
 import org.robonewbie.competition.contest.MatchKind;
 import org.robonewbie.competition.contest.Table;
-import org.robonewbie.competition.team.Limits;
 import org.robonewbie.competition.team.TeamEntry;
 import org.robonewbie.competition.team.TeamList;
-import org.robonewbie.competition.team.WrongEntryException;
 import org.robonewbie.competition.trial.Spectators;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
+import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.programs.ExampleCatalogue;
+import org.robonewbie.programs.process.Limits;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -118,26 +117,22 @@ final class CompetitionCommand implements Callable<Integer> {
     private Optional<Integer> parallel = Optional.empty();
 
     @Option(names = "--memory", paramLabel = "MB", description = "Memory for each program (${DEFAULT-VALUE}).")
-    private int memoryMegabytes = Limits.USUAL.memoryMegabytes();
+    private int memoryMegabytes = Limits.DEFAULT.memoryMegabytes();
 
     @Option(
             names = "--patience",
             paramLabel = "T",
             description = "Seconds for which a program may keep the world waiting (${DEFAULT-VALUE}).")
-    private double silentSeconds = Limits.USUAL.silentSeconds();
+    private double silentSeconds = Limits.DEFAULT.silentSeconds();
 
     @Option(
             names = "--computing-time",
             paramLabel = "T",
             description = "Seconds of processor time for each program and trial (${DEFAULT-VALUE}).")
-    private double processorSeconds = Limits.USUAL.processorSeconds();
+    private double processorSeconds = Limits.DEFAULT.processorSeconds();
 
-    @Option(
-            names = "--fence",
-            paramLabel = "WHEN",
-            description = "Fence programs in by bubblewrap (Linux): auto where there is one, required, or none"
-                    + " (${DEFAULT-VALUE}).")
-    private FenceWish fence = FenceWish.AUTO;
+    @Mixin
+    private final FenceOption fence = new FenceOption();
 
     @Option(
             names = "--watch",
@@ -152,14 +147,10 @@ final class CompetitionCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException, InterruptedException {
-        try {
-            // a contest that does not exist is named before its teams are missed
-            Function<Conditions, Contest> contest = contest();
-            List<TeamEntry> teams = teams();
-            return hold(contest.apply(conditions(teams)), teams);
-        } catch (WrongEntryException wrong) {
-            throw new CalledWronglyException(String.valueOf(wrong.getMessage()));
-        }
+        // a contest that does not exist is named before its teams are missed
+        Function<Conditions, Contest> contest = contest();
+        List<TeamEntry> teams = teams();
+        return hold(contest.apply(conditions(teams)), teams);
     }
 
     private int hold(Contest contest, List<TeamEntry> teams) throws IOException, InterruptedException {
@@ -211,9 +202,9 @@ final class CompetitionCommand implements Callable<Integer> {
                         memoryMegabytes,
                         processorSeconds,
                         silentSeconds,
-                        Limits.USUAL.startSeconds(),
-                        Limits.USUAL.realSeconds()),
-                fence.fence(),
+                        Limits.DEFAULT.startSeconds(),
+                        Limits.DEFAULT.realSeconds()),
+                fence.sandbox(),
                 spectators);
     }
 

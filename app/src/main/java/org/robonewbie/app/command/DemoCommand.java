@@ -3,8 +3,8 @@ package org.robonewbie.app.command;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
-import org.robonewbie.app.program.AgentFinder;
-import org.robonewbie.app.program.ExampleCatalogue;
+import org.robonewbie.programs.ExampleCatalogue;
+import org.robonewbie.programs.ProgramFinder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Unmatched;
@@ -34,6 +34,6 @@ final class DemoCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        return new AgentFinder(ExampleCatalogue.load(), List.of()).find(AGENT).run(agentOptions);
+        return new ProgramFinder(ExampleCatalogue.load(), List.of()).find(AGENT).run(agentOptions);
     }
 }

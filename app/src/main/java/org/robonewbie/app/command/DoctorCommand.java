@@ -4,7 +4,6 @@ import java.util.concurrent.Callable;
 import org.robonewbie.app.doctor.Checkup;
 import org.robonewbie.app.doctor.Finding;
 import org.robonewbie.app.doctor.Verdict;
-import org.robonewbie.app.program.CommandWord;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;

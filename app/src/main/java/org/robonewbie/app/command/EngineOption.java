@@ -1,12 +1,12 @@
 package org.robonewbie.app.command;
 
 import java.util.ServiceLoader;
-import org.robonewbie.app.program.CalledWronglyException;
-import org.robonewbie.learning.series.ExperimentEngine;
-import org.robonewbie.learning.series.LocalEngine;
+import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.trial.batch.BatchRunner;
+import org.robonewbie.trial.batch.ThreadRunner;
 import picocli.CommandLine.Option;
 
-/** Where trials are carried out: on the cores of this computer, or on a cluster. */
+/** Where trials run: on the cores of this computer, or on a cluster. */
 final class EngineOption {
 
     private static final String LOCAL = "local";
@@ -28,7 +28,7 @@ final class EngineOption {
     @Option(names = "--threads", paramLabel = "N", description = "local: how many threads (default: one per core).")
     private int threads = Runtime.getRuntime().availableProcessors();
 
-    /** {@return whether trials are carried out in this program} */
+    /** {@return whether trials run in this program} */
     boolean isLocal() {
         return engine.equals(LOCAL);
     }
@@ -41,17 +41,15 @@ final class EngineOption {
         return threads;
     }
 
-    /** {@return where the cluster is, in the engine's own notation; empty for its usual place} */
-    String master() {
-        return master;
-    }
-
-    /** {@return the engine that was chosen} */
-    ExperimentEngine engine() {
+    /** {@return the chosen engine} */
+    BatchRunner runner() {
         if (isLocal()) {
-            return new LocalEngine(threads());
+            return new ThreadRunner(threads());
         }
-        return ServiceLoader.load(ExperimentEngine.class).stream()
+        if (!master.isEmpty()) {
+            System.setProperty("spark.master", master);
+        }
+        return ServiceLoader.load(BatchRunner.class).stream()
                 .map(ServiceLoader.Provider::get)
                 .filter(other -> other.label().equals(engine))
                 .findFirst()

@@ -1,24 +1,18 @@
 package org.robonewbie.app.command;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
-import java.util.Objects;
 import java.util.concurrent.Callable;
-import java.util.concurrent.atomic.AtomicLong;
-import java.util.function.IntConsumer;
-import org.robonewbie.app.program.AgentFinder;
-import org.robonewbie.app.program.CalledWronglyException;
-import org.robonewbie.app.program.ClassPathOption;
 import org.robonewbie.learning.series.Experiment;
-import org.robonewbie.learning.series.ExperimentEngine;
 import org.robonewbie.learning.series.ExperimentPlan;
-import org.robonewbie.learning.series.PlannedTrial;
+import org.robonewbie.learning.series.ExperimentRun;
 import org.robonewbie.learning.series.ResultTable;
-import org.robonewbie.learning.series.TrialJournal;
+import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.programs.ProgramFinder;
+import org.robonewbie.trial.batch.BatchProgress;
+import org.robonewbie.trial.batch.BatchRunner;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -50,8 +44,6 @@ import picocli.CommandLine.Parameters;
         })
 final class ExperimentCommand implements Callable<Integer> {
 
-    private static final long NANOSECONDS_BETWEEN_LINES = 2_000_000_000L;
-
     @Mixin
     final HelpOption help = new HelpOption();
 
@@ -78,60 +70,42 @@ final class ExperimentCommand implements Callable<Integer> {
                     "There is no plan \"" + planFile + "\". See robonewbie experiment --help.");
         }
         List<Path> folders = classPath.folders();
-        Thread.currentThread().setContextClassLoader(AgentFinder.loaderOf(folders));
-        try (ExperimentEngine engine = where.engine()) {
-            return run(ExperimentPlan.read(planFile), engine);
+        Thread.currentThread().setContextClassLoader(ProgramFinder.loaderOf(folders));
+        try (BatchRunner runner = where.runner()) {
+            return run(ExperimentPlan.read(planFile), runner);
         } catch (IllegalArgumentException wrong) {
             throw new CalledWronglyException(String.valueOf(wrong.getMessage()));
         } catch (IllegalStateException failed) {
             System.err.println(failed.getMessage());
             return ExitCode.SOFTWARE;
-        } catch (UncheckedIOException full) {
-            throw Objects.requireNonNull(full.getCause());
         }
     }
 
-    /** Keeps each result in a file beside the table until that is written, so that nothing is done twice. */
-    private int run(ExperimentPlan plan, ExperimentEngine chosen) throws IOException {
+    /** Keeps each result in a file beside the table until that is written, so that no trial is run twice. */
+    private int run(ExperimentPlan plan, BatchRunner runner) throws IOException {
         Experiment experiment = Experiment.of(plan.experiment());
         experiment.parameters().ifPresent(plan::refuseOthersThan);
-        try (TrialJournal journal = TrialJournal.open(output.resolveSibling(output.getFileName() + ".trials"), plan)) {
-            List<PlannedTrial> missing = journal.missing();
-            if (journal.done() > 0) {
-                System.err.println(
-                        journal.done() + " trials are done already and kept, " + missing.size() + " are left.");
+        Path journal = output.resolveSibling(output.getFileName() + ".trials");
+        try (ExperimentRun run = ExperimentRun.open(journal, plan)) {
+            int missing = run.missing().size();
+            int done = plan.trials() - missing;
+            if (done > 0) {
+                System.err.println(done + " trials are done already and kept, " + missing + " are left.");
             }
-            chosen.run(plan.experiment(), missing, where.master(), progress(missing.size()), journal);
-            ResultTable table = journal.table(experiment.columns());
+            try (BatchProgress progress = BatchProgress.of("trials", plan.trials(), done)) {
+                run.run(runner, progress);
+            }
+            ResultTable table = run.table(experiment.columns());
             table.write(output);
             System.out.println("Wrote " + table.trials().size() + " trials to " + output + ".");
-            if (journal.failures().isEmpty()) {
-                journal.delete();
+            if (run.failures().isEmpty()) {
+                run.delete();
                 return ExitCode.OK;
             }
-            journal.failures().forEach(System.err::println);
-            System.err.println(journal.failures().size()
+            run.failures().forEach(System.err::println);
+            System.err.println(run.failures().size()
                     + " trials failed, see above. The others are kept; the same command tries again what is missing.");
             return ExitCode.SOFTWARE;
         }
-    }
-
-    private static IntConsumer progress(int all) {
-        long start = System.nanoTime();
-        AtomicLong lastLine = new AtomicLong(start);
-        return done -> {
-            long now = System.nanoTime();
-            long last = lastLine.get();
-            if (done == all || (now - last > NANOSECONDS_BETWEEN_LINES && lastLine.compareAndSet(last, now))) {
-                double seconds = (now - start) / 1e9;
-                System.err.printf(
-                        Locale.ROOT,
-                        "%d of %d trials, %.1f per second, %.0f s left%n",
-                        done,
-                        all,
-                        done / seconds,
-                        seconds / done * (all - done));
-            }
-        };
     }
 }

@@ -9,23 +9,12 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import java.util.function.Supplier;
 import java.util.stream.Collectors;
-import org.robonewbie.agent.Agent;
 import org.robonewbie.app.course.Coach;
 import org.robonewbie.app.course.GradingConditions;
 import org.robonewbie.app.course.GradingProcess;
 import org.robonewbie.app.course.ProgressTable;
-import org.robonewbie.app.course.RobotsOnCall;
 import org.robonewbie.app.marking.ClassMarking;
-import org.robonewbie.app.program.AgentFinder;
-import org.robonewbie.app.program.CalledWronglyException;
-import org.robonewbie.app.program.ClassPathOption;
-import org.robonewbie.app.program.CommandWord;
-import org.robonewbie.app.program.ExampleCatalogue;
-import org.robonewbie.app.program.ProgramFile;
-import org.robonewbie.app.program.StudentJava;
-import org.robonewbie.app.program.StudentsAgents;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Grade;
@@ -33,8 +22,13 @@ import org.robonewbie.exercises.Language;
 import org.robonewbie.exercises.progress.ExerciseProgress;
 import org.robonewbie.exercises.progress.Progress;
 import org.robonewbie.exercises.progress.SolutionRepository;
+import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.file.TemporaryFiles;
 import org.robonewbie.nao.text.Spelling;
+import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.programs.ClassPath;
+import org.robonewbie.programs.process.RobotProcess;
+import org.robonewbie.programs.process.Sandbox;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -43,7 +37,7 @@ import picocli.CommandLine.Parameters;
 
 /** Grades a solution of an exercise, lists the exercises, or hands out what to begin with. */
 @Command(
-        name = StudentJava.COMMAND,
+        name = "grade",
         description = "Grade your solution of an exercise. Without arguments it lists the exercises.",
         footer = {
             "",
@@ -64,7 +58,6 @@ import picocli.CommandLine.Parameters;
         })
 final class GradeCommand implements Callable<Integer> {
 
-    private static final String GIVEN_TEAM = "org.robonewbie.team.";
     private static final char TICK = '✓';
 
     @Mixin
@@ -131,11 +124,8 @@ final class GradeCommand implements Callable<Integer> {
     @Mixin
     private final ClassPathOption classPath = new ClassPathOption();
 
-    @Option(names = StudentJava.ON_CALL, hidden = true)
-    private Optional<Path> complaints = Optional.empty();
-
-    @Option(names = StudentJava.AT_DOOR, hidden = true)
-    private Optional<Integer> door = Optional.empty();
+    @Mixin
+    private final FenceOption fence = new FenceOption();
 
     @Override
     public Integer call() throws IOException {
@@ -158,20 +148,15 @@ final class GradeCommand implements Callable<Integer> {
             return hint ? openHint(exercise) : openSolution(exercise);
         }
         String program = solution.orElseThrow(() -> withoutSolution(exercise));
-        if (door.isPresent()) {
-            agents(program).get().run("--port", door.get().toString(), "--headless", "--team", "Students");
-            return ExitCode.OK;
-        }
-        if (complaints.isPresent()) {
-            new RobotsOnCall(agents(program), complaints.get()).serve();
-            return ExitCode.OK;
-        }
         if (watched && recording.isEmpty()) {
             recording = Optional.of(TemporaryFiles.folder("robonewbie-grade").resolve(exercise.name() + ".rec"));
         }
         language.language(); // refused before the trials, not after them
-        GradingProcess process = new GradingProcess(exercise, program, conditions());
-        int exitCode = process.run().map(grade -> tell(exercise, grade)).orElseGet(process::exitCode);
+        Path folder = Path.of("").toAbsolutePath();
+        GradingProcess process = new GradingProcess(
+                exercise, new RobotProcess.Request(program, classPath.folders(), folder, false), conditions());
+        Optional<Grade> grade = process.run();
+        int exitCode = grade.isPresent() ? tell(exercise, grade.get()) : process.exitCode();
         if (watched) {
             recording.filter(Files::isRegularFile).ifPresent(this::show);
         }
@@ -180,13 +165,15 @@ final class GradeCommand implements Callable<Integer> {
 
     private GradingConditions conditions() {
         return new GradingConditions(
-                seeds,
-                Runtime.getRuntime().availableProcessors(),
-                classPath.path(),
-                Path.of("").toAbsolutePath(),
-                false,
-                recording,
-                System.err::println);
+                seeds, Runtime.getRuntime().availableProcessors(), sandbox(), recording, System.err::println);
+    }
+
+    private Sandbox sandbox() {
+        Sandbox sandbox = fence.sandbox();
+        if (!sandbox.isUp()) {
+            System.err.println("Programs are not fenced in (" + sandbox.absence() + ").");
+        }
+        return sandbox;
     }
 
     private int gradeClass(Path folder) throws IOException {
@@ -200,14 +187,14 @@ final class GradeCommand implements Callable<Integer> {
             Path whole = folder.toAbsolutePath().normalize();
             return whole.resolveSibling(whole.getFileName() + "-grades");
         });
-        Path page = new ClassMarking(folder, wanted, seeds, target, judge(), System.out::println).run();
+        Path page = new ClassMarking(folder, wanted, seeds, target, judge(), sandbox(), System.out::println).run();
         System.out.println("The table: " + page + ", and as grades.csv beside it.");
         return ExitCode.OK;
     }
 
     /** What distinguishes this judge from that of another build. */
     private static String judge() throws IOException {
-        Optional<Path> jar = ProgramFile.ofThisProgram();
+        Optional<Path> jar = ClassPath.ownJar();
         return jar.isPresent() ? Files.getLastModifiedTime(jar.get()).toString() : "not packaged";
     }
 
@@ -243,30 +230,16 @@ final class GradeCommand implements Callable<Integer> {
         return answer.open() ? ExitCode.OK : ExitCode.SOFTWARE;
     }
 
-    private int tell(Exercise exercise, Grade grade) {
+    private int tell(Exercise exercise, Grade grade) throws IOException {
         Language spoken = language.language();
         System.out.print(grade.text(spoken));
         Coach.ofUser().graded(exercise, grade.points(), grade.passed(), spoken).stream()
                 .map(CommandWord.here()::in)
                 .forEach(System.out::println);
-        json.ifPresent(file -> GradingProcess.write(file, grade.json()));
-        return grade.passed() ? ExitCode.OK : ExitCode.SOFTWARE;
-    }
-
-    private Supplier<Agent> agents(String program) {
-        Supplier<Class<?>> types = new AgentFinder(ExampleCatalogue.load(), classPath.folders()).findClass(program);
-        refuseTheGivenTeam(types.get());
-        return StudentsAgents.of(types);
-    }
-
-    /** The example team would solve exercises in which students try ideas of their own. */
-    private static void refuseTheGivenTeam(Class<?> program) {
-        for (Class<?> type = program; type != null; type = type.getSuperclass()) {
-            if (type.getName().startsWith(GIVEN_TEAM)) {
-                throw new CalledWronglyException(program.getSimpleName() + " plays as " + type.getSimpleName()
-                        + " does, which is given and earns no points. Write \"extends Agent\", and your own think().");
-            }
+        if (json.isPresent()) {
+            AtomicFile.write(json.get(), grade.json());
         }
+        return grade.passed() ? ExitCode.OK : ExitCode.SOFTWARE;
     }
 
     private int handOut(Exercise exercise) throws IOException {

@@ -3,7 +3,6 @@ package org.robonewbie.app.command;
 import java.util.Arrays;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.robonewbie.app.program.CommandWord;
 
 /**
  * The examples below a command's help text, as they can be copied here. A line that is too long for the terminal continues in the next

@@ -1,6 +1,6 @@
 package org.robonewbie.app.command;
 
-import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.simulator.landscape.Landscape;
 import picocli.CommandLine.Option;
 

@@ -1,7 +1,7 @@
 package org.robonewbie.app.command;
 
-import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.exercises.Language;
+import org.robonewbie.programs.CalledWronglyException;
 import picocli.CommandLine.Option;
 
 /** In which language worksheets and hints are. */

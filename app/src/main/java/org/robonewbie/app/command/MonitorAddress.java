@@ -1,6 +1,6 @@
 package org.robonewbie.app.command;
 
-import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.programs.CalledWronglyException;
 
 /**
  * Where the monitor port of a server is.

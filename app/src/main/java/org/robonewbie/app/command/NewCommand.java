@@ -8,9 +8,8 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.regex.Pattern;
 import java.util.zip.CRC32;
-import org.robonewbie.app.program.CalledWronglyException;
-import org.robonewbie.app.program.ProgramFile;
-import org.robonewbie.competition.team.ClassPath;
+import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.programs.ClassPath;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -115,6 +114,6 @@ final class NewCommand implements Callable<Integer> {
     /** The file of this program: what the folder's build has made, with sources beside it, or else where this class comes from. */
     private static Path ownJar() {
         Path built = Path.of(System.getProperty("robonewbie.home", ""), "app", "target", "robonewbie.jar");
-        return Files.isRegularFile(built) ? built : ProgramFile.ofThisProgram().orElse(built);
+        return Files.isRegularFile(built) ? built : ClassPath.ownJar().orElse(built);
     }
 }

@@ -8,9 +8,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.nao.motion.file.MotionFiles;
 import org.robonewbie.nao.motion.file.ShippedMotions;
+import org.robonewbie.programs.CalledWronglyException;
 
 /**
  * The files of a student's own project. Its folder {@code lib} is a Maven repository with RoboNewbie, its sources and its API

@@ -6,24 +6,23 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import org.robonewbie.app.program.CalledWronglyException;
-import org.robonewbie.app.program.OptimisedAgent;
 import org.robonewbie.app.studio.SearchConsole;
 import org.robonewbie.app.studio.SearchStudio;
 import org.robonewbie.app.studio.SearchStudioOptions;
-import org.robonewbie.learning.optimise.EngineSubject;
-import org.robonewbie.learning.optimise.MotionSubject;
+import org.robonewbie.learning.optimise.MotionParametrization;
 import org.robonewbie.learning.optimise.Objective;
 import org.robonewbie.learning.optimise.Optimisation;
 import org.robonewbie.learning.optimise.OptimisationListener;
 import org.robonewbie.learning.optimise.OptimisationPlan;
 import org.robonewbie.learning.optimise.OptimisationResult;
 import org.robonewbie.learning.optimise.OtherSide;
-import org.robonewbie.learning.optimise.Subject;
+import org.robonewbie.learning.optimise.Parametrization;
+import org.robonewbie.learning.optimise.WalkParametrization;
 import org.robonewbie.learning.search.CovarianceMatrixAdaptation;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.MotionFiles;
 import org.robonewbie.nao.motion.file.ShippedMotions;
+import org.robonewbie.programs.CalledWronglyException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -153,7 +152,7 @@ final class OptimiseCommand implements Callable<Integer> {
                     + ": --objective NAME. There are: " + Objective.labels() + ".");
         }
         Objective wanted = agent.objective(objective);
-        Subject subject = subject(wanted);
+        Parametrization subject = subject(wanted);
         Path file = output.orElse(agent.isWanted() ? agent.file() : Path.of(plainName() + "-optimised.txt"));
         if (bothSides) {
             OtherSide.of(file);
@@ -162,7 +161,7 @@ final class OptimiseCommand implements Callable<Integer> {
         var plan = new OptimisationPlan(seed, generations, candidates, trials, firstStep(), where.threads(), plain);
         Optimisation optimisation = where.isLocal()
                 ? new Optimisation(subject, wanted, plan, file)
-                : Optimisation.on(where.engine(), where.master(), subject, wanted, plan, file);
+                : Optimisation.on(where.runner(), subject, wanted, plan, file);
         System.out.printf(
                 Locale.ROOT,
                 "%s: %d numbers, %d generations of %d candidates with %d trials each, on %s%n",
@@ -177,7 +176,7 @@ final class OptimiseCommand implements Callable<Integer> {
     }
 
     private OptimisationResult run(
-            Optimisation optimisation, Subject subject, Objective wanted, OptimisationPlan plan, Path file)
+            Optimisation optimisation, Parametrization subject, Objective wanted, OptimisationPlan plan, Path file)
             throws IOException, InterruptedException {
         OptimisationListener console = new SearchConsole(System.out, wanted.unit(), file);
         if (studio.isHeadless()) {
@@ -193,7 +192,8 @@ final class OptimiseCommand implements Callable<Integer> {
     }
 
     private OptimisationResult search(
-            Optimisation optimisation, Subject subject, OptimisationListener listener, Path file) throws IOException {
+            Optimisation optimisation, Parametrization subject, OptimisationListener listener, Path file)
+            throws IOException {
         if (agent.isWanted()) {
             rehearse(subject);
         }
@@ -207,7 +207,7 @@ final class OptimiseCommand implements Callable<Integer> {
     }
 
     /** Runs an agent once, so that its mistakes are seen once and not in each of some thousand trials. */
-    private void rehearse(Subject subject) throws IOException {
+    private void rehearse(Parametrization subject) throws IOException {
         SilentPrograms.complaining(() -> subject.evaluate(new double[subject.dimension()], seed));
     }
 
@@ -222,14 +222,14 @@ final class OptimiseCommand implements Callable<Integer> {
         return String.valueOf(Path.of(name).getFileName()).replaceFirst("\\.txt$", "");
     }
 
-    private Subject subject(Objective wanted) throws IOException {
+    private Parametrization subject(Objective wanted) throws IOException {
         if (agent.isWanted()) {
             return agent.subject(wanted);
         }
-        if (name.equals(EngineSubject.NAME)) {
-            return new EngineSubject(wanted);
+        if (name.equals(WalkParametrization.NAME)) {
+            return new WalkParametrization(wanted);
         }
-        return new MotionSubject(name.replace('\\', '/'), motionFile(), wanted);
+        return new MotionParametrization(name.replace('\\', '/'), motionFile(), wanted);
     }
 
     private MotionFile motionFile() throws IOException {

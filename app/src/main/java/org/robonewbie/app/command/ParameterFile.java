@@ -5,10 +5,10 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.nao.file.TextFile;
 import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.nao.text.ConfusableCharacter;
+import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /** A small text file with one {@code NAME=VALUE} per line; what follows {@code #} is a comment. */

@@ -8,19 +8,17 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.function.Supplier;
-import org.robonewbie.app.program.AgentFinder;
-import org.robonewbie.app.program.AgentProgram;
-import org.robonewbie.app.program.CalledWronglyException;
-import org.robonewbie.app.program.ClassPathOption;
-import org.robonewbie.app.program.ExampleCatalogue;
-import org.robonewbie.app.program.StudentJava;
 import org.robonewbie.app.recording.ParallelRecording;
 import org.robonewbie.app.recording.RecordingGuard;
 import org.robonewbie.app.recording.RunOrder;
 import org.robonewbie.app.recording.RunsOnCall;
 import org.robonewbie.learning.dataset.DataSet;
-import org.robonewbie.learning.dataset.TableFormat;
 import org.robonewbie.nao.file.FolderLock;
+import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.programs.ExampleCatalogue;
+import org.robonewbie.programs.Program;
+import org.robonewbie.programs.ProgramFinder;
+import org.robonewbie.programs.process.JavaCommand;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -34,8 +32,8 @@ import picocli.CommandLine.Spec;
         name = "record",
         description = {
             "Let an agent run many times and write a data set.",
-            "Its tables hold what the robot felt, what it commanded, what was true, and what happened in the game. docs/datasets.md"
-                    + " explains the columns and how to read them.",
+            "Its tables hold what the robot felt, what it commanded, what was true, and what happened in the game, as CSV. docs/datasets.md"
+                    + " explains the columns, how to read them, and how to make Parquet of them.",
             "Runs are carried out on all cores; which one a run gets does not change its tables. The table of runs says which have failed",
             "and why. After a kill the same command goes on where it was."
         },
@@ -45,7 +43,7 @@ import picocli.CommandLine.Spec;
             "",
             "Examples:",
             "  robonewbie record Agent_SimpleSoccer --runs 20 --seconds 60",
-            "  robonewbie record MyAgent.java --runs 100 --seed 7 --seconds 10 --format csv --out falls",
+            "  robonewbie record MyAgent.java --runs 100 --seed 7 --seconds 10 --out falls",
             "  robonewbie record MyAgent.java --runs 1000 --seconds 10 --runs-per-file 100",
             "  robonewbie record MyAgent.java --runs 5 --messages -- --pose -2,1,90",
             "  robonewbie record MyTeam.java --robots 4           a program that brings four robots"
@@ -77,9 +75,6 @@ final class RecordCommand implements Callable<Integer> {
     @Option(names = "--seconds", paramLabel = "T", description = "Simulated length of each run (60).")
     private double seconds = 60;
 
-    @Option(names = "--format", paramLabel = "FORMAT", description = "parquet or csv (parquet).")
-    private TableFormat format = TableFormat.PARQUET;
-
     @Option(names = "--out", paramLabel = "FOLDER", description = "A new folder for the data set (dataset).")
     private Path folder = Path.of("dataset");
 
@@ -108,10 +103,10 @@ final class RecordCommand implements Callable<Integer> {
     public Integer call() throws IOException, InterruptedException {
         check();
         RunOrder order = new RunOrder(agentAndOptions, robots, seconds, seed);
-        Supplier<AgentProgram> programs =
-                new AgentFinder(ExampleCatalogue.load(), classPath.folders()).findRepeatedly(order.agent());
+        Supplier<Program> programs =
+                new ProgramFinder(ExampleCatalogue.load(), classPath.folders()).findRepeatedly(order.agent());
         if (onCall) {
-            new RunsOnCall(order, programs, DataSet.joined(folder, format, messages, facts(order))).serve();
+            new RunsOnCall(order, programs, DataSet.joined(folder, messages, facts(order))).serve();
         }
         DataSet set = create(order);
         FolderLock lock = FolderLock.take(folder.resolve(LOCK))
@@ -122,7 +117,7 @@ final class RecordCommand implements Callable<Integer> {
             if (set.runs() > 0) {
                 System.out.println(set.runs() + " runs are complete already and kept.");
             }
-            new ParallelRecording(order, runs, set, StudentJava.command(List.of(), argumentsOnCall())).run(threads);
+            new ParallelRecording(order, runs, set, JavaCommand.ofCommand(argumentsOnCall())).run(threads);
             return end(set);
         } finally {
             guard.close();
@@ -172,7 +167,7 @@ final class RecordCommand implements Callable<Integer> {
 
     private DataSet create(RunOrder order) {
         try {
-            return DataSet.create(folder, format, messages, facts(order));
+            return DataSet.create(folder, messages, facts(order));
         } catch (IllegalArgumentException occupied) {
             throw new CalledWronglyException(String.valueOf(occupied.getMessage()));
         } catch (IOException unwritable) {

@@ -10,7 +10,6 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.robonewbie.agent.Options;
-import org.robonewbie.app.program.CommandWord;
 import org.robonewbie.nao.file.PathEncoding;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;

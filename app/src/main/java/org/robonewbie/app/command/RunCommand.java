@@ -1,19 +1,13 @@
 package org.robonewbie.app.command;
 
 import java.io.IOException;
-import java.io.OutputStream;
-import java.io.PrintStream;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
-import org.robonewbie.app.program.AgentFinder;
-import org.robonewbie.app.program.AgentProgram;
-import org.robonewbie.app.program.CalledWronglyException;
-import org.robonewbie.app.program.ClassPathOption;
-import org.robonewbie.app.program.ExampleCatalogue;
-import org.robonewbie.app.program.ProgramOnCall;
-import org.robonewbie.app.program.StudentJava;
+import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.programs.ExampleCatalogue;
+import org.robonewbie.programs.Program;
+import org.robonewbie.programs.ProgramFinder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -51,8 +45,8 @@ final class RunCommand implements Callable<Integer> {
             names = "--rehearse",
             paramLabel = "T",
             description =
-                    "Before the game let the agent play T simulated seconds unseen, in a simulator of its own, so that Java"
-                            + " has compiled it when it counts: for matches on the clock.")
+                    "Before the game let the agent play T simulated seconds unseen, in a simulator of its own, so that"
+                            + " Java has compiled it when it counts: for matches on the clock.")
     private double rehearsalSeconds;
 
     @Parameters(
@@ -65,19 +59,13 @@ final class RunCommand implements Callable<Integer> {
     @Unmatched
     private final List<String> optionsBeforeTheAgent = new ArrayList<>();
 
-    @Option(names = StudentJava.ON_CALL, hidden = true)
-    private boolean onCall;
-
     @Override
     public Integer call() throws IOException {
-        if (onCall) {
-            return new ProgramOnCall(ExampleCatalogue.load()).await();
-        }
         if (!optionsBeforeTheAgent.isEmpty()) {
             throw new CalledWronglyException("Name the agent first, then its options: robonewbie run "
                     + ExampleCatalogue.FIRST_EXAMPLE + " " + optionsBeforeTheAgent.get(0));
         }
-        AgentFinder finder = new AgentFinder(ExampleCatalogue.load(), classPath.folders());
+        ProgramFinder finder = new ProgramFinder(ExampleCatalogue.load(), classPath.folders());
         if (!(rehearsalSeconds >= 0)) {
             throw new CalledWronglyException(
                     "--rehearse " + rehearsalSeconds + ": give a number of seconds from 0 on.");
@@ -87,7 +75,7 @@ final class RunCommand implements Callable<Integer> {
                     + ExampleCatalogue.FIRST_EXAMPLE + System.lineSeparator() + finder.listOfExamples());
         }
         List<String> options = agentAndOptions.subList(1, agentAndOptions.size());
-        AgentProgram program = finder.find(agentAndOptions.get(0));
+        Program program = finder.find(agentAndOptions.get(0));
         if (rehearsalSeconds > 0) {
             rehearse(program, options);
         }
@@ -95,21 +83,11 @@ final class RunCommand implements Callable<Integer> {
     }
 
     /** What is said meanwhile would only confuse; what goes wrong will go wrong again where it counts. */
-    private void rehearse(AgentProgram program, List<String> options) {
+    private void rehearse(Program program, List<String> options) throws IOException {
         List<String> all = withoutServer(options);
         all.addAll(List.of("--seed", "1", "--fast", "--headless", "--seconds", Double.toString(rehearsalSeconds)));
-        PrintStream out = System.out;
-        PrintStream err = System.err;
-        out.println("Rehearses for " + rehearsalSeconds + " simulated seconds");
-        PrintStream nowhere = new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
-        System.setOut(nowhere);
-        System.setErr(nowhere);
-        try {
-            program.run(all);
-        } finally {
-            System.setOut(out);
-            System.setErr(err);
-        }
+        System.out.println("Rehearses for " + rehearsalSeconds + " simulated seconds");
+        SilentPrograms.entirely(() -> program.run(all));
     }
 
     private static List<String> withoutServer(List<String> options) {

@@ -78,7 +78,7 @@ final class StudioCommand implements Callable<Integer> {
             names = "--roboviz-drawings",
             paramLabel = "PORT",
             arity = "0..1",
-            fallbackValue = "" + RoboVizPort.USUAL,
+            fallbackValue = "" + RoboVizPort.DEFAULT,
             description =
                     "Show what teams draw for RoboViz: listen at this UDP port of 127.0.0.1 (${FALLBACK-VALUE}). Without"
                             + " this option no drawings come in.")

@@ -7,8 +7,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
 import java.util.stream.Stream;
-import org.robonewbie.app.program.CalledWronglyException;
-import org.robonewbie.app.program.ResourceFolder;
+import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.programs.ResourceFolder;
 
 /** The texts of the example team, as the beginning of a student's own: in the student's package, with the student's agent. */
 final class TeamSources {

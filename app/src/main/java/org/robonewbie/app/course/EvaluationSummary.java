@@ -6,10 +6,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
-import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.nao.file.TextFile;
 import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.nao.text.ConfusableCharacter;
+import org.robonewbie.programs.CalledWronglyException;
 
 /** Answers of a course, as means by experience in robotics and in Java; answers go from 1 to 5, and none may be missing. */
 public final class EvaluationSummary {

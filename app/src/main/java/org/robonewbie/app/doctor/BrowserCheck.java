@@ -7,7 +7,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Looks whether there is a command that opens web pages. */
+/** Checks for a command that opens web pages. */
 final class BrowserCheck {
 
     private BrowserCheck() {}
@@ -18,7 +18,7 @@ final class BrowserCheck {
                 Optional.ofNullable(System.getenv("PATH")).orElse(""));
     }
 
-    /** Windows and macOS always have such a command. */
+    /** Checks for xdg-open on Linux; Windows and macOS always have such a command. */
     static Finding command(String operatingSystem, String path) {
         String system = operatingSystem.toLowerCase(Locale.ROOT);
         if (system.contains("win") || system.contains("mac")) {
@@ -31,7 +31,7 @@ final class BrowserCheck {
                 .map(opener -> Finding.well("Browser", "opened by " + opener))
                 .orElse(Finding.notable(
                         "Browser",
-                        "xdg-open was not found",
+                        "xdg-open not found",
                         "Open the printed address of the studio yourself, in Firefox, Chrome, Edge or Safari."));
     }
 }

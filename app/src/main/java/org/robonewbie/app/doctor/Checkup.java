@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.function.Supplier;
 import org.robonewbie.nao.file.PathEncoding;
 
-/** All checks of the installation, from Java to a robot that stands. */
+/** All checks of the installation, from the Java version to a standing robot. */
 public final class Checkup {
 
     private final List<Supplier<Finding>> checks = new ArrayList<>();
@@ -14,9 +14,9 @@ public final class Checkup {
     private Checkup() {}
 
     /**
-     * Returns the checks.
+     * Returns the checks of an installation.
      *
-     * @param headless whether studio and browser do not matter
+     * @param headless whether to skip studio and browser
      * @return the checks, not yet run
      */
     public static Checkup of(boolean headless) {
@@ -42,10 +42,10 @@ public final class Checkup {
     }
 
     /**
-     * Returns the checks of a computer on which a course is to be held.
+     * Returns the checks of a classroom computer.
      *
-     * @param headless whether studio, browser and graphics do not matter
-     * @return the checks of the installation, and what a lesson needs beyond them
+     * @param headless whether to skip studio, browser and graphics
+     * @return the checks of the installation, and those of what a lesson needs beyond it
      */
     public static Checkup ofRoom(boolean headless) {
         Checkup checkup = of(headless);
@@ -61,7 +61,7 @@ public final class Checkup {
         return checkup;
     }
 
-    /** {@return the findings of all checks in their order; each check runs when its finding is requested} */
+    /** {@return the findings in order; each check runs when its finding is requested} */
     public Iterable<Finding> findings() {
         return () -> checks.stream().map(Supplier::get).iterator();
     }

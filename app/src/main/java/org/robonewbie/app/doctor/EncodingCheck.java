@@ -3,7 +3,7 @@ package org.robonewbie.app.doctor;
 import java.util.Optional;
 import org.robonewbie.nao.file.PathEncoding;
 
-/** Looks whether Java can read the names of all files. */
+/** Checks the encoding of file names. */
 final class EncodingCheck {
 
     private static final String SUBJECT = "Encoding";
@@ -19,13 +19,13 @@ final class EncodingCheck {
             return Finding.broken(
                     SUBJECT,
                     trouble.get(),
-                    "The remaining checks were skipped. Start again where the name can be read.");
+                    "The remaining checks were skipped. Move to a folder whose name can be read, and start again.");
         }
         return unicode
-                ? Finding.well(SUBJECT, "names of files may have letters of all languages")
+                ? Finding.well(SUBJECT, "file names may contain letters of all languages")
                 : Finding.notable(
                         SUBJECT,
-                        "names of files are read as " + encoding + ", which lacks umlauts and other letters",
-                        "Write \"export LC_ALL=C.UTF-8\" before you start.");
+                        "file names are decoded as " + encoding + ", which lacks umlauts and other letters",
+                        "Run \"export LC_ALL=C.UTF-8\" before you start.");
     }
 }

@@ -9,17 +9,19 @@ import java.util.Locale;
 import java.util.Optional;
 import org.robonewbie.app.course.GradingConditions;
 import org.robonewbie.app.course.GradingProcess;
-import org.robonewbie.app.program.TemporaryFolder;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Grade;
+import org.robonewbie.nao.file.TemporaryFolder;
+import org.robonewbie.programs.process.RobotProcess;
+import org.robonewbie.programs.process.Sandbox;
 
-/** Grades a program as students do: it is written, compiled and run in a process of its own, and judged. */
+/** Grades the starter program of an exercise: writes it, compiles it, runs it in its own process, and judges it. */
 final class ExerciseCheckup {
 
     private static final String SUBJECT = "An exercise";
     private static final String ADVICE =
-            "Try the same by hand: robonewbie grade raise-arms --start, then robonewbie grade raise-arms RaiseArms.java";
+            "Try it by hand: robonewbie grade raise-arms --start, then robonewbie grade raise-arms RaiseArms.java";
 
     private ExerciseCheckup() {}
 
@@ -29,9 +31,9 @@ final class ExerciseCheckup {
         try (TemporaryFolder folder = TemporaryFolder.create("room")) {
             Path file = folder.path().resolve(exercise.className() + ".java");
             Files.writeString(file, exercise.startCode());
-            GradingConditions conditions =
-                    new GradingConditions(1, 1, "", folder.path(), true, Optional.empty(), output::add);
-            return of(exercise, new GradingProcess(exercise, file.toString(), conditions).run(), output);
+            RobotProcess.Request program = new RobotProcess.Request(file.toString(), List.of(), folder.path(), true);
+            GradingConditions conditions = new GradingConditions(1, 1, Sandbox.find(), Optional.empty(), output::add);
+            return of(exercise, new GradingProcess(exercise, program, conditions).run(), output);
         } catch (IOException failed) {
             return Finding.broken(SUBJECT, String.valueOf(failed.getMessage()), ADVICE);
         }

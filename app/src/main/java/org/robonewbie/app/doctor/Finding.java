@@ -3,12 +3,12 @@ package org.robonewbie.app.doctor;
 import java.util.Locale;
 
 /**
- * What one check of the installation has found.
+ * Result of one check of the installation.
  *
  * @param subject what was checked, one or two words
- * @param verdict whether it is well
- * @param found what was found
- * @param advice what to do; empty if nothing
+ * @param verdict severity
+ * @param found the observation
+ * @param advice what to do; may be empty
  */
 public record Finding(String subject, Verdict verdict, String found, String advice) {
 
@@ -24,11 +24,7 @@ public record Finding(String subject, Verdict verdict, String found, String advi
         return new Finding(subject, Verdict.BROKEN, found, advice);
     }
 
-    /**
-     * Writes the finding for people.
-     *
-     * @return one line, and a second one with the advice if there is one
-     */
+    /** {@return the finding as one line, and a second line with the advice if there is any} */
     public String toText() {
         String line = String.format(Locale.ROOT, "%-5s %-14s %s", verdict.mark(), subject, found);
         return advice.isEmpty() ? line : line + System.lineSeparator() + " ".repeat(21) + "-> " + advice;

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** Tries whether files can be written into a folder. */
+/** Checks whether a folder is writable. */
 final class FolderCheck {
 
     private FolderCheck() {}
@@ -12,12 +12,12 @@ final class FolderCheck {
     static Finding of(String subject, Path folder) {
         try {
             Files.delete(Files.createTempFile(folder, "robonewbie", ".tmp"));
-            return Finding.well(subject, folder + " can be written");
+            return Finding.well(subject, folder + " is writable");
         } catch (IOException readOnly) {
             return Finding.notable(
                     subject,
-                    folder + " cannot be written",
-                    "Recordings and reports need another folder: change into it first, or name files there.");
+                    folder + " is not writable",
+                    "Recordings and reports need a writable folder: change into one first, or give paths in one.");
         }
     }
 }

@@ -9,18 +9,18 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
-import org.robonewbie.app.program.TemporaryFolder;
+import org.robonewbie.nao.file.TemporaryFolder;
 
-/** Lets a browser draw in the background what the studio needs: three dimensions by WebGL. */
+/** Checks WebGL, which the studio needs, in a headless browser. */
 final class GraphicsCheck {
 
     private static final String SUBJECT = "Graphics";
-    private static final int LONGEST_SECONDS = 30;
+    private static final int MAX_SECONDS = 30;
     private static final String WORKS = "webgl-works";
     private static final String LOOK =
-            "Open the studio once on this computer (robonewbie demo): if the pitch stays grey, take another browser.";
+            "Open the studio once on this computer (robonewbie demo): if the pitch stays grey, use another browser.";
 
-    /** Browsers that can be asked without a window, as commands of the PATH or files. */
+    /** Browsers with a headless mode, as commands on the PATH or as files. */
     private static final List<String> BROWSERS = List.of(
             "chromium",
             "chromium-browser",
@@ -50,14 +50,14 @@ final class GraphicsCheck {
     static Finding drawn(String searchPath) {
         Optional<Path> browser = browser(searchPath);
         if (browser.isEmpty()) {
-            return Finding.notable(SUBJECT, "no browser of the Chromium family to ask", LOOK);
+            return Finding.notable(SUBJECT, "no browser of the Chromium family found for the check", LOOK);
         }
         try (TemporaryFolder folder = TemporaryFolder.create("graphics")) {
             Path page = Files.writeString(folder.path().resolve("page.html"), PAGE);
             String shown = answer(browser.get(), folder.path(), page);
             return shown.contains(WORKS)
-                    ? Finding.well(SUBJECT, browser.get().getFileName() + " draws three dimensions (WebGL)")
-                    : Finding.notable(SUBJECT, browser.get() + " does not draw three dimensions (WebGL)", LOOK);
+                    ? Finding.well(SUBJECT, browser.get().getFileName() + " supports 3D graphics (WebGL)")
+                    : Finding.notable(SUBJECT, browser.get() + " does not support 3D graphics (WebGL)", LOOK);
         } catch (IOException failed) {
             return Finding.notable(SUBJECT, browser.get() + " did not start: " + failed.getMessage(), LOOK);
         } catch (InterruptedException stopped) {
@@ -79,7 +79,7 @@ final class GraphicsCheck {
                 .redirectOutput(shown.toFile())
                 .start();
         try {
-            process.waitFor(LONGEST_SECONDS, TimeUnit.SECONDS);
+            process.waitFor(MAX_SECONDS, TimeUnit.SECONDS);
             return Files.readString(shown);
         } finally {
             end(process);

@@ -7,7 +7,7 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 
-/** Looks whether a port of this computer is free, and else who answers there. */
+/** Checks whether a TCP port is free, and else guesses what listens there. */
 final class PortCheck {
 
     private static final int MILLISECONDS = 500;
@@ -22,20 +22,20 @@ final class PortCheck {
         } catch (IOException inUse) {
             return Finding.notable(
                     subject,
-                    port + " is in use by " + whoAnswers(port),
-                    "Agents join a simulator that runs there. To have your own, end that program or use another port.");
+                    port + " is in use by " + listenerAt(port),
+                    "Agents join the simulator that runs there. To start another one, stop that program or use another port.");
         }
     }
 
-    /** A soccer server sends its scene to monitors unasked and says nothing to agents that say nothing. */
-    private static String whoAnswers(int port) {
+    /** A soccer server sends its scene to monitors immediately, but waits for agents to speak first. */
+    private static String listenerAt(int port) {
         try (Socket socket = new Socket()) {
             socket.connect(new InetSocketAddress(InetAddress.getLoopbackAddress(), port), MILLISECONDS);
             socket.setSoTimeout(MILLISECONDS);
             String answer = new String(socket.getInputStream().readNBytes(FIRST_BYTES), StandardCharsets.ISO_8859_1);
             return answer.contains("((") ? "a soccer simulator" : "another program";
         } catch (IOException silent) {
-            return "a program that waits for others to speak, as a soccer simulator does";
+            return "a program that waits for a client to speak first, as a soccer simulator does";
         }
     }
 }

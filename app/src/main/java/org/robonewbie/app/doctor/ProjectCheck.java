@@ -7,24 +7,24 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
-import org.robonewbie.app.program.ProgramFile;
-import org.robonewbie.app.program.StudentJava;
-import org.robonewbie.app.program.TemporaryFolder;
+import org.robonewbie.nao.file.TemporaryFolder;
+import org.robonewbie.programs.ClassPath;
+import org.robonewbie.programs.process.JavaCommand;
 
-/** Makes a project as {@code robonewbie new} does and runs its program, for which no network may be needed. */
+/** Creates a project as {@code robonewbie new} does and runs its program; neither may need a network. */
 final class ProjectCheck {
 
     private static final String SUBJECT = "A project";
     private static final String AGENT = "src/main/java/room/MyAgent.java";
     private static final String GREETING = "Own simulator";
-    private static final int LONGEST_SECONDS = 120;
+    private static final int MAX_SECONDS = 120;
 
     private ProjectCheck() {}
 
     static Finding made() {
-        if (ProgramFile.ofThisProgram().isEmpty()) {
+        if (ClassPath.ownJar().isEmpty()) {
             return Finding.notable(
-                    SUBJECT, "not tried, since this program was not packaged", "Start it by ./robonewbie instead.");
+                    SUBJECT, "skipped, since this program is not packaged", "Start it with ./robonewbie instead.");
         }
         try (TemporaryFolder folder = TemporaryFolder.create("room")) {
             Optional<String> trouble = trouble(folder.path(), List.of("new", "room"))
@@ -32,29 +32,30 @@ final class ProjectCheck {
                             folder.path().resolve("room"),
                             List.of("run", AGENT, "--headless", "--fast", "--seed", "1", "--seconds", "1")));
             return trouble.map(ProjectCheck::broken)
-                    .orElseGet(() -> Finding.well(SUBJECT, "was made by \"new\", compiled and run without a network"));
+                    .orElseGet(
+                            () -> Finding.well(SUBJECT, "was created by \"new\", compiled and run without a network"));
         } catch (IOException failed) {
             return broken(String.valueOf(failed.getMessage()));
         }
     }
 
     private static Finding broken(String trouble) {
-        return Finding.broken(SUBJECT, trouble, "Try the same by hand: robonewbie new my-team");
+        return Finding.broken(SUBJECT, trouble, "Try it by hand: robonewbie new my-team");
     }
 
-    /** What a command says if it fails. */
+    /** Runs a command and returns its error message if it fails. */
     private static Optional<String> trouble(Path folder, List<String> words) {
         Path output = folder.resolve("output.txt");
         try {
-            Process process = new ProcessBuilder(StudentJava.command(List.of(), words))
+            Process process = new ProcessBuilder(JavaCommand.ofCommand(words))
                     .directory(folder.toFile())
                     .redirectErrorStream(true)
                     .redirectOutput(output.toFile())
                     .start();
-            boolean ended = process.waitFor(LONGEST_SECONDS, TimeUnit.SECONDS);
+            boolean ended = process.waitFor(MAX_SECONDS, TimeUnit.SECONDS);
             process.destroyForcibly();
             if (!ended) {
-                return Optional.of("\"" + words.get(0) + "\" did not end within " + LONGEST_SECONDS + " s");
+                return Optional.of("\"" + words.get(0) + "\" did not end within " + MAX_SECONDS + " s");
             }
             return process.exitValue() == 0
                     ? Optional.empty()
@@ -62,7 +63,7 @@ final class ProjectCheck {
                             .lines()
                             .filter(line -> !line.startsWith(GREETING))
                             .findFirst()
-                            .orElse("\"" + words.get(0) + "\" failed without a word"));
+                            .orElse("\"" + words.get(0) + "\" failed without a message"));
         } catch (IOException failed) {
             return Optional.of(String.valueOf(failed.getMessage()));
         } catch (InterruptedException stopped) {

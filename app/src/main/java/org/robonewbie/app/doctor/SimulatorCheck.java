@@ -14,11 +14,11 @@ import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
-/** Runs a standing robot in a simulator for one second and checks that it still stands. */
+/** Simulates a standing robot for one second and checks that it still stands. */
 final class SimulatorCheck {
 
     private static final int CYCLES = 50;
-    private static final double LEAST_TORSO_HEIGHT = 0.3;
+    private static final double MIN_TORSO_HEIGHT = 0.3;
     private static final String SUBJECT = "Simulator";
 
     private SimulatorCheck() {}
@@ -30,9 +30,9 @@ final class SimulatorCheck {
             double seconds = (System.nanoTime() - start) / 1e9;
             String found = String.format(
                     Locale.ROOT, "a robot stood for 1 s, torso %.2f m high, computed in %.1f s", height, seconds);
-            return height < LEAST_TORSO_HEIGHT
+            return height < MIN_TORSO_HEIGHT
                     ? Finding.broken(
-                            SUBJECT, found, "It has fallen. Please report this with the output of this command.")
+                            SUBJECT, found, "The robot has fallen. Please report this with the output of this command.")
                     : Finding.well(SUBJECT, found);
         } catch (IOException | RuntimeException failed) {
             return Finding.broken(SUBJECT, failed.toString(), "Please report this with the output of this command.");

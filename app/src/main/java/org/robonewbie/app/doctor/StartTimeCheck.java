@@ -4,15 +4,15 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
-import org.robonewbie.app.program.StudentJava;
+import org.robonewbie.programs.process.JavaCommand;
 
-/** Measures how long this program takes to start: scanners of viruses and slow network drives show here first. */
+/** Measures the start time of this program, which shows virus scanners and slow network drives. */
 final class StartTimeCheck {
 
     private static final String SUBJECT = "Start time";
     private static final int STARTS = 2;
     private static final double SLOW_SECONDS = 4;
-    private static final int LONGEST_SECONDS = 60;
+    private static final int MAX_SECONDS = 60;
     private static final double NANOSECONDS_PER_SECOND = 1e9;
 
     private StartTimeCheck() {}
@@ -25,7 +25,8 @@ final class StartTimeCheck {
             }
             return of(best);
         } catch (IOException failed) {
-            return Finding.broken(SUBJECT, String.valueOf(failed.getMessage()), "May this account start programs?");
+            return Finding.broken(
+                    SUBJECT, String.valueOf(failed.getMessage()), "Is this account allowed to start programs?");
         } catch (InterruptedException stopped) {
             Thread.currentThread().interrupt();
             return Finding.notable(SUBJECT, "not measured", "The check was interrupted.");
@@ -44,11 +45,11 @@ final class StartTimeCheck {
 
     private static double seconds() throws IOException, InterruptedException {
         long begin = System.nanoTime();
-        Process process = new ProcessBuilder(StudentJava.command(List.of(), List.of("--version")))
+        Process process = new ProcessBuilder(JavaCommand.ofCommand(List.of("--version")))
                 .redirectErrorStream(true)
                 .redirectOutput(ProcessBuilder.Redirect.DISCARD)
                 .start();
-        boolean ended = process.waitFor(LONGEST_SECONDS, TimeUnit.SECONDS);
+        boolean ended = process.waitFor(MAX_SECONDS, TimeUnit.SECONDS);
         process.destroyForcibly();
         return ended ? (System.nanoTime() - begin) / NANOSECONDS_PER_SECOND : Double.POSITIVE_INFINITY;
     }

@@ -12,11 +12,11 @@ import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
-/** Starts the studio and fetches its page, as a browser would. */
+/** Starts the studio and fetches its start page. */
 final class StudioCheck {
 
     private static final String SUBJECT = "Studio";
-    private static final Duration PATIENCE = Duration.ofSeconds(5);
+    private static final Duration TIMEOUT = Duration.ofSeconds(5);
     private static final int OK = 200;
 
     private StudioCheck() {}
@@ -34,16 +34,16 @@ final class StudioCheck {
             return Finding.broken(
                     SUBJECT,
                     failed.toString(),
-                    "Does a firewall forbid servers on 127.0.0.1? Use --headless without it.");
+                    "Does a firewall block servers on 127.0.0.1? Use --headless to work without the studio.");
         }
     }
 
     private static Finding fetch(URI address) throws IOException {
         HttpClient client = HttpClient.newBuilder()
                 .proxy(HttpClient.Builder.NO_PROXY)
-                .connectTimeout(PATIENCE)
+                .connectTimeout(TIMEOUT)
                 .build();
-        HttpRequest request = HttpRequest.newBuilder(address).timeout(PATIENCE).build();
+        HttpRequest request = HttpRequest.newBuilder(address).timeout(TIMEOUT).build();
         try {
             int status =
                     client.send(request, HttpResponse.BodyHandlers.discarding()).statusCode();

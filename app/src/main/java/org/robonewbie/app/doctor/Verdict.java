@@ -1,12 +1,12 @@
 package org.robonewbie.app.doctor;
 
-/** How a check of the installation has ended. */
+/** Severity of a finding. */
 public enum Verdict {
-    /** All is well. */
+    /** No problem. */
     WELL("ok"),
-    /** It works, but there is something to know. */
+    /** Works, but with a restriction. */
     NOTABLE("look"),
-    /** It must be mended. */
+    /** Must be fixed. */
     BROKEN("FAIL");
 
     private final String mark;
@@ -15,7 +15,7 @@ public enum Verdict {
         this.mark = mark;
     }
 
-    /** {@return the short word that precedes the line} */
+    /** {@return short mark at the start of the line} */
     public String mark() {
         return mark;
     }

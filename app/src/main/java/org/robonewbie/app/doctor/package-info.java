@@ -1,7 +1,7 @@
 /**
- * The checks of the installation. Start in {@link org.robonewbie.app.doctor.Checkup}.
+ * Checks of the installation. Start with {@link org.robonewbie.app.doctor.Checkup}.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.app.doctor;

@@ -11,12 +11,12 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Stream;
-import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.nao.file.PathEncoding;
 import org.robonewbie.nao.file.SubmittedFolder;
 import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.nao.text.Spelling;
+import org.robonewbie.programs.CalledWronglyException;
 
 /**
  * What a class has handed in: a folder for each student, or files named after student and class, such as {@code anna_Kick.java}. A

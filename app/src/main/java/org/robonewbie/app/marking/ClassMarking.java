@@ -9,22 +9,23 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
 import java.util.function.Consumer;
 import org.robonewbie.app.course.GradingConditions;
 import org.robonewbie.app.course.GradingProcess;
-import org.robonewbie.app.program.CalledWronglyException;
-import org.robonewbie.app.program.TemporaryFolder;
 import org.robonewbie.competition.team.Fingerprint;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Grade;
 import org.robonewbie.nao.file.FolderLock;
 import org.robonewbie.nao.file.SubmittedFolder;
+import org.robonewbie.nao.file.TemporaryFolder;
 import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.nao.text.PrintableText;
+import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.programs.process.RobotProcess;
+import org.robonewbie.programs.process.Sandbox;
+import org.robonewbie.trial.batch.BatchProgress;
+import org.robonewbie.trial.batch.BatchRunner;
+import org.robonewbie.trial.batch.ThreadRunner;
 
 /**
  * Grades all programs of a class, as many at once as there are processors, into one table, and says which programs are copies. What was
@@ -39,6 +40,7 @@ public final class ClassMarking {
     private final int seeds;
     private final Path results;
     private final String version;
+    private final Sandbox sandbox;
     private final Consumer<String> progress;
     private int done;
     private int reused;
@@ -51,15 +53,23 @@ public final class ClassMarking {
      * @param seeds how many trials each program has
      * @param results folder for tables and kept marks
      * @param version this version of the judge; a mark of another one is not reused
-     * @param progress hears a sentence for each mark
+     * @param sandbox where programs run, if there is a sandbox
+     * @param progress receives a sentence for each mark
      */
     public ClassMarking(
-            Path folder, List<Exercise> exercises, int seeds, Path results, String version, Consumer<String> progress) {
+            Path folder,
+            List<Exercise> exercises,
+            int seeds,
+            Path results,
+            String version,
+            Sandbox sandbox,
+            Consumer<String> progress) {
         this.folder = folder;
         this.exercises = List.copyOf(exercises);
         this.seeds = seeds;
         this.results = results;
         this.version = version;
+        this.sandbox = sandbox;
         this.progress = progress;
     }
 
@@ -115,60 +125,46 @@ public final class ClassMarking {
             fingerprints.put(submission, fingerprint);
             kept.find(submission, fingerprint).ifPresent(mark -> marks.put(submission, mark));
         }
-        marks.values().forEach(mark -> tell(mark, submissions.size(), true));
+        reused = marks.size();
+        marks.values().forEach(mark -> progress.accept(line(mark, submissions.size()) + " (graded before)"));
         fingerprints.keySet().removeAll(marks.keySet());
-        marks.putAll(gradeAll(fingerprints, kept, submissions.size()));
+        try (BatchRunner runner = new ThreadRunner();
+                BatchProgress bar = BatchProgress.of("programs", submissions.size(), reused)) {
+            runner.run(
+                    List.copyOf(fingerprints.keySet()),
+                    submission -> mark(submission, fingerprints.getOrDefault(submission, ""), kept),
+                    (submission, mark) -> {
+                        marks.put(submission, mark);
+                        bar.print(progress, line(mark, submissions.size()));
+                        bar.advance(mark.grade().isEmpty());
+                    });
+        }
         return submissions.stream().map(marks::get).toList();
     }
 
-    private Map<Submission, Mark> gradeAll(Map<Submission, String> fingerprints, KeptMarks kept, int count)
-            throws IOException {
-        ExecutorService threads =
-                Executors.newFixedThreadPool(Runtime.getRuntime().availableProcessors());
-        try {
-            Map<Submission, Future<Mark>> coming = new LinkedHashMap<>();
-            fingerprints.forEach((submission, fingerprint) ->
-                    coming.put(submission, threads.submit(() -> mark(submission, fingerprint, kept, count))));
-            Map<Submission, Mark> marks = new HashMap<>();
-            for (Map.Entry<Submission, Future<Mark>> mark : coming.entrySet()) {
-                marks.put(mark.getKey(), mark.getValue().get());
-            }
-            return marks;
-        } catch (ExecutionException failed) {
-            throw failed.getCause() instanceof IOException unwritable ? unwritable : new IOException(failed.getCause());
-        } catch (InterruptedException stopped) {
-            Thread.currentThread().interrupt();
-            throw new IOException("The grading was stopped. The same command goes on where it was.", stopped);
-        } finally {
-            threads.shutdownNow();
-        }
-    }
-
     /** Whatever a program does to its judge costs itself the mark and no other one. */
-    private Mark mark(Submission submission, String fingerprint, KeptMarks kept, int count) throws IOException {
-        Mark mark;
+    private Mark mark(Submission submission, String fingerprint, KeptMarks kept) throws IOException {
         try (TemporaryFolder work = TemporaryFolder.create("program")) {
             Path copy = work.path().toRealPath();
             new SubmittedFolder(submission.folder(), place -> false).copyTo(copy);
             if (fingerprint(submission, copy).equals(fingerprint)) {
-                mark = grade(submission, copy);
+                Mark mark = grade(submission, copy);
                 kept.keep(submission, fingerprint, mark);
-            } else {
-                mark = broken(submission, "Its files were changed while the class was graded. Grade it again.");
+                return mark;
             }
+            return broken(submission, "Its files were changed while the class was graded. Grade it again.");
         } catch (UnreadableFileException | RuntimeException | StackOverflowError | OutOfMemoryError failed) {
-            mark = broken(submission, "It could not be graded: " + failed + ".");
+            return broken(submission, "It could not be graded: " + failed + ".");
         }
-        tell(mark, count, false);
-        return mark;
     }
 
     private Mark grade(Submission submission, Path copy) throws IOException {
         FirstLines output = new FirstLines();
-        GradingConditions conditions = new GradingConditions(seeds, 1, "", copy, true, Optional.empty(), output);
+        GradingConditions conditions = new GradingConditions(seeds, 1, sandbox, Optional.empty(), output);
         Path file =
                 copy.resolve(submission.folder().relativize(submission.file()).toString());
-        Optional<Grade> grade = new GradingProcess(submission.exercise(), file.toString(), conditions).run();
+        RobotProcess.Request program = new RobotProcess.Request(file.toString(), List.of(copy), copy, true);
+        Optional<Grade> grade = new GradingProcess(submission.exercise(), program, conditions).run();
         return grade.isPresent()
                 ? new Mark(submission.student(), submission.exercise().name(), grade, "")
                 : broken(submission, output.reason(file).orElse(NO_REASON));
@@ -186,18 +182,16 @@ public final class ClassMarking {
                 .text();
     }
 
-    private synchronized void tell(Mark mark, int count, boolean reuse) {
+    private String line(Mark mark, int count) {
         done++;
-        reused += reuse ? 1 : 0;
-        progress.accept(String.format(
+        return String.format(
                 Locale.ROOT,
-                "%4d of %d  %-20s %-16s %4.1f points %s%s",
+                "%4d of %d  %-20s %-16s %4.1f points %s",
                 done,
                 count,
                 PrintableText.of(mark.student()),
                 mark.exercise(),
                 mark.points(),
-                mark.passed() ? "passed" : "  " + PrintableText.of(mark.finding()),
-                reuse ? " (graded before)" : ""));
+                mark.passed() ? "passed" : "  " + PrintableText.of(mark.finding()));
     }
 }

@@ -1,7 +1,6 @@
 package org.robonewbie.app.recording;
 
 import java.io.IOException;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -9,14 +8,12 @@ import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
-import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
 import org.robonewbie.learning.dataset.DataSet;
 import org.robonewbie.learning.dataset.RunResult;
+import org.robonewbie.trial.batch.BatchProgress;
+import org.robonewbie.trial.batch.BatchRunner;
+import org.robonewbie.trial.batch.ThreadRunner;
 
 /**
  * Records the runs of a data set in several processes at the same time. Which process carries out a run does not change its tables, since
@@ -24,9 +21,8 @@ import org.robonewbie.learning.dataset.RunResult;
  */
 public final class ParallelRecording {
 
-    private static final long SECONDS_TO_END = 10;
-
     private final Set<RecordingProcess> processes = ConcurrentHashMap.newKeySet();
+    private final Queue<RecordingProcess> idle = new ConcurrentLinkedQueue<>();
     private final RunOrder order;
     private final int runs;
     private final DataSet set;
@@ -54,40 +50,25 @@ public final class ParallelRecording {
      * @throws IOException if the tables cannot be written
      */
     public void run(int most) throws IOException {
-        Queue<Integer> missing = new ConcurrentLinkedQueue<>(IntStream.rangeClosed(1, runs)
+        List<Integer> missing = IntStream.rangeClosed(1, runs)
                 .filter(run -> !set.has(run))
                 .boxed()
-                .toList());
-        ExecutorService threads = Executors.newFixedThreadPool(most);
-        try {
-            List<Future<?>> all = new ArrayList<>();
-            for (int i = Math.min(most, missing.size()); i > 0; i--) {
-                all.add(threads.submit(() -> work(missing)));
-            }
-            for (Future<?> each : all) {
-                each.get();
-            }
-        } catch (ExecutionException failure) {
-            missing.clear();
-            breakOff(threads);
-            throw failure.getCause() instanceof IOException unwritable ? unwritable : new IOException(failure);
-        } catch (InterruptedException stopped) {
-            Thread.currentThread().interrupt();
-            throw new IOException("The recording was interrupted.", stopped);
+                .toList();
+        boolean complete = false;
+        try (BatchRunner runner = new ThreadRunner(most);
+                BatchProgress progress = BatchProgress.of("runs", runs, runs - missing.size())) {
+            runner.run(missing, this::record, (run, result) -> take(result, progress));
+            complete = true;
         } finally {
-            threads.shutdownNow();
+            processes.forEach(RecordingProcess::close);
+            if (!complete) {
+                discardIncomplete();
+            }
         }
     }
 
-    /** Where one run cannot be written, the others are not either; what they have begun takes room. */
-    private void breakOff(ExecutorService threads) throws IOException {
-        processes.forEach(RecordingProcess::close);
-        threads.shutdown();
-        try {
-            threads.awaitTermination(SECONDS_TO_END, TimeUnit.SECONDS);
-        } catch (InterruptedException stopped) {
-            Thread.currentThread().interrupt();
-        }
+    /** When one run cannot be written, neither can the others; their parts take room on the disk. */
+    private void discardIncomplete() throws IOException {
         for (int run = 1; run <= runs; run++) {
             if (!set.has(run)) {
                 set.discard(run);
@@ -95,29 +76,33 @@ public final class ParallelRecording {
         }
     }
 
-    private Optional<RunResult> work(Queue<Integer> missing) throws IOException {
-        Optional<RunResult> last = Optional.empty();
-        Integer run = missing.poll();
-        while (run != null) {
-            try (RecordingProcess process = RecordingProcess.start(command)) {
-                processes.add(process);
-                while (run != null && process.isReady()) {
-                    last = process.record(run, order.seed(run));
-                    if (last.isPresent()) {
-                        take(last.get());
-                    }
-                    run = missing.poll();
-                }
-            }
+    private Optional<RunResult> record(int run) throws IOException {
+        RecordingProcess process = idle.poll();
+        if (process == null) {
+            process = new RecordingProcess(command);
+            processes.add(process);
         }
-        return last;
+        Optional<RunResult> result = process.record(run, order.seed(run));
+        if (process.isReady()) {
+            idle.add(process);
+        } else {
+            process.close();
+        }
+        return result;
     }
 
-    private void take(RunResult result) throws IOException {
+    private void take(Optional<RunResult> recorded, BatchProgress progress) throws IOException {
+        if (recorded.isEmpty()) {
+            return;
+        }
+        RunResult result = recorded.get();
         set.add(result);
         String outcome = result.hasTables()
                 ? String.format(Locale.ROOT, "%d rows", result.rows())
                 : "failed and is left out. " + result.failure();
-        System.out.printf(Locale.ROOT, "run %d/%d, seed %d: %s%n", result.run(), runs, result.seed(), outcome);
+        progress.print(
+                System.out::println,
+                String.format(Locale.ROOT, "run %d/%d, seed %d: %s", result.run(), runs, result.seed(), outcome));
+        progress.advance(!result.failure().isEmpty());
     }
 }

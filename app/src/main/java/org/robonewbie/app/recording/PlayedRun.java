@@ -5,9 +5,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
-import org.robonewbie.app.program.AgentProgram;
 import org.robonewbie.learning.dataset.RunResult;
 import org.robonewbie.learning.dataset.RunTables;
+import org.robonewbie.programs.Program;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.server.Simulator;
 import picocli.CommandLine.ExitCode;
@@ -36,7 +36,7 @@ final class PlayedRun {
     }
 
     /** Lets the program play; returns its exit code, unless it ends the whole process. */
-    int play(AgentProgram program) {
+    int play(Program program) {
         CompletableFuture.delayedExecutor(PATIENCE_SECONDS, TimeUnit.SECONDS).execute(this::giveUpIfNotBegun);
         List<String> options = new ArrayList<>(
                 List.of("--host", "127.0.0.1", "--port", Integer.toString(simulator.agentPort()), "--headless"));

@@ -1,88 +1,91 @@
 package org.robonewbie.app.recording;
 
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.OutputStream;
-import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.TimeUnit;
-import org.robonewbie.competition.team.ProcessTree;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
 import org.robonewbie.learning.dataset.RunResult;
+import org.robonewbie.programs.process.ChildProcess;
+import org.robonewbie.programs.process.Limits;
+import org.robonewbie.programs.process.ProgramOutput;
 
-/** A process of {@link RunsOnCall}, as the one sees it that wants the runs. */
+/** A process of {@link RunsOnCall}, as seen by the one that wants the runs. */
 final class RecordingProcess implements AutoCloseable {
 
     private static final int SECONDS_TO_END = 10;
-    private static final List<Integer> ENDED_BY_PEOPLE = List.of(130, 143);
+    private static final int MAX_CHARACTERS = 300;
+    private static final List<Integer> ENDED_BY_USER = List.of(130, 143);
 
-    private final ProcessTree processes;
-    private final Process process;
-    private final BufferedReader answers;
-    private final OutputStream calls;
+    private final BlockingQueue<String> answers = new LinkedBlockingQueue<>();
+    private final ChildProcess process;
+    private volatile String complaint = "";
     private boolean over;
 
-    private RecordingProcess(ProcessTree processes) {
-        this.processes = processes;
-        this.process = processes.process();
-        this.answers = process.inputReader(StandardCharsets.UTF_8);
-        this.calls = process.getOutputStream();
+    /** Starts the process. */
+    RecordingProcess(List<String> command) throws IOException {
+        process = ChildProcess.start(
+                command, Path.of("").toAbsolutePath(), false, ProgramOutput.of(this::hear, answers::add), Limits.NONE);
     }
 
-    static RecordingProcess start(List<String> command) throws IOException {
-        ProcessBuilder builder = new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT);
-        return new RecordingProcess(ProcessTree.start(builder, Optional.empty()));
+    /** Shows what a program complains about, and keeps the first line of it. */
+    private void hear(String line) {
+        System.err.println(line);
+        if (complaint.isEmpty()) {
+            complaint = line.strip()
+                    .substring(0, Math.min(MAX_CHARACTERS, line.strip().length()));
+        }
     }
 
     /** Whether it can carry out another run. */
     boolean isReady() {
-        return !over && process.isAlive();
+        return !over && process.isRunning();
     }
 
     /**
      * Has a run carried out, and waits for its end.
      *
-     * @return what became of it; empty if somebody has ended the process
+     * @return what became of it; empty if the user has ended the process
      * @throws IOException if the tables cannot be written
      */
     Optional<RunResult> record(int run, long seed) throws IOException {
-        Optional<String> answer = ask(run);
-        if (answer.isEmpty()) {
+        complaint = "";
+        process.call(Integer.toString(run));
+        String text = nextAnswer();
+        if (text.isEmpty()) {
             over = true;
-            int code = exitCode();
-            return ENDED_BY_PEOPLE.contains(code)
+            process.awaitEnd(SECONDS_TO_END);
+            int code = process.exitCode().orElse(1);
+            return ENDED_BY_USER.contains(code)
                     ? Optional.empty()
                     : Optional.of(RunResult.failed(run, seed, "Its process ended with exit code " + code + "."));
         }
-        String text = answer.get();
         if (text.startsWith(RunsOnCall.STOP)) {
             throw new IOException(text.substring(RunsOnCall.STOP.length()));
         }
         over = text.startsWith(RunsOnCall.LAST_RUN);
-        return RunResult.read(text.substring((over ? RunsOnCall.LAST_RUN : RunsOnCall.RUN).length()));
+        return RunResult.read(text.substring((over ? RunsOnCall.LAST_RUN : RunsOnCall.RUN).length()))
+                .map(this::withComplaint);
     }
 
-    private Optional<String> ask(int run) {
+    private String nextAnswer() throws IOException {
         try {
-            calls.write((run + "\n").getBytes(StandardCharsets.UTF_8));
-            calls.flush();
-            return Optional.ofNullable(answers.readLine());
-        } catch (IOException gone) {
-            return Optional.empty();
-        }
-    }
-
-    private int exitCode() {
-        try {
-            return process.waitFor(SECONDS_TO_END, TimeUnit.SECONDS) ? process.exitValue() : 1;
+            return answers.take();
         } catch (InterruptedException stopped) {
             Thread.currentThread().interrupt();
-            return 1;
+            throw new IOException("The recording was interrupted.", stopped);
         }
+    }
+
+    private RunResult withComplaint(RunResult result) {
+        return result.failure().isEmpty() || complaint.isEmpty()
+                ? result
+                : result.withFailure(result.failure() + " It said: " + complaint);
     }
 
     @Override
     public void close() {
-        processes.close();
+        process.close();
     }
 }

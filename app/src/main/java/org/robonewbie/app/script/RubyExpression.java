@@ -6,8 +6,8 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
- * Calculates what Ruby would for an expression of numbers, texts, {@code true}, {@code false} and variables with known values.
- * Whole numbers are divided as whole numbers, downwards.
+ * Evaluates Ruby expressions of numbers, strings, {@code true}, {@code false} and variables with known values, by recursive descent.
+ * Integer division rounds down.
  */
 final class RubyExpression {
 
@@ -15,7 +15,7 @@ final class RubyExpression {
             Pattern.compile("0[xX]\\p{XDigit}+(?:_\\p{XDigit}+)*|0[bB][01]+(?:_[01]+)*|0[oO_]?[0-7]+(?:_[0-7]+)*"
                     + "|(?:0|[1-9]\\d*(?:_\\d+)*)(?:\\.\\d+(?:_\\d+)*)?(?:[eE][-+]?\\d+(?:_\\d+)*)?");
 
-    /** Longer expressions are not calculated, so that brackets in brackets end somewhere. */
+    /** Longer expressions are not evaluated, which bounds the nesting of brackets. */
     private static final int MAX_TOKENS = 200;
 
     private final List<RubyToken> tokens;
@@ -27,18 +27,18 @@ final class RubyExpression {
         this.variables = variables;
     }
 
-    /** Says that only Ruby can calculate an expression. */
+    /** The expression is beyond this evaluator. */
     private static final class UnknownValueException extends RuntimeException {
 
         private static final long serialVersionUID = 1L;
     }
 
     /**
-     * Calculates.
+     * Evaluates an expression.
      *
      * @param tokens the expression
-     * @param variables values of the variables that are known
-     * @return a Long, Double, Boolean or String; empty if only Ruby knows
+     * @param variables values of the known variables
+     * @return a Long, Double, Boolean or String; empty if the expression cannot be evaluated
      */
     static Optional<Object> value(List<RubyToken> tokens, Map<String, Object> variables) {
         if (tokens.size() > MAX_TOKENS) {

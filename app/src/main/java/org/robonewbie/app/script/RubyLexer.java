@@ -12,8 +12,8 @@ import java.util.regex.Pattern;
 import org.robonewbie.app.script.RubyToken.Kind;
 
 /**
- * Divides a Ruby script into tokens, as far as start scripts use the language: comments, {@code =begin}, {@code __END__}, strings
- * and here-documents are recognised, so that nothing in them is taken for code.
+ * Tokenizer for the subset of Ruby that start scripts use. Comments, {@code =begin}, {@code __END__}, strings and here-documents are
+ * recognised, so that their content is never taken for code.
  */
 final class RubyLexer {
 
@@ -40,7 +40,7 @@ final class RubyLexer {
 
     private final String text;
     private final List<RubyToken> tokens = new ArrayList<>();
-    /** What was assigned is a value and no call, so that what follows it is an operator. */
+    /** Assigned names; an operator, not an argument, follows them. */
     private final Set<String> variables = new HashSet<>();
 
     private final Deque<Matcher> documents = new ArrayDeque<>();
@@ -55,12 +55,12 @@ final class RubyLexer {
     /**
      * The tokens of a script.
      *
-     * @param all in their order
-     * @param unfinishedLine line of a string that does not end; nothing behind it was read
+     * @param all in script order
+     * @param unfinishedLine line of an unterminated string, at which the tokenizer stopped
      */
     record Result(List<RubyToken> all, OptionalInt unfinishedLine) {}
 
-    /** Divides a script. */
+    /** Tokenizes a script. */
     static Result read(String script) {
         RubyLexer lexer = new RubyLexer(script.replaceAll("\\R", "\n"));
         lexer.read();
@@ -123,7 +123,7 @@ final class RubyLexer {
         return true;
     }
 
-    /** Behind a line with here-documents their lines follow. */
+    /** Skips the bodies of here-documents, which follow the line that starts them. */
     private void skipDocuments() {
         while (!documents.isEmpty()) {
             Matcher document = documents.remove();
@@ -183,7 +183,7 @@ final class RubyLexer {
         add(kind, content.toString(), Math.min(text.length(), i + 1));
     }
 
-    /** Whether a value may begin here: behind a sign, or behind a word with a blank, as in {@code puts /x/}. */
+    /** Returns whether a value may start here: after an operator, or after a word and a blank, as in {@code puts /x/}. */
     private boolean isExpressionStart() {
         if (tokens.isEmpty()) {
             return true;
@@ -197,7 +197,7 @@ final class RubyLexer {
         };
     }
 
-    /** Whether a word is a call whose argument begins here: a blank before it and none behind it, as in {@code puts /x/}. */
+    /** Returns whether a word is a call whose argument starts here: a blank before but none after it, as in {@code puts /x/}. */
     private boolean isCall(RubyToken word) {
         boolean blankBehind = at + 1 >= text.length() || Character.isWhitespace(text.charAt(at + 1));
         return word.to() < at && !blankBehind && !variables.contains(word.text());

@@ -11,8 +11,8 @@ import org.robonewbie.app.script.RubyToken.Kind;
 /**
  * A statement of a Ruby script.
  *
- * @param tokens its words and signs, at least one
- * @param block what it stands in, such as {@code if} or {@code def}; empty if Ruby certainly carries it out
+ * @param tokens its tokens, at least one
+ * @param block the enclosing block, such as {@code if} or {@code def}; empty if Ruby certainly executes the statement
  */
 record RubyStatement(List<RubyToken> tokens, Optional<RubyToken> block) {
 
@@ -29,7 +29,7 @@ record RubyStatement(List<RubyToken> tokens, Optional<RubyToken> block) {
         return tokens.get(0).line();
     }
 
-    /** Divides a script into statements, also those in blocks. */
+    /** Splits a script into statements, including those in blocks. */
     static List<RubyStatement> of(List<RubyToken> script) {
         return new Divider(script).statements();
     }
@@ -52,7 +52,7 @@ record RubyStatement(List<RubyToken> tokens, Optional<RubyToken> block) {
             for (int i = 0; i < script.size(); i++) {
                 RubyToken token = script.get(i);
                 if (token.kind() == Kind.SEPARATOR) {
-                    if (!goesOn(token, i)) {
+                    if (!continues(token, i)) {
                         end();
                         inLoopHead = false;
                     }
@@ -66,8 +66,8 @@ record RubyStatement(List<RubyToken> tokens, Optional<RubyToken> block) {
             return statements;
         }
 
-        /** Whether a statement goes on in the next line. */
-        private boolean goesOn(RubyToken separator, int index) {
+        /** Returns whether a statement continues on the next line. */
+        private boolean continues(RubyToken separator, int index) {
             if (separator.text().equals(";")) {
                 return false;
             }
@@ -123,7 +123,7 @@ record RubyStatement(List<RubyToken> tokens, Optional<RubyToken> block) {
             }
         }
 
-        /** A name behind a dot, or before a colon in a table, is no keyword. */
+        /** A name after a dot, or before the colon of a hash key, is not a keyword. */
         private boolean isName(int index) {
             RubyToken token = script.get(index);
             boolean behindDot = index > 0
@@ -136,7 +136,7 @@ record RubyStatement(List<RubyToken> tokens, Optional<RubyToken> block) {
             return behindDot || label;
         }
 
-        /** Such as the {@code if} of {@code x = 1 if y}, which has no {@code end}. */
+        /** Returns whether a keyword is a modifier such as the {@code if} of {@code x = 1 if y}, which has no {@code end}. */
         private boolean isModifier(int index) {
             if (!MODIFIERS.contains(script.get(index).text()) || index == 0) {
                 return false;
@@ -150,7 +150,7 @@ record RubyStatement(List<RubyToken> tokens, Optional<RubyToken> block) {
             };
         }
 
-        /** Such as {@code def half(x) = x / 2}, which has no {@code end}; {@code def x=(value)} has one. */
+        /** Returns whether a definition is endless, such as {@code def half(x) = x / 2}; {@code def x=(value)} has an {@code end}. */
         private boolean isShortDefinition(int index) {
             int name = index + 1;
             if (!script.get(index).isWord("def") || name >= script.size()) {

@@ -1,26 +1,25 @@
 package org.robonewbie.app.script;
 
 /**
- * A word, number, text or sign of a Ruby script.
+ * A token of a Ruby script.
  *
- * @param kind what it is
- * @param text the word or sign; of a string or symbol what it stands for
- * @param line its line, 1 for the first
+ * @param kind its kind
+ * @param text the word or operator; the value of a string or symbol
+ * @param line line number from 1
  * @param from index of its first character in the script
- * @param to index behind its last one
+ * @param to index after its last character
  */
 record RubyToken(Kind kind, String text, int line, int from, int to) {
 
-    /** What a token is. */
     enum Kind {
         /** A name, a constant or a keyword. */
         WORD,
         /** A global variable with its {@code $}. */
         GLOBAL,
         NUMBER,
-        /** A string or symbol whose characters are known. */
+        /** A string or symbol with a known value. */
         STRING,
-        /** A string that only Ruby can put together, such as one with an expression in it. */
+        /** A string with a value that only Ruby can compute, such as one with interpolation. */
         OTHER_STRING,
         SIGN,
         /** The end of a line or a semicolon. */

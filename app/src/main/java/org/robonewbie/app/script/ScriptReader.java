@@ -14,13 +14,13 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.app.script.RubyToken.Kind;
 import org.robonewbie.nao.file.TextFile;
 import org.robonewbie.nao.file.UnreadableFileException;
+import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.simulator.Console;
 
-/** Reads a start script and those that it runs, one statement after the other, and reports each setting that is left out. */
+/** Interprets a start script and the scripts that it runs, and reports each setting that is ignored. */
 final class ScriptReader {
 
     private static final int MAX_REPORTS = 40;
@@ -39,12 +39,12 @@ final class ScriptReader {
         this.console = console;
     }
 
-    /** The settings by the names of the original, in the order of the script. */
+    /** The settings by their SimSpark names, in script order. */
     Map<String, Object> values() {
         return values;
     }
 
-    /** What the script has assigned so far, as far as it is known. */
+    /** The variables with known values. */
     Map<String, Object> variables() {
         return variables;
     }
@@ -54,14 +54,14 @@ final class ScriptReader {
     }
 
     /**
-     * Reads a script.
+     * Interprets a script.
      *
-     * @throws CalledWronglyException if it cannot be read or sets something to an impossible value
+     * @throws CalledWronglyException if it cannot be read or sets an invalid value
      */
     void read(Path file) {
         if (++files > MAX_FILES) {
             throw new CalledWronglyException(
-                    "More than " + MAX_FILES + " scripts are run one after the other. Leave some out.");
+                    "More than " + MAX_FILES + " scripts are nested or run in sequence. Remove some.");
         }
         refuseFolder(file);
         try {
@@ -70,15 +70,15 @@ final class ScriptReader {
             throw new CalledWronglyException(String.valueOf(unreadable.getMessage()));
         }
         if (running.isEmpty() && reports > MAX_REPORTS) {
-            console.say("So were " + (reports - MAX_REPORTS) + " more lines.");
+            console.say((reports - MAX_REPORTS) + " more lines are ignored.");
         }
     }
 
     private static void refuseFolder(Path file) {
         if (Files.isDirectory(file)) {
             String scripts = scriptsIn(file);
-            throw new CalledWronglyException("The start script " + file + " is a folder. Name a file in it"
-                    + (scripts.isEmpty() ? ", such as " + file.resolve("rcssserver3d.rb") : "; it has " + scripts)
+            throw new CalledWronglyException("The start script " + file + " is a folder. Choose a file in it"
+                    + (scripts.isEmpty() ? ", such as " + file.resolve("rcssserver3d.rb") : "; it contains " + scripts)
                     + ".");
         }
     }
@@ -100,14 +100,14 @@ final class ScriptReader {
         RubyLexer.Result script = RubyLexer.read(text);
         Optional<RubyStatement> ended = Optional.empty();
         for (RubyStatement statement : RubyStatement.of(script.all())) {
-            new ScriptStatement(this, file, statement, ended).carryOut();
+            new ScriptStatement(this, file, statement, ended).execute();
             if (ended.isEmpty() && statement.block().isEmpty() && isEnd(statement.tokens())) {
                 ended = Optional.of(statement);
             }
         }
         script.unfinishedLine()
                 .ifPresent(line -> report(file + ", line " + line
-                        + ": a text begins here that does not end; nothing behind it was read."));
+                        + ": a string starts here and is not terminated; the rest of the file is ignored."));
         running.pop();
     }
 
@@ -117,7 +117,7 @@ final class ScriptReader {
                 && tokens.stream().noneMatch(token -> token.isWord("if") || token.isWord("unless"));
     }
 
-    /** Looks for a script that another one runs: beside it, then in the working directory. */
+    /** Finds a script that another one runs: in the same folder, then in the working directory. */
     Optional<Path> find(String script, Path other) {
         try {
             Path beside = Objects.requireNonNull(other.toAbsolutePath().getParent());

@@ -7,12 +7,12 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
-import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.app.script.RubyToken.Kind;
+import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
-/** A statement of a file; it counts only if Ruby certainly gets to it. */
+/** Interpreter of one statement; a setting counts only if Ruby certainly executes it. */
 final class ScriptStatement {
 
     private static final int LAST_PORT = 65535;
@@ -39,9 +39,9 @@ final class ScriptStatement {
         this.ended = ended;
     }
 
-    void carryOut() {
+    void execute() {
         if (statement.block().isPresent() || ended.isPresent()) {
-            leaveOut();
+            ignore();
         } else if (isAssignment()) {
             assign();
         } else if (isCall(SETTERS)) {
@@ -49,7 +49,7 @@ final class ScriptStatement {
         } else if (isCall(RUNNERS)) {
             run();
         } else {
-            leaveOut();
+            ignore();
         }
     }
 
@@ -102,14 +102,14 @@ final class ScriptStatement {
                 both);
     }
 
-    /** {@code addSoccerVar NAME, VALUE}, with or without brackets. */
+    /** Interprets {@code addSoccerVar NAME, VALUE}, with or without parentheses. */
     private void set() {
         List<RubyToken> arguments = arguments();
         boolean named = arguments.size() > 2
                 && arguments.get(0).kind() == Kind.STRING
                 && arguments.get(1).isSign(",");
         if (!named) {
-            leaveOut();
+            ignore();
             return;
         }
         String name = arguments.get(0).text();
@@ -122,7 +122,7 @@ final class ScriptStatement {
         if (SettingAdvice.isParameter(name)) {
             take(name, RubyExpression.value(arguments.subList(2, arguments.size()), variables));
         } else {
-            leaveOut("there is no parameter " + name + "." + SoccerParameter.question(name));
+            ignore("there is no parameter " + name + "." + SoccerParameter.question(name));
         }
     }
 
@@ -134,12 +134,12 @@ final class ScriptStatement {
 
     private void take(String name, Optional<Object> value) {
         if (!SettingAdvice.isTaken(name)) {
-            leaveOut(SettingAdvice.of(name, value));
+            ignore(SettingAdvice.of(name, value));
         } else if (value.isEmpty()) {
-            leaveOut(
+            ignore(
                     isConditional()
-                            ? "it depends on a condition, and only Ruby knows which."
-                            : "its value is not understood. Write a plain number such as 0.9, or true or false.");
+                            ? "it depends on a condition that only Ruby can evaluate."
+                            : "its value cannot be evaluated. Write a plain number such as 0.9, or true or false.");
         } else {
             check(name, value.get());
             reader.set(name, value.get());
@@ -175,19 +175,19 @@ final class ScriptStatement {
     private void run() {
         Optional<Object> name = RubyExpression.value(arguments(), variables);
         if (name.isEmpty() || !(name.get() instanceof String script)) {
-            leaveOut("only Ruby knows the name of the script. Write it in quotation marks.");
+            ignore("the name of the script cannot be evaluated. Write it in quotation marks.");
             return;
         }
         String ending = tokens.get(0).isWord("require_relative") && !script.endsWith(".rb") ? ".rb" : "";
         Optional<Path> found = reader.find(script + ending, file);
         if (found.isEmpty()) {
-            leaveOut(
+            ignore(
                     SettingAdvice.isStandardScript(script)
-                            ? "it is a script of rcssserver3d itself, which is not needed here."
-                            : "there is no file " + script + ending + " beside it or in the folder "
+                            ? "it is a script of rcssserver3d, which is not needed here."
+                            : "there is no file " + script + ending + " beside the script or in the folder "
                                     + Path.of("").toAbsolutePath() + ".");
         } else if (reader.isRunning(found.get())) {
-            leaveOut("that script is being read already, and would run itself without end.");
+            ignore("that script is already running, and would run itself forever.");
         } else {
             try {
                 reader.read(found.get());
@@ -197,8 +197,8 @@ final class ScriptStatement {
         }
     }
 
-    /** Names a setting that is not certainly carried out; other Ruby needs no word. */
-    private void leaveOut() {
+    /** Reports a setting that Ruby may not execute; all other Ruby is ignored silently. */
+    private void ignore() {
         forgetVariables();
         nameSettings();
     }
@@ -209,22 +209,22 @@ final class ScriptStatement {
         }
         if (statement.block().isPresent()) {
             RubyToken block = statement.block().get();
-            leaveOut("it stands in the \"" + block.text() + "\" of line " + block.line()
-                    + ", and only Ruby knows whether that is carried out.");
+            ignore("it is in the \"" + block.text() + "\" of line " + block.line()
+                    + ", and only Ruby knows whether that is executed.");
         } else if (ended.isPresent()) {
-            leaveOut("the script ends before, by \""
+            ignore("the script ends earlier, at \""
                     + ended.get().tokens().get(0).text() + "\" in line "
                     + ended.get().line() + ".");
         } else {
-            leaveOut(
+            ignore(
                     isConditional()
-                            ? "it depends on a condition, and only Ruby knows which."
-                            : "it is more than a plain setting. Write " + SettingAdvice.example(tokens) + ".");
+                            ? "it depends on a condition that only Ruby can evaluate."
+                            : "it is not a plain setting. Write " + SettingAdvice.example(tokens) + ".");
         }
     }
 
-    private void leaveOut(String reason) {
-        reader.report(place() + "\"" + shown() + "\" was left out: " + reason);
+    private void ignore(String reason) {
+        reader.report(place() + "\"" + shown() + "\" is ignored: " + reason);
     }
 
     private boolean isSetting(int index) {
@@ -251,7 +251,7 @@ final class ScriptStatement {
         };
     }
 
-    /** What is assigned where Ruby may not get to has no known value any more. */
+    /** Forgets variables that are assigned in a statement that Ruby may not execute. */
     private void forgetVariables() {
         for (int i = 0; i + 1 < tokens.size(); i++) {
             if (tokens.get(i + 1).kind() == Kind.SIGN

@@ -10,7 +10,7 @@ import org.robonewbie.app.script.RubyToken.Kind;
 import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.simulator.soccer.SoccerParameter;
 
-/** What start scripts can set here, and what to write instead of the settings of the original that they cannot. */
+/** The settings that start scripts can make, and replacements for the settings of rcssserver3d that they cannot. */
 final class SettingAdvice {
 
     private static final Set<String> TAKEN =
@@ -18,15 +18,15 @@ final class SettingAdvice {
 
     private static final String SHORT_CYCLE = "a cycle is always 0.02 s long here.";
     private static final String PHYSICS = "the world's constants are those of the original and cannot be changed.";
-    private static final String THREADS = "it makes no difference here.";
+    private static final String THREADS = "it has no effect here.";
 
-    /** What to do instead, by the variable of {@code spark.rb} and {@code rcssserver3d.rb}. */
+    /** Replacement by the variable of {@code spark.rb} and {@code rcssserver3d.rb}. */
     private static final Map<String, String> ORIGINAL = Map.ofEntries(
             Map.entry("$recordLogfile", "use the option --log FILE."),
             Map.entry("$recordLogfileName", "use the option --log FILE."),
             Map.entry("$monitorStep", "use the option --monitor-step T."),
             Map.entry("$monitorLoggerStep", "a log has a line for each message to monitors; use --monitor-step T."),
-            Map.entry("$renderStep", "the studio draws by itself."),
+            Map.entry("$renderStep", "the studio renders at its own rate."),
             Map.entry("$enableInternalMonitor", "use a monitor, or \"robonewbie studio\"."),
             Map.entry("$agentStep", SHORT_CYCLE),
             Map.entry("$serverSimulationStep", SHORT_CYCLE),
@@ -69,7 +69,7 @@ final class SettingAdvice {
         return SoccerParameter.ofSimSparkName(name).isPresent();
     }
 
-    /** Whether a name would be that of a parameter with other capitals. */
+    /** Returns whether a name is that of a parameter with different capitalization. */
     static boolean isParameterInOtherLetters(String name) {
         return Arrays.stream(SoccerParameter.values())
                 .anyMatch(each -> each.simSparkName().equalsIgnoreCase(name));
@@ -79,7 +79,7 @@ final class SettingAdvice {
         return STANDARD_SCRIPTS.contains(path.substring(path.lastIndexOf('/') + 1));
     }
 
-    /** What to do about a setting that is not taken; a sentence. */
+    /** Returns what to do about an unsupported setting, as a sentence. */
     static String of(String name, Optional<Object> value) {
         String known = ORIGINAL.get(name);
         if (known != null) {
@@ -96,7 +96,7 @@ final class SettingAdvice {
                 : "there is no parameter " + name + "." + SoccerParameter.question(name);
     }
 
-    /** How a setting would be written plainly. */
+    /** Returns the plain form of a setting. */
     static String example(List<RubyToken> tokens) {
         RubyToken first = tokens.get(0);
         if (first.kind() == Kind.GLOBAL) {
@@ -108,7 +108,7 @@ final class SettingAdvice {
         return first.isWord("run") ? "run \"FILE\"" : "addSoccerVar('NAME', VALUE) in a line by itself";
     }
 
-    /** A token as it stands in the script, in short. */
+    /** Returns an abbreviated token for messages. */
     static String quoted(RubyToken token) {
         return token.kind() == Kind.STRING
                 ? "'" + token.text() + "'"

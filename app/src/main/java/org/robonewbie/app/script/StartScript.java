@@ -4,20 +4,20 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.simulator.Console;
 
 /**
- * What a start script of rcssserver3d sets: soccer parameters, as {@code addSoccerVar('RuleHalfTime', 5.0 * 60)} or {@code
+ * Settings in a start script of rcssserver3d: soccer parameters, as {@code addSoccerVar('RuleHalfTime', 5.0 * 60)} or {@code
  * RuleHalfTime = 60}, and the variables {@code $agentPort}, {@code $serverPort}, {@code $agentSyncMode} and {@code
- * $enableRealTimeMode}; also in scripts that it runs. A line that looks like a setting and is none here is named with its reason;
- * everything else in the script is Ruby for the original and stays without effect.
+ * $enableRealTimeMode}, also in scripts that it runs. Lines that look like a setting but are not supported are reported with the reason;
+ * all other Ruby code is ignored.
  *
  * <p>Source: the scripts {@code rcssserver3d.rb} and {@code naosoccersim.rb} of rcssserver3d 0.7.3.
  */
 public final class StartScript {
 
-    /** A script that sets nothing. */
+    /** An empty script. */
     public static final StartScript EMPTY = new StartScript(Map.of());
 
     static final String AGENT_PORT = "$agentPort";
@@ -35,9 +35,9 @@ public final class StartScript {
      * Reads a script.
      *
      * @param file the script
-     * @param console reports what is left out, with its line
-     * @return what it sets
-     * @throws CalledWronglyException if it cannot be read or sets something to an impossible value; the message says what to do
+     * @param console receives a message for each ignored setting, with its line
+     * @return its settings
+     * @throws CalledWronglyException if it cannot be read or sets an invalid value; the message says what to do
      */
     public static StartScript read(Path file, Console console) {
         ScriptReader reader = new ScriptReader(console);
@@ -53,22 +53,22 @@ public final class StartScript {
                 .toList();
     }
 
-    /** {@return the port for agents; empty if the script does not set it} */
+    /** {@return the agent port; empty if the script does not set it} */
     public Optional<Integer> agentPort() {
         return port(AGENT_PORT);
     }
 
-    /** {@return the port for monitors; empty if the script does not set it} */
+    /** {@return the monitor port; empty if the script does not set it} */
     public Optional<Integer> monitorPort() {
         return port(MONITOR_PORT);
     }
 
-    /** {@return whether the world waits for all agents} */
+    /** {@return whether the simulation waits for all agents in each cycle} */
     public boolean isSynchronous() {
         return Boolean.TRUE.equals(values.get(SYNCHRONOUS));
     }
 
-    /** {@return whether the script switches off the waiting for the clock} */
+    /** {@return whether the script turns off real-time mode} */
     public boolean isFast() {
         return Boolean.FALSE.equals(values.get(REAL_TIME));
     }

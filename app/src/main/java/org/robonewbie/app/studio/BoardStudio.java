@@ -13,7 +13,7 @@ import org.robonewbie.studio.StudioServer;
 import org.robonewbie.studio.StudioViewer;
 import org.robonewbie.studio.board.EventBus;
 
-/** A studio with an empty pitch whose first page is the board on which a program reports its progress. */
+/** Studio with an empty pitch that opens on the progress page of a program. */
 final class BoardStudio implements Viewer.View {
 
     private final EventBus board;
@@ -29,10 +29,9 @@ final class BoardStudio implements Viewer.View {
     /**
      * Opens the studio.
      *
-     * @param board what its first page shows
-     * @param port of the page, 0 for the usual one, or any other if that is taken
-     * @param folders what of the disk the pages may use
-     * @return the open studio
+     * @param board the event bus of the progress page
+     * @param port TCP port of the page; 0 for the default one, or any other if that is in use
+     * @param folders the folders that the pages may access
      * @throws IOException if the port cannot be opened
      */
     static BoardStudio open(EventBus board, int port, StudioFolders folders) throws IOException {
@@ -60,12 +59,11 @@ final class BoardStudio implements Viewer.View {
         return board.page(view.oneTimeAddress());
     }
 
-    /** Returns what to print: an address that lets one browser in, and how to get another one. */
+    /** Returns the text to print: a one-time address, and how to get another one. */
     String invitation() {
         return oneTimeAddress() + EnterKey.listen(this);
     }
 
-    /** Returns the studio itself. */
     StudioServer server() {
         return view;
     }
@@ -75,19 +73,18 @@ final class BoardStudio implements Viewer.View {
         return board.isWatched();
     }
 
-    /** Opens the page in the browser. */
     void showBrowser() {
         Browser.openUnlessWatched(this, Console.standard());
     }
 
     /**
-     * Waits until no page is open any more.
+     * Waits until no page is open.
      *
      * @throws InterruptedException if the thread is interrupted while it waits
      */
     void awaitUnwatched() throws InterruptedException {
         if (board.isWatched()) {
-            System.out.println("The page stays until you close it, or press Control-C here.");
+            System.out.println("The page stays open until you close it or press Control-C here.");
             board.awaitUnwatched(view::isWatched);
         }
     }

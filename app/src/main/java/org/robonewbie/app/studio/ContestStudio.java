@@ -18,12 +18,12 @@ import org.robonewbie.studio.wall.TrialWall;
 import org.robonewbie.studio.wall.WallTable;
 
 /**
- * A studio that shows a contest while it is held: a wall of all running trials and the table. Each trial has a studio of its own,
- * in which it can be seen large.
+ * Studio that shows a running contest: a wall of all running trials, and the table. Each trial also has its own studio, in which it is
+ * shown full size.
  */
 public final class ContestStudio implements Spectators, AutoCloseable {
 
-    private static final long MOST_MILLIS_FOR_EYES = 20_000;
+    private static final long MAX_WAIT_MILLIS = 20_000;
     private static final String RECORDINGS = "recordings";
 
     private final TrialWall wall;
@@ -38,7 +38,7 @@ public final class ContestStudio implements Spectators, AutoCloseable {
     /**
      * Opens the wall.
      *
-     * @param contest what is held
+     * @param contest the contest
      * @param results the folder of its results
      * @return the open studio
      * @throws IOException if no port can be opened
@@ -60,7 +60,7 @@ public final class ContestStudio implements Spectators, AutoCloseable {
         }
     }
 
-    /** {@return what to print: an address that lets one browser in, and how to get another one} */
+    /** {@return the text to print: a one-time address, and how to get another one} */
     public String invitation() {
         return studio.invitation();
     }
@@ -92,11 +92,11 @@ public final class ContestStudio implements Spectators, AutoCloseable {
         };
     }
 
-    /** Waits for a page that shows the first trials, since some are over in seconds, but never delays a contest for long. */
+    /** Waits for a page before the first trial, since some trials take only seconds; the wait is limited. */
     private synchronized void awaitEyes() throws IOException {
         try {
             if (!hasWaited) {
-                wall.awaitWatched(MOST_MILLIS_FOR_EYES);
+                wall.awaitWatched(MAX_WAIT_MILLIS);
             }
             hasWaited = true;
         } catch (InterruptedException stop) {
@@ -106,9 +106,9 @@ public final class ContestStudio implements Spectators, AutoCloseable {
     }
 
     /**
-     * Shows that the contest is over, and stays until nobody looks any more.
+     * Shows that the contest has ended, and waits until no page is open.
      *
-     * @param words where its results are
+     * @param words location of the results
      * @throws InterruptedException if the thread is interrupted while it waits
      */
     public void isOver(String words) throws InterruptedException {

@@ -6,37 +6,36 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.robonewbie.app.program.GuestProcess;
+import org.robonewbie.app.course.GradingProcess;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Performance;
 import org.robonewbie.exercises.Score;
+import org.robonewbie.programs.process.GuestDoor;
+import org.robonewbie.programs.process.RobotProcess;
+import org.robonewbie.programs.process.Sandbox;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.studio.course.Attempt;
 import org.robonewbie.studio.course.Attempt.State;
 import org.robonewbie.trial.Controller;
-import org.robonewbie.trial.guest.GuestDoor;
 import org.robonewbie.trial.watch.WatchedTrial;
 
 /**
- * Trials of one exercise, one seed after the other, under the eyes of the student. The program runs in a process of its own, or
- * the student starts it, so what it does wrong does no harm to the studio.
+ * Trials of one exercise with consecutive seeds, shown to the student. The program runs in its own process, or the student starts it, so
+ * that its failures cannot harm the studio.
  */
 final class CourseAttempt implements AutoCloseable {
-
-    private static final double SECONDS_OF_PATIENCE = 20;
 
     private final long id;
     private final Exercise exercise;
     private final String program;
     private final int trials;
-    private final Path folder;
-    private final GuestDoor door;
+    private final Optional<GuestDoor> door;
+    private final Optional<RobotProcess> student;
     private final Consumer<SimulationControl> screen;
     private final Consumer<Attempt> complete;
     private final List<Attempt.Judged> judged = new ArrayList<>();
     private final List<Controller> guests = new ArrayList<>();
-    private final List<GuestProcess> processes = new ArrayList<>();
     private State state = State.WAITING;
     private WatchedTrial trial = new WatchedTrial();
     private boolean closed;
@@ -46,28 +45,28 @@ final class CourseAttempt implements AutoCloseable {
             Exercise exercise,
             String program,
             int trials,
-            Path folder,
-            GuestDoor door,
+            Optional<GuestDoor> door,
+            Optional<RobotProcess> student,
             Consumer<SimulationControl> screen,
             Consumer<Attempt> complete) {
         this.id = id;
         this.exercise = exercise;
         this.program = program;
         this.trials = trials;
-        this.folder = folder;
         this.door = door;
+        this.student = student;
         this.screen = screen;
         this.complete = complete;
     }
 
     /**
-     * Begins with the first trial.
+     * Starts the first trial.
      *
      * @param id number of the attempt
      * @param program a Java file or class; empty for an agent that the student starts
-     * @param folder where the program runs
+     * @param folder working directory of the program
      * @param screen shows each trial
-     * @param complete hears of the attempt when all trials are judged
+     * @param complete receives the attempt when all trials have been judged
      * @throws IOException if no port is free
      */
     static CourseAttempt begin(
@@ -80,29 +79,32 @@ final class CourseAttempt implements AutoCloseable {
             Consumer<Attempt> complete)
             throws IOException {
         boolean own = program.isEmpty();
-        GuestDoor door = own ? usualDoor() : GuestDoor.open(0, SECONDS_OF_PATIENCE);
-        CourseAttempt attempt = new CourseAttempt(id, exercise, program, trials, folder, door, screen, complete);
+        Optional<GuestDoor> door = own ? Optional.of(defaultDoor()) : Optional.empty();
+        Optional<RobotProcess> student = own ? Optional.empty() : Optional.of(start(program, folder));
+        CourseAttempt attempt = new CourseAttempt(id, exercise, program, trials, door, student, screen, complete);
         Thread thread = new Thread(attempt::tryAll, "exercise");
         thread.setDaemon(true);
         thread.start();
         return attempt;
     }
 
-    /**
-     * Students' own agents connect to the same port each time if possible; their debuggers may hold them as long as they like.
-     */
-    private static GuestDoor usualDoor() throws IOException {
+    /** Opens the same port each time if possible, without a timeout, since the student's agent may be held by a debugger. */
+    private static GuestDoor defaultDoor() throws IOException {
         try {
-            return GuestDoor.open(LocalCourseService.USUAL_PORT, 0);
+            return GuestDoor.open(LocalCourseService.DEFAULT_PORT, 0);
         } catch (IOException inUse) {
             return GuestDoor.open(0, 0);
         }
     }
 
+    private static RobotProcess start(String program, Path folder) throws IOException {
+        RobotProcess.Request request = new RobotProcess.Request(program, List.of(folder), folder, false);
+        return RobotProcess.start(request, Sandbox.none("a program of its own author"), line -> {});
+    }
+
     private void tryAll() {
         for (int seed = 1; seed <= trials && beginTrial(seed); seed++) {
-            Score score = Performance.of(exercise, seed, this::nextRobot, Optional.empty(), trial);
-            end(seed, score);
+            end(seed, play(seed));
         }
         Attempt result = state();
         if (result.judged().size() == trials) {
@@ -121,17 +123,24 @@ final class CourseAttempt implements AutoCloseable {
         return true;
     }
 
-    private Controller nextRobot() {
-        Optional<GuestProcess> process = program.isEmpty() ? Optional.empty() : Optional.of(startProcess());
-        Controller guest = door.await(
-                () -> !isClosed() && process.map(GuestProcess::isRunning).orElse(true));
-        return arrived(guest);
+    private Score play(long seed) {
+        if (student.isEmpty()) {
+            return Performance.of(exercise, seed, this::nextRobot, Optional.empty(), trial);
+        }
+        try {
+            begins();
+            return GradingProcess.trial(exercise, seed, student.get(), Optional.empty(), trial);
+        } catch (IOException noPort) {
+            return Score.failed(0, "There is no way to the program (" + noPort.getMessage() + ").", "");
+        }
     }
 
-    private synchronized GuestProcess startProcess() {
-        GuestProcess process = GuestProcess.start(exercise, program, door.port(), folder);
-        processes.add(process);
-        return process;
+    private Controller nextRobot() {
+        return arrived(door.orElseThrow().await(() -> !isClosed()));
+    }
+
+    private synchronized void begins() {
+        state = State.RUNNING;
     }
 
     private synchronized Controller arrived(Controller guest) {
@@ -142,7 +151,7 @@ final class CourseAttempt implements AutoCloseable {
 
     private synchronized void end(long seed, Score score) {
         trial.leave();
-        sendAway();
+        disconnect();
         if (!closed) {
             judged.add(new Attempt.Judged(seed, score.passed(), score.points(), score.finding(), score.hint()));
         }
@@ -150,11 +159,12 @@ final class CourseAttempt implements AutoCloseable {
 
     private synchronized void finish() {
         state = State.OVER;
-        door.close();
+        door.ifPresent(GuestDoor::close);
+        student.ifPresent(RobotProcess::close);
         notifyAll();
     }
 
-    /** Waits until all trials are over. */
+    /** Waits until all trials have ended. */
     synchronized void awaitEnd() throws InterruptedException {
         while (state != State.OVER) {
             wait();
@@ -165,28 +175,28 @@ final class CourseAttempt implements AutoCloseable {
         return closed;
     }
 
-    /** The present state of the attempt. */
+    /** The current state of the attempt. */
     synchronized Attempt state() {
         double points =
                 judged.stream().mapToInt(Attempt.Judged::points).average().orElse(0);
         boolean passed = judged.size() == trials && judged.stream().allMatch(Attempt.Judged::passed);
-        String output =
-                processes.isEmpty() ? "" : processes.get(processes.size() - 1).output();
-        return new Attempt(id, state, exercise.name(), program, door.port(), trials, judged, points, passed, output);
+        int port = door.map(GuestDoor::port).orElse(0);
+        String output = student.map(RobotProcess::output).orElse("");
+        return new Attempt(id, state, exercise.name(), program, port, trials, judged, points, passed, output);
     }
 
-    private void sendAway() {
+    private void disconnect() {
         guests.forEach(Controller::close);
         guests.clear();
-        processes.forEach(GuestProcess::close);
     }
 
-    /** Ends the attempt, whatever it is at. */
+    /** Ends the attempt in any state. */
     @Override
     public synchronized void close() {
         closed = true;
-        door.close();
-        sendAway();
+        door.ifPresent(GuestDoor::close);
+        student.ifPresent(RobotProcess::close);
+        disconnect();
         trial.leave();
     }
 }

@@ -8,7 +8,6 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.robonewbie.app.course.Coach;
-import org.robonewbie.app.course.GradingProcess;
 import org.robonewbie.app.course.ProgressTable;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
@@ -18,6 +17,7 @@ import org.robonewbie.exercises.progress.ExerciseProgress;
 import org.robonewbie.exercises.progress.Progress;
 import org.robonewbie.exercises.progress.SolutionRepository;
 import org.robonewbie.exercises.progress.Worksheet;
+import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.studio.ShownSimulation;
 import org.robonewbie.studio.course.Attempt;
@@ -26,11 +26,11 @@ import org.robonewbie.studio.course.Help;
 import org.robonewbie.studio.course.Lesson;
 import org.robonewbie.studio.course.Standings;
 
-/** The exercises behind the studio's page. What is tried is shown there instead of the free pitch. */
+/** The exercises of the studio. An attempt is shown in place of the free pitch. */
 public final class LocalCourseService implements Course, AutoCloseable {
 
-    /** The port at which students' own agents are awaited, if it is free. */
-    static final int USUAL_PORT = 3110;
+    /** Preferred port for students' own agents. */
+    static final int DEFAULT_PORT = 3110;
 
     private static final String JAVA = ".java";
 
@@ -43,12 +43,12 @@ public final class LocalCourseService implements Course, AutoCloseable {
     private Language language = Language.ENGLISH;
 
     /**
-     * Prepares the exercises.
+     * Creates the service.
      *
-     * @param folder where students' programs are
-     * @param freePitch what the studio shows when nothing is tried
-     * @param shown what the studio shows
-     * @param coach keeps the progress and opens help
+     * @param folder folder of students' programs
+     * @param freePitch simulation that is shown without an attempt
+     * @param shown the displayed simulation
+     * @param coach stores the progress and opens hints
      */
     public LocalCourseService(Path folder, SimulationControl freePitch, ShownSimulation shown, Coach coach) {
         this.folder = folder;
@@ -58,7 +58,7 @@ public final class LocalCourseService implements Course, AutoCloseable {
     }
 
     /**
-     * Chooses the language of worksheets and hints, English until then.
+     * Sets the language of worksheets and hints; the default is English.
      *
      * @param wanted the language
      */
@@ -77,8 +77,7 @@ public final class LocalCourseService implements Course, AutoCloseable {
 
     @Override
     public void speak(String code) {
-        speak(Language.of(code)
-                .orElseThrow(() -> new IllegalArgumentException("There is no language \"" + code + "\".")));
+        speak(Language.of(code).orElseThrow(() -> new IllegalArgumentException("Unknown language \"" + code + "\".")));
     }
 
     @Override
@@ -155,9 +154,9 @@ public final class LocalCourseService implements Course, AutoCloseable {
         Path file = folder.resolve(found.className() + JAVA);
         if (Files.exists(file)) {
             throw new IllegalArgumentException(
-                    "There is a file " + file.getFileName() + " already, and it is kept. Rename it to start over.");
+                    "The file " + file.getFileName() + " already exists and is kept. Rename it to start over.");
         }
-        GradingProcess.write(file, found.startCode());
+        AtomicFile.write(file, found.startCode());
         coach.begun(found);
         return String.valueOf(file.getFileName());
     }
@@ -189,7 +188,7 @@ public final class LocalCourseService implements Course, AutoCloseable {
         return current.map(CourseAttempt::state).orElse(Attempt.NONE).inWords(language::translated);
     }
 
-    /** Waits until the attempt that goes on is over. */
+    /** Waits until the current attempt has ended. */
     Attempt awaitEnd() throws InterruptedException {
         CourseAttempt attempt = now().orElseThrow();
         attempt.awaitEnd();
@@ -207,7 +206,7 @@ public final class LocalCourseService implements Course, AutoCloseable {
 
     private static Exercise find(String name) {
         return Exercises.find(name)
-                .orElseThrow(() ->
-                        new IllegalArgumentException("There is no exercise \"" + name + "\". Load the page again."));
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "There is no exercise named \"" + name + "\". Load the page again."));
     }
 }

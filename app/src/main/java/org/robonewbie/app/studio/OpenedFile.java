@@ -8,8 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
-import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.nao.file.TemporaryFiles;
+import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.simulator.recording.RecordingReader;
@@ -17,11 +17,11 @@ import org.robonewbie.studio.StudioFolders;
 import org.robonewbie.studio.monitor.MonitorLogReader;
 
 /**
- * A file with which the studio opens.
+ * The file that the studio opens at start.
  *
- * @param folders what the pages may use, with the file
- * @param place the room that shows the file, as the end of the page's address
- * @param programs the folder of the person's programs
+ * @param folders the folders that the pages may access, including the file
+ * @param place fragment of the page's address that shows the file
+ * @param programs folder of the user's programs
  */
 public record OpenedFile(StudioFolders folders, String place, Path programs) {
 
@@ -36,10 +36,10 @@ public record OpenedFile(StudioFolders folders, String place, Path programs) {
     /**
      * Opens a file: a recording, a log of a SimSpark server, a motion or a program.
      *
-     * @param file the file, if one was named
-     * @return what the studio is to show
+     * @param file the file, if one was given
+     * @return what the studio shows
      * @throws IOException if a log cannot be converted
-     * @throws CalledWronglyException if there is no such file or the studio cannot show it
+     * @throws CalledWronglyException if the file does not exist or has an unsupported type
      */
     public static OpenedFile of(Optional<Path> file) throws IOException {
         return file.isPresent()
@@ -65,7 +65,7 @@ public record OpenedFile(StudioFolders folders, String place, Path programs) {
                 StudioFolders.ofWorkingDirectory().withRecording(recording), "#replay/" + encoded(shown) + PLAYING);
     }
 
-    /** The room that shows a motion of the studio's folder. */
+    /** Address fragment of the motion editor with a motion of the studio's folder. */
     static String motionPlace(Path file) {
         String name = String.valueOf(file.getFileName());
         return "#motion/" + encoded(name.substring(0, name.length() - MOTION.length()));
@@ -79,7 +79,7 @@ public record OpenedFile(StudioFolders folders, String place, Path programs) {
                 motionPlace(file));
     }
 
-    /** A program of this project, or one that lies elsewhere, with what is beside it. */
+    /** Opens a program of this project, or one in another folder together with its siblings. */
     private static OpenedFile program(Path file) {
         Path here = Path.of("").toAbsolutePath();
         Path folder = file.startsWith(here)
@@ -97,7 +97,7 @@ public record OpenedFile(StudioFolders folders, String place, Path programs) {
         }
     }
 
-    /** A log is turned into a recording, which the system's folder for temporary files keeps until the program ends. */
+    /** Converts a log to a temporary recording, which is deleted when the program ends. */
     private static Path converted(Path log, String name) throws IOException {
         Path folder = TemporaryFiles.folder("robonewbie-log");
         Path recording = folder.resolve(name.replaceAll("\\.(log|txt|gz)", "") + RecordingRepository.ENDING);
@@ -106,7 +106,7 @@ public record OpenedFile(StudioFolders folders, String place, Path programs) {
         try {
             MonitorLogReader.convert(log, recording);
         } catch (IOException unreadable) {
-            throw new CalledWronglyException("The studio cannot open it: " + unreadable.getMessage()
+            throw new CalledWronglyException("The studio cannot open this file: " + unreadable.getMessage()
                     + " It opens recordings (.rec), logs of SimSpark servers, motions (.txt) and programs (.java).");
         }
         return recording;

@@ -4,18 +4,19 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.robonewbie.app.program.CalledWronglyException;
-import org.robonewbie.app.program.ExampleSources;
-import org.robonewbie.app.program.GuestProcess;
-import org.robonewbie.app.program.StudentsProgram;
-import org.robonewbie.app.program.WaitingProcess;
+import org.robonewbie.nao.file.TemporaryFolder;
 import org.robonewbie.nao.file.TextFile;
-import org.robonewbie.studio.completion.Proposal;
+import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.programs.ExampleSources;
+import org.robonewbie.programs.JavaSource;
+import org.robonewbie.programs.Remark;
+import org.robonewbie.programs.completion.Proposal;
+import org.robonewbie.programs.process.ChildProcess;
+import org.robonewbie.programs.process.WaitingProcess;
 import org.robonewbie.studio.program.CompilerService;
-import org.robonewbie.studio.program.Remark;
 import org.robonewbie.studio.program.RunningProgram;
 
-/** The compiler and the processes behind the studio's room for programs. */
+/** Compiles programs in this process and runs each in its own process. */
 public final class ProcessCompilerService implements CompilerService, AutoCloseable {
 
     private final Path folder;
@@ -23,9 +24,9 @@ public final class ProcessCompilerService implements CompilerService, AutoClosea
     private final ExampleSources sources = new ExampleSources();
 
     /**
-     * Opens the workshop.
+     * Creates the service.
      *
-     * @param folder where the programs are
+     * @param folder folder of the programs
      */
     public ProcessCompilerService(Path folder) {
         this.folder = folder;
@@ -55,46 +56,39 @@ public final class ProcessCompilerService implements CompilerService, AutoClosea
     @Override
     public List<Remark> check(Path file, String text) {
         processes.prepare();
-        return StudentsProgram.of(file, text, List.of(folder)).check().stream()
-                .map(said -> new Remark(
-                        (int) said.from(),
-                        (int) said.to(),
-                        (int) said.line(),
-                        said.serious(),
-                        said.text(),
-                        said.hint()))
-                .toList();
+        return JavaSource.of(file, text).check(List.of(folder));
     }
 
     @Override
     public List<Proposal> complete(Path file, String text, int at) {
-        return StudentsProgram.of(file, text, List.of(folder)).complete(at);
+        return JavaSource.of(file, text).complete(List.of(folder), at);
     }
 
     @Override
     public Optional<RunningProgram> start(Path file, int port, Runnable beforeStart) throws IOException {
+        JavaSource source = JavaSource.of(file, TextFile.read(file).content());
+        TemporaryFolder classes = TemporaryFolder.create("robonewbie-program");
         try {
-            Optional<StudentsProgram.Compiled> compiled = StudentsProgram.of(
-                            file, TextFile.read(file).content(), List.of(folder))
-                    .compile();
-            if (compiled.isEmpty()) {
+            if (!source.compile(List.of(folder), classes.path())) {
+                classes.close();
                 return Optional.empty();
             }
-            beforeStart.run();
-            List<String> options = List.of("--host", "127.0.0.1", "--port", Integer.toString(port), "--headless");
-            Running program = new Running(processes.start(compiled.get(), options), compiled.get());
-            processes.prepare();
-            return Optional.of(program);
         } catch (CalledWronglyException refused) {
+            classes.close();
             throw new IllegalArgumentException(refused.getMessage(), refused);
         }
+        beforeStart.run();
+        List<String> options = List.of("--host", "127.0.0.1", "--port", Integer.toString(port), "--headless");
+        Running program = new Running(processes.start(source.className(), classes.path(), options), classes);
+        processes.prepare();
+        return Optional.of(program);
     }
 
-    private record Running(GuestProcess process, StudentsProgram.Compiled compiled) implements RunningProgram {
+    private record Running(ChildProcess process, TemporaryFolder classes) implements RunningProgram {
 
         @Override
         public String output() {
-            return process.output();
+            return process.output().end();
         }
 
         @Override
@@ -104,13 +98,13 @@ public final class ProcessCompilerService implements CompilerService, AutoClosea
 
         @Override
         public int exitCode() {
-            return process.exitCode();
+            return process.exitCode().orElse(0);
         }
 
         @Override
         public void close() {
             process.close();
-            WaitingProcess.forget(compiled);
+            classes.close();
         }
     }
 

@@ -3,19 +3,33 @@ package org.robonewbie.app.studio;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.Locale;
+import org.jspecify.annotations.Nullable;
 import org.robonewbie.learning.optimise.Evaluation;
 import org.robonewbie.learning.optimise.Generation;
 import org.robonewbie.learning.optimise.OptimisationListener;
 import org.robonewbie.learning.optimise.OptimisationResult;
+import org.robonewbie.trial.batch.BatchProgress;
 
-/**
- * Prints the progress of an optimisation; what was printed before an interruption is not printed again.
- *
- * @param out where it is printed
- * @param unit of the values
- * @param file where the best one is written
- */
-public record SearchConsole(PrintStream out, String unit, Path file) implements OptimisationListener {
+/** Prints the progress of an optimisation. Generations from before an interruption are not printed again. */
+public final class SearchConsole implements OptimisationListener {
+
+    private final PrintStream out;
+    private final String unit;
+    private final Path file;
+    private @Nullable BatchProgress progress;
+
+    /**
+     * Creates a console.
+     *
+     * @param out the output
+     * @param unit unit of the values
+     * @param file file of the best result
+     */
+    public SearchConsole(PrintStream out, String unit, Path file) {
+        this.out = out;
+        this.unit = unit;
+        this.file = file;
+    }
 
     @Override
     public void begins(Evaluation before) {
@@ -24,13 +38,24 @@ public record SearchConsole(PrintStream out, String unit, Path file) implements 
 
     @Override
     public void reached(Generation generation) {
-        if (!generation.isRemembered()) {
+        if (generation.isRemembered()) {
+            return;
+        }
+        BatchProgress bar = progress;
+        if (bar == null) {
+            progress = BatchProgress.of("generations", generation.of(), generation.number());
             out.println(line(generation));
+        } else {
+            bar.print(out::println, line(generation));
+            bar.advance(false);
         }
     }
 
     @Override
     public void ends(OptimisationResult result) {
+        if (progress != null) {
+            progress.close();
+        }
         out.println("before: " + result.words(result.before()));
         out.println("after:  " + result.words(result.after()));
         out.println(outcome(result, file));
@@ -39,11 +64,10 @@ public record SearchConsole(PrintStream out, String unit, Path file) implements 
         }
     }
 
-    /** The outcome in words. */
     static String outcome(OptimisationResult result, Path file) {
         return result.isBetter()
                 ? "Written to " + file + "."
-                : "Nothing better was found, so nothing is written. More --generations or another --seed may help.";
+                : "No improvement was found, so nothing is written. More --generations or another --seed may help.";
     }
 
     private String line(Generation generation) {

@@ -8,32 +8,33 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import org.robonewbie.learning.optimise.Evaluation;
 import org.robonewbie.learning.optimise.Generation;
-import org.robonewbie.learning.optimise.MotionSubject;
+import org.robonewbie.learning.optimise.MotionParametrization;
 import org.robonewbie.learning.optimise.Objective;
 import org.robonewbie.learning.optimise.Optimisation;
 import org.robonewbie.learning.optimise.OptimisationListener;
 import org.robonewbie.learning.optimise.OptimisationPlan;
 import org.robonewbie.learning.optimise.OptimisationResult;
-import org.robonewbie.learning.optimise.Subject;
-import org.robonewbie.learning.optimise.SubjectNumber;
+import org.robonewbie.learning.optimise.Parameter;
+import org.robonewbie.learning.optimise.Parametrization;
 import org.robonewbie.studio.StudioFolders;
 import org.robonewbie.studio.search.SearchFeed;
 import org.robonewbie.studio.search.SearchNumber;
 import org.robonewbie.studio.search.SearchRound;
 import org.robonewbie.studio.search.SearchTask;
 
-/** A studio that shows an optimisation while it runs, and opens the present motion in the motion editor. */
+/** Studio that shows the progress of an optimisation and opens the current motion in the motion editor. */
 public final class SearchStudio implements OptimisationListener, AutoCloseable {
 
-    private final Subject subject;
-    private final List<SubjectNumber> start;
+    private final Parametrization subject;
+    private final List<Parameter> start;
     private final SearchFeed board;
     private final Path fileSoFar;
     private final Path file;
     private final boolean withBrowser;
     private final BoardStudio studio;
 
-    private SearchStudio(Subject subject, SearchFeed board, Path fileSoFar, Path file, SearchStudioOptions options)
+    private SearchStudio(
+            Parametrization subject, SearchFeed board, Path fileSoFar, Path file, SearchStudioOptions options)
             throws IOException {
         this.subject = subject;
         this.start = subject.numbers(new double[subject.dimension()]);
@@ -47,19 +48,19 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
     }
 
     /**
-     * Opens the studio with an empty pitch, since the trials have worlds of their own.
+     * Opens the studio with an empty pitch; the trials run in separate worlds.
      *
-     * @param options how it is shown
-     * @param subject what is improved
-     * @param objective what is measured
-     * @param plan how long the search continues
+     * @param options display options
+     * @param subject what is optimised
+     * @param objective the measure
+     * @param plan size of the search
      * @param optimisation the search
-     * @param file where the best one is written
+     * @param file file of the best result
      * @return the open studio
      */
     public static SearchStudio open(
             SearchStudioOptions options,
-            Subject subject,
+            Parametrization subject,
             Objective objective,
             OptimisationPlan plan,
             Optimisation optimisation,
@@ -81,12 +82,12 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
         return new SearchStudio(subject, board, optimisation.fileSoFar(), file, options);
     }
 
-    /** {@return what to print: an address that lets one browser in, and how to get another one} */
+    /** {@return the text to print: a one-time address, and how to get another one} */
     public String invitation() {
         return studio.invitation();
     }
 
-    /** Opens the page in the browser, unless the options ask for no browser. */
+    /** Opens the page in the browser, unless the options disable it. */
     public void showBrowser() {
         if (withBrowser) {
             studio.showBrowser();
@@ -94,17 +95,17 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
     }
 
     /**
-     * Reports to another listener as well.
+     * Adds another listener.
      *
-     * @param other called after this page
-     * @return both
+     * @param other called after this one
+     * @return a listener that calls both
      */
     public OptimisationListener and(OptimisationListener other) {
         return new Both(this, other);
     }
 
     /**
-     * Waits until no page is open any more.
+     * Waits until no page is open.
      *
      * @throws InterruptedException if the thread is interrupted while it waits
      */
@@ -125,7 +126,7 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
                 score.best(),
                 score.mean(),
                 score.success(),
-                generation.cloud().step(),
+                generation.distribution().step(),
                 generation.pace().trialsPerSecond(),
                 generation.pace().secondsLeft());
         board.reached(round, numbers(generation), generation.isRemembered() ? "" : place(fileSoFar));
@@ -143,13 +144,13 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
     }
 
     private List<SearchNumber> numbers(Generation generation) {
-        List<Double> middle = generation.cloud().middle();
-        List<Double> spread = generation.cloud().spread();
-        List<SubjectNumber> now =
+        List<Double> middle = generation.distribution().middle();
+        List<Double> spread = generation.distribution().spread();
+        List<Parameter> now =
                 subject.numbers(middle.stream().mapToDouble(Double::doubleValue).toArray());
         return IntStream.range(0, now.size())
                 .mapToObj(i -> {
-                    SubjectNumber number = now.get(i);
+                    Parameter number = now.get(i);
                     double size = number.coordinateSize();
                     return new SearchNumber(
                             number.name(),
@@ -163,7 +164,7 @@ public final class SearchStudio implements OptimisationListener, AutoCloseable {
     }
 
     private String place(Path motion) {
-        return subject instanceof MotionSubject && motion.toString().endsWith(".txt")
+        return subject instanceof MotionParametrization && motion.toString().endsWith(".txt")
                 ? OpenedFile.motionPlace(motion)
                 : "";
     }

@@ -2,7 +2,7 @@ package org.robonewbie.app.studio;
 
 import picocli.CommandLine.Option;
 
-/** How a search is shown to people. */
+/** Command-line options for the display of a search. */
 public final class SearchStudioOptions {
 
     @Option(names = "--headless", description = "Open no page; the program ends as soon as the search does.")
@@ -14,10 +14,10 @@ public final class SearchStudioOptions {
     @Option(names = "--port", paramLabel = "N", description = "Port of the page (3400, or any free one).")
     int port;
 
-    /** Creates the options as they are if nothing is said. */
+    /** Creates the default options. */
     public SearchStudioOptions() {}
 
-    /** {@return whether the search is shown in no page} */
+    /** {@return whether the search is shown without a page} */
     public boolean isHeadless() {
         return isHeadless;
     }

@@ -11,7 +11,8 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.app.program.StudentJava;
+import org.robonewbie.programs.ClassPath;
+import org.robonewbie.programs.process.JavaCommand;
 
 /** What whole programs with the mistakes of beginners say, and with which exit code their process ends. */
 class BeginnersMistakesTest {
@@ -199,7 +200,8 @@ class BeginnersMistakesTest {
     }
 
     private Ended robonewbie(String... words) throws Exception {
-        ProcessBuilder builder = new ProcessBuilder(StudentJava.command(List.of("-Xmx128m"), List.of(words)))
+        ProcessBuilder builder = new ProcessBuilder(JavaCommand.of(
+                        List.of("-Xmx128m"), ClassPath.ofThisProgram(), "org.robonewbie.app.Main", List.of(words)))
                 .directory(folder.toFile())
                 .redirectErrorStream(true);
         builder.environment()

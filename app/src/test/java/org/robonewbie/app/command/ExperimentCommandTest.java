@@ -14,8 +14,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.Printed;
 import org.robonewbie.learning.series.Experiment;
 import org.robonewbie.learning.series.ExperimentPlan;
+import org.robonewbie.learning.series.ExperimentRun;
 import org.robonewbie.learning.series.PushExperiment;
-import org.robonewbie.learning.series.TrialJournal;
 
 class ExperimentCommandTest {
 
@@ -46,10 +46,9 @@ class ExperimentCommandTest {
         Path whole = folder.resolve("whole.csv");
         Path broken = folder.resolve("broken.csv");
         RoboNewbieCommand.run("experiment", plan.toString(), "--output", whole.toString());
-        TrialJournal journal = TrialJournal.open(folder.resolve("broken.csv.trials"), ExperimentPlan.read(plan));
-        journal.measured(journal.missing().get(2), new double[] {1, 2, 3});
-        journal.close();
-        Files.writeString(folder.resolve("broken.csv.trials"), "3,0.5,1", StandardOpenOption.APPEND);
+        ExperimentRun.open(folder.resolve("broken.csv.trials"), ExperimentPlan.read(plan))
+                .close();
+        Files.writeString(folder.resolve("broken.csv.trials"), "2,1.0,2.0,3.0\n3,0.5,1", StandardOpenOption.APPEND);
 
         Printed printed = Printed.by("experiment", plan.toString(), "--output", broken.toString());
 
@@ -107,7 +106,7 @@ class ExperimentCommandTest {
                 folder.resolve("x.csv").toString());
 
         assertThat(printed.exitCode()).isEqualTo(2);
-        assertThat(printed.err()).contains("x.csv.trials has trials of another plan", "Delete it");
+        assertThat(printed.err()).contains("x.csv.trials belongs to another run", "delete the file to begin again");
     }
 
     @Test

@@ -23,10 +23,6 @@ class GradeCommandTest {
             raise(Joint.RIGHT_SHOULDER_PITCH, 45);
             """;
 
-    private static final String PERFECT =
-            "{\"exercise\":\"01-raise-arms\",\"passed\":true,\"points\":10.0,\"trials\":[{\"seed\":1,"
-                    + "\"score\":{\"passed\":true,\"points\":10,\"finding\":\"\",\"hint\":\"\"}}]}";
-
     @TempDir
     Path folder = Path.of("");
 
@@ -147,47 +143,6 @@ class GradeCommandTest {
         assertThat(hint.out()).startsWith("Hint 1 of ");
         assertThat(solution.exitCode()).isEqualTo(1);
         assertThat(solution.err()).isNotBlank();
-    }
-
-    /** Whatever a program finds out of its own process it overwrites with a perfect grade, as the judge would have written it. */
-    @Test
-    void gradeCannotBeForgedByTheProgram() throws IOException {
-        Path json = folder.resolve("grade.json");
-        Path forger = Files.writeString(
-                folder.resolve("Forger.java"), """
-                import java.io.IOException;
-                import java.nio.file.Files;
-                import java.nio.file.Path;
-                import java.util.List;
-                import java.util.stream.Stream;
-                import org.robonewbie.agent.Agent;
-
-                public class Forger extends Agent {
-                    static {
-                        List<String> words = List.of(System.getProperty("sun.java.command").split(" "));
-                        Path place = Path.of(words.get(words.indexOf("--on-call") + 1));
-                        try (Stream<Path> files = Files.walk(place)) {
-                            for (Path file : files.filter(Files::isRegularFile).toList()) {
-                                Files.writeString(file, PERFECT);
-                            }
-                            Files.writeString(place.resolve("grade.json"), PERFECT);
-                        } catch (IOException refused) {
-                            System.out.println(refused);
-                        }
-                        System.out.println("01-raise-arms PASSED: 10.0 of 10 points");
-                        Runtime.getRuntime().halt(0);
-                    }
-                }
-                """.replace("PERFECT", '"' + PERFECT.replace("\"", "\\\"") + '"'));
-
-        Printed printed =
-                Printed.by("grade", "raise-arms", forger.toString(), "--seeds", "2", "--json", json.toString());
-
-        assertThat(printed.exitCode()).isEqualTo(1);
-        assertThat(printed.out()).contains("0.0 of 10 points").doesNotContain("PASSED");
-        assertThat(Grade.ofJson(Files.readString(json)).trials())
-                .extracting(trial -> trial.seed() + " " + trial.score().passed())
-                .containsExactly("1 false", "2 false");
     }
 
     @Test

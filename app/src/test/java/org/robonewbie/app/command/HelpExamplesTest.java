@@ -3,7 +3,6 @@ package org.robonewbie.app.command;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import org.robonewbie.app.program.CommandWord;
 
 class HelpExamplesTest {
 

@@ -10,9 +10,11 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.agent.policy.file.PolicyFile;
 import org.robonewbie.agent.walk.PolicyWalk;
-import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.programs.CalledWronglyException;
 import picocli.CommandLine;
 
 class LearnCommandTest {
@@ -21,28 +23,28 @@ class LearnCommandTest {
     private Path folder;
 
     @Test
-    void learnsAndGoesOnAndExamines() throws Exception {
+    void learnsAndContinuesAndEvaluates() throws Exception {
         Path file = folder.resolve("my.policy");
 
         assertThat(learn(file, "--generations", "1").call()).isZero();
-        assertThat(learn(file, "--generations", "2", "--resume").call()).isZero();
+        assertThat(learn(file, "--generations", "2").call()).isZero();
 
         assertThat(Files.readAllLines(folder.resolve("my.policy.csv"))).hasSize(3);
         assertThat(new PolicyWalk(PolicyFile.read(file)).style().most().forward())
                 .isEqualTo(0.8);
-        assertThat(command("walk", "--exam", file.toString(), "--lessons", "1", "--seconds", "1")
+        assertThat(command("WalkGait", file.toString(), "--evaluate", "1", "--option", "seconds=1")
                         .call())
                 .isZero();
     }
 
     @Test
-    void keepsATrainingThatIsThereAlready() throws Exception {
+    void keepsATrainingWithOtherOptions() throws Exception {
         Path file = folder.resolve("my.policy");
         learn(file, "--generations", "1").call();
 
-        assertThatThrownBy(() -> learn(file, "--generations", "1").call())
+        assertThatThrownBy(() -> learn(file, "--sigma", "0.1").call())
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessageContaining("Go on with --resume, choose another --out, or delete it.");
+                .hasMessageContaining("belongs to another run");
     }
 
     @Test
@@ -50,35 +52,30 @@ class LearnCommandTest {
         Path file = folder.resolve("run.policy");
 
         command(
-                        "run",
+                        "RunGait",
+                        file.toString(),
                         "--pairs",
-                        "1",
-                        "--seconds",
                         "1",
                         "--generations",
                         "1",
                         "--option",
-                        "forward=0.7..1.1",
-                        "--out",
-                        file.toString())
+                        "seconds=1",
+                        "--option",
+                        "speed=0.7..1.1")
                 .call();
 
         assertThat(new PolicyWalk(PolicyFile.read(file)).style().most().forward())
                 .isEqualTo(1.1);
         assertThat(PolicyFile.read(file).about().get(0))
-                .contains(" --push 6.0 --option forward=0.7..1.1 --generations");
-        for (String unknown : List.of("noise=1", "forward=1.1", "step=fast", "slow=")) {
-            assertThatThrownBy(() -> command("run", "--option", unknown).call())
-                    .isInstanceOf(CalledWronglyException.class)
-                    .hasMessageContaining("have no option " + unknown + ". There are forward=LOW..HIGH");
-        }
-        for (String wrong : List.of(
-                "forward=1.1..0.7", "forward=0..1", "forward=1..9", "step=130", "step=0", "slow=2", "tolerance=0")) {
-            assertThatThrownBy(() -> command("run", "--option", wrong).call())
-                    .isInstanceOf(CalledWronglyException.class)
-                    .hasMessageContaining("Lessons take " + wrong.replaceAll("=.*", "="))
-                    .hasMessageContaining("; " + wrong + " is not possible.");
-        }
+                .contains(" --option seconds=1 --option speed=0.7..1.1 --generations");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"speed=1.1..0.7", "speed=0..1", "speed=1..9", "step=130", "slow=2", "tolerance=0", "slow="})
+    void refusesValuesThatAreNotPossible(String option) {
+        assertThatThrownBy(() -> command("RunGait", "--option", option).call())
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessageStartingWith("The option " + option);
     }
 
     @Test
@@ -86,25 +83,22 @@ class LearnCommandTest {
         assertThatThrownBy(() -> command("fly").call())
                 .isInstanceOf(CalledWronglyException.class)
                 .hasMessageStartingWith("There is no task \"fly\". There are: EngineFollow, EngineRun, Follow, ");
-        assertThatThrownBy(
-                        () -> learn(folder.resolve("none.policy"), "--resume").call())
+        assertThatThrownBy(() -> command("WalkGait", "--pairs", "0").call()).isInstanceOf(CalledWronglyException.class);
+        assertThatThrownBy(() -> command("Stand", "shipped").call())
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessageContaining("There is nothing to resume");
-        assertThatThrownBy(() -> command("walk", "--pairs", "0").call()).isInstanceOf(CalledWronglyException.class);
-        assertThatThrownBy(() ->
-                        command("walk", "--exam", "standard", "--threads", "0").call())
+                .hasMessage("\"shipped\" cannot be written. Add --evaluate EPISODES to evaluate it.");
+        assertThatThrownBy(() -> command("Stand", "shipped", "--evaluate", "0").call())
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessageContaining("have to be");
-        assertThatThrownBy(() -> command(
-                                "walk", "--exam", folder.resolve("no.policy").toString())
+                .hasMessage("--evaluate 0: give a number from 1.");
+        assertThatThrownBy(() -> command("WalkGait", folder.resolve("no.policy").toString(), "--evaluate", "1")
                         .call())
                 .isInstanceOf(CalledWronglyException.class)
                 .hasMessageContaining("no.policy does not exist");
     }
 
     private static LearnCommand learn(Path file, String... options) {
-        List<String> all = new ArrayList<>(
-                List.of("walk", "--pairs", "1", "--seconds", "1", "--threads", "1", "--out", file.toString()));
+        List<String> all =
+                new ArrayList<>(List.of("WalkGait", file.toString(), "--pairs", "1", "--option", "seconds=1"));
         all.addAll(Arrays.asList(options));
         return command(all.toArray(String[]::new));
     }

@@ -13,19 +13,19 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.BoardPage;
-import org.robonewbie.app.program.CalledWronglyException;
 import org.robonewbie.app.studio.SearchStudio;
 import org.robonewbie.app.studio.SearchStudioOptions;
-import org.robonewbie.learning.optimise.Cloud;
 import org.robonewbie.learning.optimise.Evaluation;
 import org.robonewbie.learning.optimise.Generation;
-import org.robonewbie.learning.optimise.MotionSubject;
+import org.robonewbie.learning.optimise.MotionParametrization;
 import org.robonewbie.learning.optimise.Objective;
 import org.robonewbie.learning.optimise.Optimisation;
 import org.robonewbie.learning.optimise.OptimisationPlan;
-import org.robonewbie.learning.optimise.Subject;
+import org.robonewbie.learning.optimise.Parametrization;
+import org.robonewbie.learning.optimise.SearchDistribution;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.ShippedMotions;
+import org.robonewbie.programs.CalledWronglyException;
 import picocli.CommandLine;
 
 class OptimiseCommandTest {
@@ -103,7 +103,7 @@ class OptimiseCommandTest {
         Path output = folder.resolve("kick.txt");
         Objective objective = Objective.named("kick-distance", getClass().getClassLoader());
         MotionFile motion = ShippedMotions.file("kick-right");
-        Subject subject = new MotionSubject("kick-right", motion, objective);
+        Parametrization subject = new MotionParametrization("kick-right", motion, objective);
         OptimisationPlan plan = new OptimisationPlan(1, 2, 4, 1, 0.1, 1, false);
         var optimisation = new Optimisation(subject, objective, plan, output);
         try (SearchStudio studio =
@@ -116,7 +116,7 @@ class OptimiseCommandTest {
                     1,
                     2,
                     new Generation.Score(5.9, 5.7, 1),
-                    new Cloud(0.1, middle, spread),
+                    new SearchDistribution(0.1, middle, spread),
                     new Generation.Pace(8, 30)));
 
             try (BoardPage page = new BoardPage(URI.create(studio.invitation()), "search")) {

@@ -26,7 +26,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.Printed;
 import org.robonewbie.app.Project;
 import org.robonewbie.app.Python;
-import org.robonewbie.app.program.StudentJava;
+import org.robonewbie.programs.process.JavaCommand;
 
 class RecordCommandTest {
 
@@ -37,7 +37,7 @@ class RecordCommandTest {
     void runsBecomeTables() throws IOException {
         Path out = folder.resolve("set");
 
-        Printed printed = record(out, "--format", "csv", "--runs", "2", "--threads", "1", "--messages");
+        Printed printed = record(out, "--runs", "2", "--threads", "1", "--messages");
 
         assertThat(printed.exitCode()).as(printed.err()).isZero();
         assertThat(printed.out()).contains("run 2/2, seed 4: 97 rows");
@@ -74,8 +74,8 @@ class RecordCommandTest {
 
     @Test
     void tablesOfSeveralRunsAreJoinedToThoseThatOneFileWouldHave() throws IOException {
-        record(folder.resolve("single"), "--format", "csv", "--runs", "3", "--threads", "1");
-        record(folder.resolve("joined"), "--format", "csv", "--runs", "3", "--runs-per-file", "2", "--threads", "1");
+        record(folder.resolve("single"), "--runs", "3", "--threads", "1");
+        record(folder.resolve("joined"), "--runs", "3", "--runs-per-file", "2", "--threads", "1");
 
         assertThat(folder.resolve("joined/cycles"))
                 .isDirectoryContaining("glob:**run-00001-to-00002.csv")
@@ -118,9 +118,7 @@ class RecordCommandTest {
                     }
                 }
                 """.formatted(folder.toString().replace('\\', '/')));
-        String[] words = {
-            "record", agent.toString(), "--runs", "3", "--seconds", "2", "--format", "csv", "--threads", "1", "--out"
-        };
+        String[] words = {"record", agent.toString(), "--runs", "3", "--seconds", "2", "--threads", "1", "--out"};
 
         Printed first = Printed.by(with(words, folder.resolve("set")));
         List<String> rows = Files.readAllLines(folder.resolve("set/runs.csv"));
@@ -155,8 +153,8 @@ class RecordCommandTest {
     void recordingThatWasKilledGoesOnWithTheRunsThatAreMissing() throws IOException {
         Path whole = folder.resolve("whole");
         Path broken = folder.resolve("broken");
-        record(whole, "--format", "csv", "--runs", "3", "--threads", "1");
-        record(broken, "--format", "csv", "--runs", "3", "--threads", "1");
+        record(whole, "--runs", "3", "--threads", "1");
+        record(broken, "--runs", "3", "--threads", "1");
         Path description = broken.resolve("dataset.json");
         Files.writeString(
                 description, Files.readString(description).replace("\"complete\": true", "\"complete\": false"));
@@ -165,7 +163,7 @@ class RecordCommandTest {
         Files.delete(broken.resolve("cycles/run-00002.csv"));
         Files.writeString(broken.resolve("cycles/run-00001.csv"), "kept");
 
-        Printed printed = record(broken, "--format", "csv", "--runs", "3", "--threads", "1");
+        Printed printed = record(broken, "--runs", "3", "--threads", "1");
 
         assertThat(printed.exitCode()).as(printed.err()).isZero();
         assertThat(printed.out())
@@ -181,7 +179,7 @@ class RecordCommandTest {
     @Test
     void recordingThatWasMadeInAnotherWayIsNotMixed() throws IOException {
         Path set = folder.resolve("set");
-        record(set, "--format", "csv");
+        record(set);
         Path description = set.resolve("dataset.json");
         Files.writeString(
                 description,
@@ -189,8 +187,8 @@ class RecordCommandTest {
                         .replace("\"complete\": true", "\"complete\": false")
                         .replace("\"first seed\": \"3\"", "\"first seed\": \"9\""));
 
-        Printed otherSeed = record(set, "--format", "csv");
-        Printed otherColumns = record(set, "--format", "csv", "--messages");
+        Printed otherSeed = record(set);
+        Printed otherColumns = record(set, "--messages");
 
         assertThat(otherSeed.exitCode()).isEqualTo(2);
         assertThat(otherSeed.err()).contains("was made in another way: first seed is \"9\" there and \"3\" now");
@@ -209,7 +207,8 @@ class RecordCommandTest {
         assertThat(Printed.by("record", "Agent_BasicStructure", "--seconds", "0")
                         .err())
                 .contains("give a number greater than 0");
-        assertThat(record(folder.resolve("x"), "--format", "xls").exitCode()).isEqualTo(2);
+        assertThat(record(folder.resolve("x"), "--format", "parquet").err())
+                .contains("The option --format is unknown.");
         assertThat(folder.resolve("x")).doesNotExist();
     }
 
@@ -234,7 +233,7 @@ class RecordCommandTest {
         assertThat(record(out).exitCode()).isZero();
 
         assertThat(notes).hasContent("mine");
-        assertThat(out.resolve("cycles/run-00001.parquet")).isRegularFile();
+        assertThat(out.resolve("cycles/run-00001.csv")).isRegularFile();
     }
 
     @Test
@@ -243,7 +242,7 @@ class RecordCommandTest {
         Path cycles = Files.createDirectories(folder.resolve("set/cycles"));
         Files.createSymbolicLink(cycles.resolve("run-00001.csv.part"), Path.of("/dev/full"));
 
-        Printed printed = record(folder.resolve("set"), "--format", "csv");
+        Printed printed = record(folder.resolve("set"));
 
         assertThat(printed.exitCode()).isEqualTo(1);
         assertThat(printed.err())
@@ -258,8 +257,7 @@ class RecordCommandTest {
         String[] words = {
             "record", "Agent_BasicStructure", "--runs", "12", "--seconds", "5", "--runs-per-file", "4", "--out"
         };
-        Process process = new ProcessBuilder(
-                        StudentJava.command(List.of(), List.of(with(words, folder.resolve("one")))))
+        Process process = new ProcessBuilder(JavaCommand.ofCommand(List.of(with(words, folder.resolve("one")))))
                 .redirectError(ProcessBuilder.Redirect.DISCARD)
                 .start();
         List<ProcessHandle> helpers;
@@ -273,7 +271,7 @@ class RecordCommandTest {
             helper.onExit().get(20, TimeUnit.SECONDS);
         }
         assertThat(helpers).isNotEmpty();
-        assertThat(folder.resolve("one/runs.parquet")).doesNotExist();
+        assertThat(folder.resolve("one/runs.csv")).doesNotExist();
 
         Printed again = Printed.by(with(words, folder.resolve("one")));
         Printed whole = Printed.by(with(words, folder.resolve("two")));
@@ -286,34 +284,15 @@ class RecordCommandTest {
 
     @Tag("slow")
     @Test
-    void joinedTablesHoldWhatTheSingleOnesDo() throws Exception {
-        Python python = new Python(folder);
-        python.skipWithout("pandas, pyarrow");
-        record(folder.resolve("single"), "--runs", "3");
-        record(folder.resolve("joined"), "--runs", "3", "--runs-per-file", "3");
-
-        Python.Result result = python.run(
-                Map.of(),
-                "-c",
-                "import pandas as pd, pyarrow.parquet as pq; f = pq.ParquetFile('joined/cycles/run-00001-to-00003.parquet');"
-                        + " print(pd.read_parquet('single/cycles').equals(pd.read_parquet('joined/cycles')),"
-                        + " pd.read_parquet('single/events').equals(pd.read_parquet('joined/events')),"
-                        + " [f.metadata.row_group(i).column(0).statistics.max for i in range(f.num_row_groups)],"
-                        + " f.metadata.metadata[b'run'])");
-
-        assertThat(result.printed().strip()).isEqualTo("True True [1, 2, 3] b'1 to 3'");
-    }
-
-    @Tag("slow")
-    @Test
     void pandasReadsItAsThePageTells() throws Exception {
         Python python = new Python(folder);
-        python.skipWithout("pandas, pyarrow");
+        python.skipWithout("pandas, pyarrow, gymnasium");
         assertThat(record(folder.resolve("dataset"), "--runs", "2").exitCode()).isZero();
         Matcher sample = Pattern.compile("(?ms)^```python\\R(.*?)^```")
                 .matcher(Project.read(Project.ROOT.resolve("docs/datasets.md")));
         assertThat(sample.find()).isTrue();
 
+        parquet(python, "dataset");
         Python.Result result = python.run(Map.of(), "-c", sample.group(1));
 
         assertThat(result.code()).as(result.printed()).isZero();
@@ -322,22 +301,32 @@ class RecordCommandTest {
 
     @Tag("slow")
     @Test
-    void whatIsMissingIsNullAndEachGroupTellsItsRange() throws Exception {
+    void parquetOfJoinedTablesHasTheSameRowsInAGroupForEachRun() throws Exception {
         Python python = new Python(folder);
-        python.skipWithout("pyarrow");
-        assertThat(record(folder.resolve("dataset"), "--runs", "1").exitCode()).isZero();
+        python.skipWithout("pandas, pyarrow, gymnasium");
+        record(folder.resolve("single"), "--runs", "3");
+        record(folder.resolve("joined"), "--runs", "3", "--runs-per-file", "3");
 
+        parquet(python, "single");
+        parquet(python, "joined");
         Python.Result result = python.run(
                 Map.of(),
                 "-c",
-                "import pyarrow.parquet as pq; f = pq.ParquetFile('dataset/cycles/run-00001.parquet'); t = f.read();"
-                        + " s = f.metadata.row_group(0).column(t.schema.get_field_index('ball_distance')).statistics;"
-                        + " c = f.metadata.row_group(0).column(t.schema.get_field_index('cycle')).statistics;"
-                        + " d = t['ball_distance']; n = [x for x in d.to_pylist() if x is not None];"
-                        + " print(d.null_count == s.null_count and 0 < d.null_count < len(d), all(x == x for x in n),"
-                        + " (s.min, s.max) == (min(n), max(n)), c.max - c.min + 1 == len(d))");
+                "import pandas as pd, pyarrow.parquet as pq;"
+                        + " f = pq.ParquetFile('joined/parquet/cycles/run-00001-to-00003.parquet'); t = f.read();"
+                        + " print(pd.read_parquet('single/parquet/cycles').equals(pd.read_parquet('joined/parquet/cycles')),"
+                        + " pd.read_parquet('single/parquet/events').equals(pd.read_parquet('joined/parquet/events')),"
+                        + " [f.metadata.row_group(i).column(0).statistics.max for i in range(f.num_row_groups)],"
+                        + " f.metadata.metadata[b'first seed'], 0 < t['ball_distance'].null_count < len(t),"
+                        + " t.schema.field('cycle').type, t.schema.field('ball_distance').type, t.schema.field('heard').type)");
 
-        assertThat(result.printed().strip()).isEqualTo("True True True True");
+        assertThat(result.printed().strip()).isEqualTo("True True [1, 2, 3] b'3' True int64 double string");
+    }
+
+    private static void parquet(Python python, String set) throws Exception {
+        String packages = Project.ROOT.resolve("research/python").toString();
+        Python.Result result = python.run(Map.of("PYTHONPATH", packages), "-m", "robonewbie.parquet", set);
+        assertThat(result.code()).as(result.printed()).isZero();
     }
 
     private static Printed record(Path out, String... more) {

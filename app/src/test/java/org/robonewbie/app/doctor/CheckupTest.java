@@ -24,7 +24,7 @@ import org.robonewbie.simulator.server.SimulatorSettings;
 class CheckupTest {
 
     @Test
-    void healthyComputerHasNothingToMend() {
+    void healthyComputerHasNoFailures() {
         List<Finding> findings = StreamSupport.stream(
                         Checkup.of(false).findings().spliterator(), false)
                 .toList();
@@ -33,7 +33,7 @@ class CheckupTest {
     }
 
     @Test
-    void encodingIsToldWithWhatToDo() {
+    void encodingProblemIsReportedWithAdvice() {
         assertThat(EncodingCheck.of(Optional.empty(), true, "UTF-8").verdict()).isEqualTo(Verdict.WELL);
         assertThat(EncodingCheck.of(Optional.empty(), false, "ANSI_X3.4-1968").toText())
                 .startsWith("look  Encoding")
@@ -44,7 +44,7 @@ class CheckupTest {
     }
 
     @Test
-    void withoutScreenStudioAndBrowserAreLeftOut() {
+    void headlessCheckupSkipsStudioAndBrowser() {
         assertThat(Checkup.of(true).findings())
                 .extracting(Finding::subject)
                 .contains("Simulator")
@@ -60,7 +60,7 @@ class CheckupTest {
     }
 
     @Test
-    void functionWithOtherBitsIsNamed() {
+    void functionWithDifferentResultsIsReported() {
         List<MathFingerprint> fingerprints =
                 List.of(new MathFingerprint("sin", 1, 1), new MathFingerprint("pow", 1, 2));
 
@@ -71,7 +71,7 @@ class CheckupTest {
     }
 
     @Test
-    void freePortIsWell() throws IOException {
+    void freePortIsReported() throws IOException {
         int port = freePort();
 
         assertThat(PortCheck.of("Agent port", port).found()).isEqualTo(port + " is free");
@@ -93,12 +93,12 @@ class CheckupTest {
     }
 
     @Test
-    void silentProgramAtAPortIsTold() throws IOException {
+    void silentProgramAtAPortIsReported() throws IOException {
         try (ServerSocket silent = new ServerSocket(0, 5, InetAddress.getLoopbackAddress())) {
             Finding finding = PortCheck.of("Agent port", silent.getLocalPort());
 
-            assertThat(finding.found()).contains("waits for others to speak");
-            assertThat(finding.advice()).contains("end that program or use another port");
+            assertThat(finding.found()).contains("waits for a client to speak first");
+            assertThat(finding.advice()).contains("stop that program or use another port");
         }
     }
 
@@ -107,11 +107,11 @@ class CheckupTest {
         Finding finding = FolderCheck.of("This folder", folder.resolve("missing"));
 
         assertThat(finding.verdict()).isEqualTo(Verdict.NOTABLE);
-        assertThat(finding.found()).endsWith("missing cannot be written");
+        assertThat(finding.found()).endsWith("missing is not writable");
     }
 
     @Test
-    void lookAtAFolderLeavesNothingThere(@TempDir Path folder) throws IOException {
+    void folderCheckLeavesNoFile(@TempDir Path folder) throws IOException {
         FolderCheck.of("This folder", folder);
 
         try (var files = Files.list(folder)) {
@@ -120,13 +120,13 @@ class CheckupTest {
     }
 
     @Test
-    void littleMemoryIsTold() {
+    void littleMemoryIsReported() {
         assertThat(JavaCheck.memory(0.1, 1).verdict()).isEqualTo(Verdict.NOTABLE);
-        assertThat(JavaCheck.memory(4, 2).found()).isEqualTo("Java may use 4.0 GB; 2 processors");
+        assertThat(JavaCheck.memory(4, 2).found()).isEqualTo("Java can use 4.0 GB; 2 processors");
     }
 
     @Test
-    void missingBrowserCommandIsTold(@TempDir Path empty) {
+    void missingBrowserCommandIsReported(@TempDir Path empty) {
         Finding finding = BrowserCheck.command("Linux", empty.toString());
 
         assertThat(finding.verdict()).isEqualTo(Verdict.NOTABLE);
@@ -166,7 +166,7 @@ class CheckupTest {
     }
 
     @Test
-    void slowStartIsTold() {
+    void slowStartIsReported() {
         assertThat(StartTimeCheck.of(1.2).verdict()).isEqualTo(Verdict.WELL);
         assertThat(StartTimeCheck.of(9).advice()).contains("virus scanner");
         assertThat(StartTimeCheck.measured().found()).contains(" s, the better of 2");
@@ -181,6 +181,6 @@ class CheckupTest {
 
         assertThat(GraphicsCheck.drawn(folder.resolve("none").toString()).advice())
                 .contains("Open the studio once");
-        assertThat(GraphicsCheck.drawn(folder.toString()).found()).contains("does not draw three dimensions");
+        assertThat(GraphicsCheck.drawn(folder.toString()).found()).contains("does not support 3D graphics");
     }
 }

@@ -12,10 +12,10 @@ import org.robonewbie.agent.PolicyPlayer;
 import org.robonewbie.agent.policy.PolicyText;
 import org.robonewbie.agent.running.Surroundings;
 import org.robonewbie.competition.team.TeamList;
-import org.robonewbie.competition.team.WrongEntryException;
 import org.robonewbie.learning.series.ExperimentPlan;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.MotionFormatException;
+import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.protocol.effector.EffectorMessageReader;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.monitor.MonitoredWorld;
@@ -94,7 +94,7 @@ enum FuzzedReader {
     void read(byte[] bytes) {
         try {
             reading.of(bytes);
-        } catch (IOException | MotionFormatException | WrongEntryException refused) {
+        } catch (IOException | MotionFormatException | CalledWronglyException refused) {
             requireReason(refused);
         } catch (IllegalArgumentException refused) {
             if (this != STATE && this != PLAN && this != POLICY) {

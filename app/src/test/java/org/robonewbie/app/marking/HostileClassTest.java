@@ -1,6 +1,7 @@
 package org.robonewbie.app.marking;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -14,8 +15,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.app.Printed;
 import org.robonewbie.nao.file.FolderLock;
+import org.robonewbie.programs.process.Sandbox;
 
 /** What one student hands in costs no other one a mark, whatever it is. */
 @EnabledOnOs(OS.LINUX)
@@ -71,11 +75,19 @@ class HostileClassTest {
     }
 
     private Printed grade() {
+        return grade("none");
+    }
+
+    private Printed grade(String fence) {
+        boolean isRequired = System.getenv("ROBONEWBIE_REQUIRE_TOOLS") != null;
+        assumeTrue(fence.equals("none") || isRequired || Sandbox.find().isUp(), "no fence here");
         return Printed.by(
                 "grade",
                 "raise-arms",
                 "--seeds",
                 "1",
+                "--fence",
+                fence,
                 "--class",
                 folder.resolve("class").toString());
     }
@@ -104,15 +116,16 @@ class HostileClassTest {
             mkdir $'new\\nline'                          | "new   | line",,0.0,0,There is no .java file
             """;
 
-    @Test
-    void badEntriesAreALineEachAndTheOthersAreGraded() throws Exception {
+    @ParameterizedTest
+    @ValueSource(strings = {"none", "required"})
+    void badEntriesAreALineEachAndTheOthersAreGraded(String fence) throws Exception {
         List<String[]> rows =
                 BAD_ENTRIES.lines().map(row -> row.strip().split("\\s*\\|\\s*")).toList();
         for (String[] row : rows) {
             shell(row[0]);
         }
 
-        Printed printed = grade();
+        Printed printed = grade(fence);
 
         assertThat(printed.exitCode()).as(printed.err()).isZero();
         assertThat(grades()).contains("zoe,10.0,10.0,1");
@@ -121,8 +134,9 @@ class HostileClassTest {
         assertThat(printed.out()).contains("17 students, 1 programs").doesNotContain("new\nline");
     }
 
-    @Test
-    void markOfAnotherStudentCannotBeForged() throws IOException {
+    @ParameterizedTest
+    @ValueSource(strings = {"none", "required"})
+    void markOfAnotherStudentCannotBeForged(String fence) throws IOException {
         String forged = """
                 java.nio.file.Path kept = java.nio.file.Path.of("%s/kept/zoe");
                 java.nio.file.Files.createDirectories(kept);
@@ -133,11 +147,11 @@ class HostileClassTest {
         grade();
         write("anna/RaiseArms.java", EVIL.formatted(forged));
 
-        Printed again = grade();
+        Printed again = grade(fence);
 
-        assertThat(again.out())
-                .contains("1 of them graded before")
-                .contains("Kept marks that were changed while programs ran, and are again as the judge gave them: 1.");
+        String repaired = "Kept marks that were changed while programs ran, and are again as the judge gave them: 1.";
+        assertThat(again.out()).contains("1 of them graded before");
+        assertThat(again.out().contains(repaired)).isEqualTo(fence.equals("none"));
         assertThat(grades()).contains("zoe,10.0,10.0,1", "anna,0.0");
     }
 
@@ -154,8 +168,9 @@ class HostileClassTest {
         assertThat(grades()).contains("zoe,10.0,10.0,1");
     }
 
-    @Test
-    void whatProgramsDoToOthersCostsThemselvesOnly() throws IOException {
+    @ParameterizedTest
+    @ValueSource(strings = {"none", "required"})
+    void whatProgramsDoToOthersCostsThemselvesOnly(String fence) throws IOException {
         String seconds = "87871." + ProcessHandle.current().pid();
         write("children/RaiseArms.java", EVIL.formatted("""
                 for (String start : new String[] {"(setsid %1$s &)", "cd / && (setsid %1$s &)", "(env -i setsid %1$s &)"}) {
@@ -170,7 +185,7 @@ class HostileClassTest {
         write("snoop/RaiseArms.java", EVIL.formatted("Secret.tell();"));
         write("deep/RaiseArms.java", EVIL.formatted("int x = " + "(".repeat(20_000) + "1" + ")".repeat(20_000) + ";"));
 
-        Printed printed = grade();
+        Printed printed = grade(fence);
 
         assertThat(printed.exitCode()).as(printed.err()).isZero();
         assertThat(grades())

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.robonewbie.app.program.CalledWronglyException;
+import org.robonewbie.programs.CalledWronglyException;
 
 class StartScriptTest {
 
@@ -95,7 +95,7 @@ class StartScriptTest {
     }
 
     @Test
-    void leavesOutWhatIsNoCode() throws IOException {
+    void ignoresCommentsAndStrings() throws IOException {
         StartScript script = read("""
                 =begin
                 addSoccerVar('FieldLength', 99)
@@ -120,19 +120,19 @@ class StartScriptTest {
             delimiter = '|',
             quoteCharacter = '~',
             value = {
-                "if false\\nSET\\nend | it stands in the \"if\" of line 1",
-                "def f\\nSET\\nend | it stands in the \"def\" of line 1",
-                "unless true then\\nSET\\nend | it stands in the \"unless\" of line 1",
-                "[1].each do\\nSET\\nend | it stands in the \"do\" of line 1",
-                "3.times {\\nSET\\n} | it stands in the \"{\" of line 1",
+                "if false\\nSET\\nend | it is in the \"if\" of line 1",
+                "def f\\nSET\\nend | it is in the \"def\" of line 1",
+                "unless true then\\nSET\\nend | it is in the \"unless\" of line 1",
+                "[1].each do\\nSET\\nend | it is in the \"do\" of line 1",
+                "3.times {\\nSET\\n} | it is in the \"{\" of line 1",
                 "x = 1 if y\\nSET if x | it depends on a condition",
-                "class A\\n SET\\nend | it stands in the \"class\" of line 1",
-                "exit\\nSET | the script ends before, by \"exit\" in line 1",
-                "\\naddSoccerVar('RuleHalfTime', foo(3)) | its value is not understood",
-                "\\naddSoccerVar('RuleHalfTime', .9) | its value is not understood",
-                "\\nx.each { addSoccerVar('RuleHalfTime', 3) } | it stands in the \"{\" of line 2"
+                "class A\\n SET\\nend | it is in the \"class\" of line 1",
+                "exit\\nSET | the script ends earlier, at \"exit\" in line 1",
+                "\\naddSoccerVar('RuleHalfTime', foo(3)) | its value cannot be evaluated",
+                "\\naddSoccerVar('RuleHalfTime', .9) | its value cannot be evaluated",
+                "\\nx.each { addSoccerVar('RuleHalfTime', 3) } | it is in the \"{\" of line 2"
             })
-    void namesWhatRubyMayNotCarryOut(String text, String reason) throws IOException {
+    void reportsSettingsThatRubyMayNotExecute(String text, String reason) throws IOException {
         String setting = "addSoccerVar('RuleHalfTime', 1)";
 
         StartScript script = read(text.replace("\\n", "\n").replace("SET", setting));
@@ -142,7 +142,7 @@ class StartScriptTest {
                 .singleElement()
                 .asString()
                 .contains("start.rb, line 2: ")
-                .contains(" was left out: " + reason);
+                .contains(" is ignored: " + reason);
     }
 
     @Test
@@ -182,12 +182,12 @@ class StartScriptTest {
                 "$recordLogfile = true | use the option --log FILE.",
                 "$monitorStep=0.08 | use the option --monitor-step 0.08.",
                 "$agentStep = 0.02 | a cycle is always 0.02 s long here.",
-                "run 'naosoccersim.rb' | it is a script of rcssserver3d itself, which is not needed here.",
-                "run \"my.rb\" | there is no file my.rb beside it or in the folder ",
-                "run \"a#{b}.rb\" | only Ruby knows the name of the script.",
-                "Soccer.GoalWidth=2.5 | it is more than a plain setting. Write addSoccerVar('GoalWidth', VALUE)"
+                "run 'naosoccersim.rb' | it is a script of rcssserver3d, which is not needed here.",
+                "run \"my.rb\" | there is no file my.rb beside the script or in the folder ",
+                "run \"a#{b}.rb\" | the name of the script cannot be evaluated.",
+                "Soccer.GoalWidth=2.5 | it is not a plain setting. Write addSoccerVar('GoalWidth', VALUE)"
             })
-    void namesWhatLooksLikeASettingWithItsLine(String line, String reason) throws IOException {
+    void reportsIgnoredSettingsWithTheirLine(String line, String reason) throws IOException {
         StartScript script = read("\n" + line + "\n");
 
         assertThat(script.parameters()).isEmpty();
@@ -195,7 +195,7 @@ class StartScriptTest {
                 .singleElement()
                 .asString()
                 .contains("start.rb, line 2: ")
-                .contains(" was left out: " + reason);
+                .contains(" is ignored: " + reason);
     }
 
     @Test
@@ -209,7 +209,7 @@ class StartScriptTest {
     void manyLinesAreCounted() throws IOException {
         read("$no = 1\n".repeat(60));
 
-        assertThat(told).hasSize(41).last().isEqualTo("So were 20 more lines.");
+        assertThat(told).hasSize(41).last().isEqualTo("20 more lines are ignored.");
     }
 
     @Test
@@ -273,10 +273,13 @@ class StartScriptTest {
     }
 
     @Test
-    void textWithoutEndIsNamed() throws IOException {
+    void unterminatedStringIsReported() throws IOException {
         assertThat(read("FieldLength = 24\nputs 'x\nGoalWidth = 3").parameters())
                 .containsExactly("FieldLength=24");
-        assertThat(told).singleElement().asString().contains("start.rb, line 2: a text begins here that does not end");
+        assertThat(told)
+                .singleElement()
+                .asString()
+                .contains("start.rb, line 2: a string starts here and is not terminated");
     }
 
     @Test
@@ -287,16 +290,16 @@ class StartScriptTest {
     }
 
     @Test
-    void folderIsRefusedWithWhatIsInIt() throws IOException {
+    void folderIsRefusedWithAListOfItsScripts() throws IOException {
         assertThatThrownBy(() -> StartScript.read(folder, told::add))
-                .hasMessageContaining("is a folder. Name a file in it, such as ");
+                .hasMessageContaining("is a folder. Choose a file in it, such as ");
         Files.writeString(folder.resolve("match.rb"), "");
         assertThatThrownBy(() -> StartScript.read(folder, told::add))
-                .hasMessageContaining("is a folder. Name a file in it; it has match.rb.");
+                .hasMessageContaining("is a folder. Choose a file in it; it contains match.rb.");
     }
 
     @Test
-    void missingScriptIsNamed() {
+    void missingScriptIsReported() {
         assertThatThrownBy(() -> StartScript.read(folder.resolve("none.rb"), told::add))
                 .isInstanceOf(CalledWronglyException.class)
                 .hasMessageContaining("none.rb does not exist");

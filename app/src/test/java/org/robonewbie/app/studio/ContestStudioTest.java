@@ -8,18 +8,18 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.BoardPage;
-import org.robonewbie.app.program.ExampleCatalogue;
 import org.robonewbie.competition.Competition;
 import org.robonewbie.competition.CompetitionSettings;
 import org.robonewbie.competition.contest.Conditions;
 import org.robonewbie.competition.contest.Contest;
 import org.robonewbie.competition.contest.Contests;
-import org.robonewbie.competition.team.Fence;
-import org.robonewbie.competition.team.Limits;
 import org.robonewbie.competition.team.TeamEntry;
 import org.robonewbie.competition.team.TeamList;
+import org.robonewbie.programs.ExampleCatalogue;
+import org.robonewbie.programs.process.Limits;
+import org.robonewbie.programs.process.Sandbox;
 
-/** What the wall of a contest is told while a contest is held. */
+/** Updates of the wall during a contest. */
 class ContestStudioTest {
 
     @TempDir
@@ -37,8 +37,8 @@ class ContestStudioTest {
                     Path.of(""),
                     ExampleCatalogue.load().classNames(),
                     2,
-                    Limits.USUAL,
-                    Fence.none("not wanted"),
+                    Limits.DEFAULT,
+                    Sandbox.none("not wanted"),
                     studio);
 
             new Competition(contest, teams, settings, System.out).hold();

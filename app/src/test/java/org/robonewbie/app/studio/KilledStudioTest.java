@@ -20,7 +20,7 @@ import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.simulator.file.StateFile;
 import org.robonewbie.simulator.recording.RecordingReader;
 
-/** A studio that is killed while it saves leaves each file as it was before, or as it should become. */
+/** A studio that is killed while it saves leaves each file in its old or its new version. */
 @Tag("slow")
 @Timeout(60)
 class KilledStudioTest {
@@ -32,7 +32,7 @@ class KilledStudioTest {
     @TempDir
     private Path folder;
 
-    /** A text that shows whether it is whole: the same line many times. */
+    /** A text of many equal lines, so that a partial file is recognised. */
     private static String text(int save) {
         return "// save %5d\n".formatted(save).repeat(LINES);
     }
@@ -45,7 +45,7 @@ class KilledStudioTest {
                 .orElse("");
     }
 
-    /** Saves one place without a pause until the studio is gone. Returns how often it was told that it is saved. */
+    /** Saves one file repeatedly until the studio is gone. Returns the number of confirmed saves. */
     private static int save(StudioProcess studio, String place, CountDownLatch saved) {
         String version = "";
         for (int save = 0; true; save++) {

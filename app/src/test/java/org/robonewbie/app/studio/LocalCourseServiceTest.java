@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Clock;
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -15,17 +16,19 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.Project;
 import org.robonewbie.app.course.Coach;
-import org.robonewbie.app.program.GuestProcess;
-import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.progress.ProgressFile;
 import org.robonewbie.exercises.progress.SolutionRepository;
+import org.robonewbie.programs.process.ChildProcess;
+import org.robonewbie.programs.process.JavaCommand;
+import org.robonewbie.programs.process.Limits;
+import org.robonewbie.programs.process.ProgramOutput;
 import org.robonewbie.studio.ShownSimulation;
 import org.robonewbie.studio.course.Attempt;
 import org.robonewbie.studio.course.Attempt.State;
 import org.robonewbie.studio.course.Lesson;
 import org.robonewbie.trial.watch.WatchedTrial;
 
-/** The exercises as the studio's page asks for them, with students' programs in processes of their own. */
+/** The exercises as requested by the studio's page, with students' programs in separate processes. */
 @Timeout(300)
 class LocalCourseServiceTest {
 
@@ -45,6 +48,9 @@ class LocalCourseServiceTest {
                 }
             }
             """;
+
+    private static final String MAIN =
+            "    public static void main(String[] arguments) {\n        new RaiseArms().run(arguments);\n    }\n\n";
 
     @TempDir
     private Path folder;
@@ -74,7 +80,7 @@ class LocalCourseServiceTest {
     }
 
     @Test
-    void lessonsSayWhatTheirWorksheetsSay() throws Exception {
+    void lessonsMatchTheirWorksheets() throws Exception {
         for (Lesson lesson : service.lessons()) {
             String sheet =
                     Files.readString(Project.ROOT.resolve(lesson.worksheet().replace(".html", ".md")));
@@ -103,7 +109,7 @@ class LocalCourseServiceTest {
     }
 
     @Test
-    void hintsOpenOneByOneAndTheSolutionStaysClosedBeforeThreeTries() {
+    void hintsOpenOneByOneAndTheSolutionIsLockedForThreeTries() {
         int all = service.help("raise-arms").allHints();
 
         assertThat(all).isPositive();
@@ -114,7 +120,7 @@ class LocalCourseServiceTest {
     }
 
     @Test
-    void programToBeginWithIsHandedOutOnceAndFailsWithAHint() throws Exception {
+    void starterProgramIsWrittenOnceAndFailsWithAHint() throws Exception {
         String file = service.handOut("raise-arms");
         service.begin("raise-arms", file, 1);
         Attempt attempt = service.awaitEnd();
@@ -123,11 +129,11 @@ class LocalCourseServiceTest {
         assertThat(attempt.passed()).isFalse();
         assertThat(attempt.judged().get(0).hint()).isNotEmpty();
         assertThatThrownBy(() -> service.handOut("raise-arms"))
-                .hasMessage("There is a file RaiseArms.java already, and it is kept. Rename it to start over.");
+                .hasMessage("The file RaiseArms.java already exists and is kept. Rename it to start over.");
     }
 
     @Test
-    void programThatEndsItsProcessFailsItsTrialAndNothingElse() throws Exception {
+    void programThatExitsFailsOnlyItsTrial() throws Exception {
         Files.writeString(
                 folder.resolve("RaiseArms.java"),
                 RAISE_ARMS.replace("hold(Joint.LEFT_SHOULDER_PITCH, 60);", "System.exit(7);"));
@@ -135,11 +141,11 @@ class LocalCourseServiceTest {
         service.begin("raise-arms", "RaiseArms.java", 1);
         Attempt attempt = service.awaitEnd();
 
-        assertThat(attempt.judged().get(0).finding()).startsWith("The program has");
+        assertThat(attempt.judged().get(0).finding()).startsWith("The program ended the whole process (exit code 7)");
     }
 
     @Test
-    void programWithAMistakeIsShownWithWhatTheCompilerSays() throws Exception {
+    void programWithAnErrorIsShownWithTheDiagnostics() throws Exception {
         Files.writeString(folder.resolve("RaiseArms.java"), RAISE_ARMS.replace("60);", "60)"));
 
         service.begin("raise-arms", "RaiseArms.java", 1);
@@ -152,14 +158,20 @@ class LocalCourseServiceTest {
     @Tag("slow")
     @Test
     void agentThatTheStudentStartsIsJudgedTheSameWay() throws Exception {
-        Files.writeString(folder.resolve("RaiseArms.java"), RAISE_ARMS);
         service.begin("raise-arms", "", 1);
         int port = service.attempt().port();
-        try (GuestProcess student =
-                GuestProcess.start(Exercises.find("raise-arms").orElseThrow(), "RaiseArms.java", port, folder)) {
+        Files.writeString(
+                folder.resolve("RaiseArms.java"), RAISE_ARMS.replace("    @Override", MAIN + "    @Override"));
+        try (ChildProcess student = ChildProcess.start(
+                JavaCommand.ofCommand(List.of(
+                        "run", "RaiseArms.java", "--port", Integer.toString(port), "--headless", "--team", "Students")),
+                folder,
+                false,
+                ProgramOutput.of(line -> {}, answer -> {}),
+                Limits.NONE)) {
             Attempt attempt = service.awaitEnd();
 
-            assertThat(attempt.passed()).as(attempt + student.output()).isTrue();
+            assertThat(attempt.passed()).as(attempt + student.output().end()).isTrue();
         }
     }
 
@@ -171,6 +183,6 @@ class LocalCourseServiceTest {
 
         assertThat(service.attempt()).isEqualTo(Attempt.NONE);
         assertThatThrownBy(() -> service.begin("nonsense", "", 1))
-                .hasMessage("There is no exercise \"nonsense\". Load the page again.");
+                .hasMessage("There is no exercise named \"nonsense\". Load the page again.");
     }
 }

@@ -9,14 +9,14 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** In which room a file opens. */
+/** Which page opens for a file. */
 class OpenedFileTest {
 
     @TempDir
     Path folder = Path.of("");
 
     @Test
-    void programOpensInTheRoomForProgramsWithWhatLiesBesideIt() throws IOException {
+    void programOpensInTheEditorWithItsSiblings() throws IOException {
         Path file = Files.writeString(folder.resolve("MyAgent.java"), "class MyAgent {}");
 
         OpenedFile opened = OpenedFile.of(Optional.of(file));

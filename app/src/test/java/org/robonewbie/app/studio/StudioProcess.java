@@ -9,10 +9,10 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import org.robonewbie.app.program.StudentJava;
+import org.robonewbie.programs.process.JavaCommand;
 import org.robonewbie.studio.StudioCookie;
 
-/** A studio in a process of its own, as a person starts it, and what its page asks of it. */
+/** A studio in its own process, started as by a user, and a client for its API. */
 public final class StudioProcess implements AutoCloseable {
 
     private static final String ADDRESS = "Studio: ";
@@ -27,10 +27,10 @@ public final class StudioProcess implements AutoCloseable {
         this.cookie = StudioCookie.of(address);
     }
 
-    /** Starts it in a folder. */
+    /** Starts the studio in a working directory. */
     public static StudioProcess start(Path folder) throws IOException {
         ProcessBuilder builder = new ProcessBuilder(
-                        StudentJava.command(List.of(), List.of("studio", "--no-browser", "--agent-port", "0")))
+                        JavaCommand.ofCommand(List.of("studio", "--no-browser", "--agent-port", "0")))
                 .directory(folder.toFile())
                 .redirectError(ProcessBuilder.Redirect.DISCARD);
         builder.environment().put("ROBONEWBIE_RECORDINGS", "off");
@@ -42,10 +42,10 @@ public final class StudioProcess implements AutoCloseable {
                 return new StudioProcess(process, URI.create(address));
             }
         }
-        throw new IOException("The studio has ended without an address.");
+        throw new IOException("The studio exited without printing an address.");
     }
 
-    /** Asks for something and waits for the whole answer. */
+    /** Sends a request and returns the complete response. */
     public String ask(String order, String place, String body, String... headers) throws IOException {
         List<String> lines = new ArrayList<>(List.of(
                 order + " /api/" + place + " HTTP/1.1",
@@ -62,7 +62,7 @@ public final class StudioProcess implements AutoCloseable {
         }
     }
 
-    /** Ends it as {@code kill -9} does. */
+    /** Kills the process as {@code kill -9} does. */
     void kill() throws InterruptedException {
         process.destroyForcibly().waitFor();
     }

@@ -1,5 +1,7 @@
 package org.robonewbie.agent;
 
+import java.io.Serializable;
+
 /**
  * A number in a robot's program that can be tuned.
  *
@@ -9,7 +11,8 @@ package org.robonewbie.agent;
  * @param most largest sensible value
  * @param value its value in this robot
  */
-public record TunableNumber(String name, double usual, double least, double most, double value) {
+public record TunableNumber(String name, double usual, double least, double most, double value)
+        implements Serializable {
 
     /** Returns the number with another value, or with the nearest one that it may have. */
     TunableNumber withValue(double wanted) {

@@ -1,5 +1,7 @@
 package org.robonewbie.nao;
 
+import java.io.Serializable;
+
 /**
  * A point or direction in space; components are in metres unless a method says otherwise.
  *
@@ -10,7 +12,7 @@ package org.robonewbie.nao;
  * @param y second component
  * @param z third component
  */
-public record Vector3(double x, double y, double z) {
+public record Vector3(double x, double y, double z) implements Serializable {
 
     /** The vector (0, 0, 0). */
     public static final Vector3 ZERO = new Vector3(0, 0, 0);

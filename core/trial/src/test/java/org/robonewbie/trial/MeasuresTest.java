@@ -12,6 +12,8 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
@@ -19,8 +21,14 @@ import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Posture;
+import org.robonewbie.trial.measure.BalanceMetrics;
+import org.robonewbie.trial.measure.BallToGoal;
 import org.robonewbie.trial.measure.Energy;
+import org.robonewbie.trial.measure.LongestKick;
 import org.robonewbie.trial.measure.Measures;
+import org.robonewbie.trial.measure.Pushes;
+import org.robonewbie.trial.measure.Race;
+import org.robonewbie.trial.measure.SustainedCondition;
 import org.robonewbie.trial.measure.Turn;
 
 class MeasuresTest {
@@ -133,8 +141,8 @@ class MeasuresTest {
         assertThatThrownBy(() -> Measures.named("speed", getClass().getClassLoader()))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageStartingWith(
-                        "There is no measure \"speed\". Did you mean walk-speed? There are: distance-walked, energy, get-up-time,"
-                                + " kick-distance, stability, standing-time, time-to-score, walk-speed.");
+                        "There is no measure \"speed\". Did you mean walk-speed? There are: distance-walked, energy,"
+                                + " get-up-time, kick-distance, stability, standing-time, time-to-score, walk-speed.");
     }
 
     @Test
@@ -162,6 +170,143 @@ class MeasuresTest {
                 .get();
 
         assertThat(measure).isInstanceOf(Turn.class);
+    }
+
+    @Test
+    void raceCountsTheTimeAndWhatIsMissing() {
+        Race race = new Race();
+
+        List.of(at(2, 0, 0, 0), at(3, 1, 0, 0), at(4, 2, 0, LYING)).forEach(race::see);
+        assertThat(race.value()).isCloseTo(2 + 10 * 2, within(1e-9));
+        assertThat(race.isDecided()).isFalse();
+        List.of(at(6, 4, 0, 0), at(9, 5, 0, 0)).forEach(race::see);
+
+        assertThat(race.isDecided()).isTrue();
+        assertThat(race.metres()).isEqualTo(3);
+        assertThat(race.value()).isCloseTo(4, within(1e-9));
+        assertThat(race.isLargerBetter()).isFalse();
+        assertThat(race.unit()).isEqualTo("s");
+    }
+
+    @Test
+    void longestKickCountsFromTheFoot() {
+        LongestKick kick = new LongestKick();
+
+        kick.see(ball(0, new Vector3(0.2, 0, 0.042), Vector3.ZERO, 0));
+        kick.see(ball(1, new Vector3(0.3, 0, 0.042), Vector3.ZERO, 0));
+        kick.see(ball(2, new Vector3(1.3, 0, 0.042), Vector3.ZERO, 0));
+        kick.see(ball(3, new Vector3(0.8, 0, 0.042), Vector3.ZERO, 0));
+
+        assertThat(kick.value()).isCloseTo(1, within(1e-9));
+        assertThat(kick.isDecided()).isFalse();
+        assertThat(kick.unit()).isEqualTo("m");
+    }
+
+    @Test
+    void ballToGoalRemembersTheNearestPlace() {
+        BallToGoal ball = new BallToGoal();
+
+        ball.see(ball(1, new Vector3(5, 0, 0.042), Vector3.ZERO, 0));
+        ball.see(ball(2, new Vector3(4, 0, 0.042), Vector3.ZERO, 0));
+        assertThat(ball.value()).isCloseTo(1, within(1e-9));
+        assertThat(ball.lastMetres()).isCloseTo(2, within(1e-9));
+        ball.see(ball(3, ASIDE, Vector3.ZERO, 1));
+        ball.see(ball(9, ASIDE, Vector3.ZERO, 1));
+
+        assertThat(ball.isDecided()).isTrue();
+        assertThat(ball.lastMetres()).isZero();
+        assertThat(ball.seconds()).isEqualTo(3);
+        assertThat(ball.isLargerBetter()).isFalse();
+        assertThat(ball.unit()).isEqualTo("m");
+    }
+
+    @Test
+    void balanceIsTheSpeedOfTilting() {
+        BalanceMetrics balance = new BalanceMetrics();
+
+        List.of(at(0, 0, 0, 0), at(0.02, 0, 0, 1), at(0.04, 0, 0, 1)).forEach(balance::see);
+
+        assertThat(balance.value()).isCloseTo(25, within(0.01));
+        assertThat(balance.meanJointsAtLimit()).isZero();
+        assertThat(balance.isLargerBetter()).isFalse();
+        assertThat(balance.unit()).isEqualTo("°/s");
+    }
+
+    @Test
+    void conditionHasToLast() {
+        SustainedCondition upright =
+                new SustainedCondition(1, state -> state.robot().isStanding());
+
+        List.of(at(1, 0, 0, 0), at(1.9, 0, 0, LYING), at(2, 0, 0, 0), at(2.9, 0, 0, 0))
+                .forEach(upright::see);
+        assertThat(upright.isDecided()).isFalse();
+        List.of(at(3, 0, 0, 0), at(8, 0, 0, 0)).forEach(upright::see);
+
+        assertThat(upright.isDecided()).isTrue();
+        assertThat(upright.value()).isCloseTo(2, within(1e-9));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "distance-walked, m, true",
+        "walk-speed, m/s, true",
+        "standing-time, s, true",
+        "kick-distance, m, true",
+        "get-up-time, s, false",
+        "stability, degrees of tilt, false",
+        "energy, J, false",
+        "time-to-score, s, false"
+    })
+    void measureSaysUnitAndDirection(String name, String unit, boolean largerIsBetter) {
+        Measure measure = Measures.named(name, getClass().getClassLoader()).get();
+
+        assertThat(measure.unit()).isEqualTo(unit);
+        assertThat(measure.isLargerBetter()).isEqualTo(largerIsBetter);
+        assertThat(measure.isDecided()).isFalse();
+    }
+
+    @Test
+    void pushesComeInTurnsAndGrow() {
+        Pushes pushes = Pushes.growing(1, 10, 5);
+
+        try (Trial trial = Trial.direct(Scene.of(RobotStart.at(0, 0)), 1, Controller.ofSpeeds())) {
+            trial.with(pushes).run(0.5);
+        }
+
+        assertThat(pushes.count()).isEqualTo(2);
+    }
+
+    @Test
+    void measureWithoutAFittingConstructorIsRefused() {
+        assertThatThrownBy(
+                        () -> Measures.named(Failing.class.getName(), getClass().getClassLoader())
+                                .get())
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("cannot be created: java.lang.IllegalStateException: not today");
+        assertThatThrownBy(() -> Measures.named("java.lang.String", getClass().getClassLoader()))
+                .hasMessageContaining("A class of your own must implement Measure");
+    }
+
+    /** Cannot be created. */
+    public static final class Failing implements Measure {
+
+        /** Fails. */
+        public Failing() {
+            throw new IllegalStateException("not today");
+        }
+
+        @Override
+        public void see(WorldState state) {}
+
+        @Override
+        public double value() {
+            return 0;
+        }
+
+        @Override
+        public String unit() {
+            return "";
+        }
     }
 
     private double value(String name, WorldState... states) {

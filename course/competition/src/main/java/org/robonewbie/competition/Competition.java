@@ -8,10 +8,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
 import org.robonewbie.competition.contest.ChallengeContest;
 import org.robonewbie.competition.contest.Contest;
 import org.robonewbie.competition.contest.ContestTrial;
@@ -23,15 +19,18 @@ import org.robonewbie.competition.contest.TrialResult;
 import org.robonewbie.competition.result.ResultFolder;
 import org.robonewbie.competition.result.TableFiles;
 import org.robonewbie.competition.team.Fingerprint;
-import org.robonewbie.competition.team.ProcessTree;
-import org.robonewbie.competition.team.ProgramFinder;
 import org.robonewbie.competition.team.TeamEntry;
 import org.robonewbie.competition.team.TeamProgram;
+import org.robonewbie.competition.team.TeamPrograms;
 import org.robonewbie.competition.trial.ChallengePlayer;
 import org.robonewbie.competition.trial.ContestProgress;
 import org.robonewbie.competition.trial.TrialPlayer;
 import org.robonewbie.competition.trial.TrialRunner;
 import org.robonewbie.nao.text.PrintableText;
+import org.robonewbie.programs.process.ProcessTree;
+import org.robonewbie.trial.batch.BatchProgress;
+import org.robonewbie.trial.batch.BatchRunner;
+import org.robonewbie.trial.batch.ThreadRunner;
 
 /**
  * Holds a contest from the first trial to the table. Finished trials are kept in its folder at once; whoever holds the same
@@ -69,9 +68,13 @@ public final class Competition {
     private TrialPlayer player(Map<String, TeamProgram> programs) {
         return contest instanceof ChallengeContest challenges
                 ? new ChallengePlayer(
-                        challenges.challenge(), programs, settings.limits(), settings.fence(), settings.spectators())
+                        challenges.challenge(), programs, settings.limits(), settings.sandbox(), settings.spectators())
                 : new TrialRunner(
-                        (JudgedContest) contest, programs, settings.limits(), settings.fence(), settings.spectators());
+                        (JudgedContest) contest,
+                        programs,
+                        settings.limits(),
+                        settings.sandbox(),
+                        settings.spectators());
     }
 
     /**
@@ -82,18 +85,14 @@ public final class Competition {
      * @throws InterruptedException if this thread is interrupted
      */
     public Table hold() throws IOException, InterruptedException {
-        try (ResultFolder folder = ResultFolder.open(settings.results())) {
+        try (ResultFolder folder = ResultFolder.open(settings.results());
+                BatchRunner runner = new ThreadRunner(settings.parallelTrials())) {
             Map<String, TeamProgram> programs = programs(folder.file("work").resolve("programs"));
-            TrialPlayer runner = player(programs);
-            ExecutorService trials = Executors.newFixedThreadPool(settings.parallelTrials());
-            try {
-                List<ContestTrial> missing = missing(folder, programs);
-                while (!missing.isEmpty()) {
-                    runAll(missing, folder, programs, runner, trials);
-                    missing = missing(folder, programs);
-                }
-            } finally {
-                trials.shutdownNow();
+            TrialPlayer player = player(programs);
+            List<ContestTrial> missing = missing(folder, programs);
+            while (!missing.isEmpty()) {
+                runAll(missing, folder, programs, player, runner);
+                missing = missing(folder, programs);
             }
             Table table = contest.table(names(), folder);
             folder.repair().forEach(out::println);
@@ -104,13 +103,13 @@ public final class Competition {
 
     /** How far the result can be trusted. */
     private List<String> notes() {
-        if (settings.fence().isUp()) {
+        if (settings.sandbox().isUp()) {
             return List.of("Programs were fenced in by bubblewrap; each team had a port that no other one can reach.");
         }
         String connections = ProcessTree.knowsConnections()
                 ? "Whose connection came to the port of a team was checked."
                 : "Whose connection came to the port of a team was not checked, since this system does not tell.";
-        return List.of("Programs were not fenced in (" + settings.fence().absence() + ").", connections);
+        return List.of("Programs were not fenced in (" + settings.sandbox().absence() + ").", connections);
     }
 
     private List<String> names() {
@@ -118,7 +117,7 @@ public final class Competition {
     }
 
     private Map<String, TeamProgram> programs(Path copies) throws IOException {
-        ProgramFinder finder = new ProgramFinder(settings.teamsFolder(), copies, settings.examples(), settings.fence());
+        TeamPrograms finder = new TeamPrograms(settings.teamsFolder(), copies, settings.examples(), settings.sandbox());
         List<Path> foreign = new ArrayList<>(finder.folders(teams));
         foreign.add(settings.results());
         Map<String, TeamProgram> programs = new LinkedHashMap<>();
@@ -170,35 +169,31 @@ public final class Competition {
             List<ContestTrial> missing,
             ResultFolder folder,
             Map<String, TeamProgram> programs,
-            TrialPlayer runner,
-            ExecutorService trials)
-            throws IOException, InterruptedException {
+            TrialPlayer player,
+            BatchRunner runner)
+            throws IOException {
         if (finished > 0) {
             out.println(finished + " of " + planned + " trials are over already; their results are kept.");
         }
         showProgress(folder, Optional.empty());
-        List<Future<TrialResult>> running = new ArrayList<>();
-        for (ContestTrial trial : missing) {
-            running.add(trials.submit(() -> {
-                TrialResult result = runner.run(trial, folder.filesOf(trial));
-                folder.save(result, circumstances(trial, programs));
-                tell(result, folder);
-                return result;
-            }));
+        try (BatchProgress progress = BatchProgress.of("trials", planned, finished)) {
+            runner.run(
+                    missing,
+                    trial -> {
+                        TrialResult result = player.run(trial, folder.filesOf(trial));
+                        folder.save(result, circumstances(trial, programs));
+                        return result;
+                    },
+                    (trial, result) -> {
+                        finished++;
+                        String line = String.format("[%d/%d] %s: %s", finished, planned, result.id(), result.inWords());
+                        progress.print(out::println, line);
+                        progress.advance(false);
+                        showProgress(folder, Optional.of(result));
+                    });
+        } catch (IOException | RuntimeException failed) {
+            throw new IOException("A trial could not be held: " + failed, failed);
         }
-        for (Future<TrialResult> one : running) {
-            try {
-                one.get();
-            } catch (ExecutionException failed) {
-                throw new IOException("A trial could not be held: " + failed.getCause(), failed);
-            }
-        }
-    }
-
-    private synchronized void tell(TrialResult result, ResultFolder folder) {
-        finished++;
-        out.printf("[%d/%d] %s: %s%n", finished, planned, result.id(), result.inWords());
-        showProgress(folder, Optional.of(result));
     }
 
     private void showProgress(ResultFolder folder, Optional<TrialResult> last) {
@@ -217,7 +212,7 @@ public final class Competition {
                 .add(trial.ball().toString())
                 .add(trial.parameters().assignments().toString())
                 .add(settings.limits().toString())
-                .add(settings.fence().isUp() ? "fenced in" : "");
+                .add(settings.sandbox().isUp() ? "fenced in" : "");
         for (Entrant entrant : trial.entrants()) {
             TeamProgram program = programs.get(entrant.team());
             all.add(program == null ? "" : program.fingerprint());

@@ -2,9 +2,9 @@ package org.robonewbie.competition;
 
 import java.nio.file.Path;
 import java.util.Map;
-import org.robonewbie.competition.team.Fence;
-import org.robonewbie.competition.team.Limits;
 import org.robonewbie.competition.trial.Spectators;
+import org.robonewbie.programs.process.Limits;
+import org.robonewbie.programs.process.Sandbox;
 
 /**
  * How a contest is held.
@@ -15,7 +15,7 @@ import org.robonewbie.competition.trial.Spectators;
  * @param examples classes that are known by a short name
  * @param parallelTrials how many trials run at the same time
  * @param limits what programs may use
- * @param fence what is around the programs
+ * @param sandbox what is around the programs
  * @param spectators who watches the trials live
  */
 public record CompetitionSettings(
@@ -25,7 +25,7 @@ public record CompetitionSettings(
         Map<String, String> examples,
         int parallelTrials,
         Limits limits,
-        Fence fence,
+        Sandbox sandbox,
         Spectators spectators) {
 
     /** Makes the map unmodifiable. */

@@ -15,11 +15,11 @@ import org.robonewbie.competition.programs.Crashes;
 import org.robonewbie.competition.programs.EatsMemory;
 import org.robonewbie.competition.programs.Hangs;
 import org.robonewbie.competition.programs.IsKilled;
-import org.robonewbie.competition.team.Fence;
-import org.robonewbie.competition.team.Limits;
 import org.robonewbie.competition.team.TeamEntry;
 import org.robonewbie.competition.team.TeamList;
 import org.robonewbie.competition.trial.Spectators;
+import org.robonewbie.programs.process.Limits;
+import org.robonewbie.programs.process.Sandbox;
 
 /** A scoring contest of ten teams: examples with different seeds, and five programs that behave badly. */
 final class TenTeams {
@@ -40,7 +40,7 @@ final class TenTeams {
         Map<String, Long> seeds = new TreeMap<>();
         teams.forEach(team -> team.seed().ifPresent(seed -> seeds.put(team.name(), seed)));
         CompetitionSettings settings = new CompetitionSettings(
-                1, results, Path.of(""), Map.of(), 2, LIMITS, Fence.none("not wanted"), Spectators.NOBODY);
+                1, results, Path.of(""), Map.of(), 2, LIMITS, Sandbox.none("not wanted"), Spectators.NOBODY);
         return new Competition(Contests.scoring(new Conditions(1, false, seeds), SECONDS), teams, settings, out).hold();
     }
 

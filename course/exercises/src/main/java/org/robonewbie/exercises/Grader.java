@@ -13,10 +13,12 @@ import java.util.concurrent.TimeoutException;
 import java.util.function.Supplier;
 import java.util.stream.LongStream;
 import org.robonewbie.agent.Agent;
+import org.robonewbie.programs.process.Departure;
+import org.robonewbie.programs.process.ProgressWatchdog;
 
 /**
  * Grades solutions of exercises in this process, on the truth of the simulated world, for tests. A program that throws or never
- * returns fails its trial and nothing else, see {@link Patience}. {@code robonewbie grade} judges in the same way a program that runs
+ * returns fails its trial and nothing else, see {@link ProgressWatchdog}. {@code robonewbie grade} judges in the same way a program that runs
  * in another process.
  */
 public final class Grader {
@@ -65,7 +67,7 @@ public final class Grader {
         List<Future<Score>> scores = new ArrayList<>();
         for (long seed : seeds) {
             GradedTrial trial = new GradedTrial(
-                    exercise, student, seed, scores.isEmpty() ? recording : Optional.empty(), new Patience());
+                    exercise, student, seed, scores.isEmpty() ? recording : Optional.empty(), new ProgressWatchdog());
             trials.add(trial);
             scores.add(threads.submit(trial));
         }
@@ -79,11 +81,11 @@ public final class Grader {
 
     /** Waits for a score as long as the trial makes progress. */
     private static Score await(GradedTrial trial, Future<Score> score) {
-        while (!trial.patience().isExhausted()) {
+        while (!trial.progress().isExhausted()) {
             try {
-                return score.get(Patience.TICK_MILLISECONDS, TimeUnit.MILLISECONDS);
+                return score.get(ProgressWatchdog.TICK_MILLISECONDS, TimeUnit.MILLISECONDS);
             } catch (TimeoutException notYet) {
-                trial.patience().tick();
+                trial.progress().tick();
             } catch (ExecutionException exhausted) {
                 return Score.failed(
                         0, "The program ended with " + exhausted.getCause() + ".", "Does it keep too much?");
@@ -92,7 +94,14 @@ public final class Grader {
                 return Score.failed(0, "The grading was stopped.", "");
             }
         }
-        return trial.patience().hasBegun() ? trial.patience().score() : Score.notTried();
+        return trial.progress().hasBegun()
+                ? Performance.of(
+                        Score.notTried(),
+                        new Departure(
+                                Departure.Cause.ENDLESS,
+                                trial.progress().place().orElse(""),
+                                ""))
+                : Score.notTried();
     }
 
     private static Thread daemon(Runnable work) {

@@ -4,11 +4,14 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Supplier;
+import org.robonewbie.programs.process.AbsentProgramException;
+import org.robonewbie.programs.process.Departure;
+import org.robonewbie.programs.process.ProgramPlace;
+import org.robonewbie.programs.process.ProgressWatchdog;
 import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.TrialListener;
-import org.robonewbie.trial.guest.AbsentProgramException;
 
 /**
  * One trial of an exercise from the empty pitch to the score. All who judge play it: the command line, tests, the studio and
@@ -20,10 +23,10 @@ public final class Performance {
     public static final String ENDLESS = "think() has not returned";
 
     /** What to do about a program that could not be tried to the end. */
-    public static final String MEND = "Mend this first; the rest was not tried.";
+    private static final String MEND = "Mend this first; the rest was not tried.";
 
     /** What to do about a program that went on after an exception in a step. */
-    public static final String MEND_STEP =
+    private static final String MEND_STEP =
             "think() failed, as the program's own lines above say. Mend that first; what the robot did has little to do with your idea.";
 
     private Performance() {}
@@ -80,10 +83,31 @@ public final class Performance {
      * @return the score, with the line of the program
      */
     public static Score ofMistake(Throwable mistake) {
-        String place = ProgramPlace.in(mistake.getStackTrace())
-                .map(line -> " in " + line)
-                .orElse("");
-        return Score.failed(0, "The program ended with " + mistake + place + ".", MEND);
+        return ofThrown(ProgramPlace.of(mistake));
+    }
+
+    private static Score ofThrown(String mistake) {
+        return Score.failed(0, "The program ended with " + mistake + ".", MEND);
+    }
+
+    /**
+     * Returns the score of a trial whose robots have gone before its end, or of one with a mistake on the way.
+     *
+     * @param score the score without that
+     * @param why why they have gone
+     * @return the score
+     */
+    public static Score of(Score score, Departure why) {
+        return switch (why.cause()) {
+            case NONE -> score;
+            case FAILED_STEP -> score.withHint(MEND_STEP);
+            case THROWN -> ofThrown(why.text());
+            case ENDLESS -> ofEndlessStep(" for " + ProgressWatchdog.SECONDS + " s", Optional.of(why.text()));
+            case IDLE -> Score.failed(0, why.text(), why.advice());
+            case EXIT -> ofExit(why.text());
+            case MEMORY -> Score.failed(0, "The program took all memory (" + why.text() + " MB).", MEND);
+            case EXCESS -> Score.failed(0, "The program started too many processes.", MEND);
+        };
     }
 
     /**
@@ -96,7 +120,10 @@ public final class Performance {
     public static Score ofEndlessStep(String howLong, Optional<String> place) {
         return Score.failed(
                 0,
-                ENDLESS + howLong + place.map(line -> "; it is in " + line).orElse("") + ".",
+                ENDLESS + howLong
+                        + place.filter(line -> !line.isEmpty())
+                                .map(line -> "; it is in " + line)
+                                .orElse("") + ".",
                 "think() is called 50 times per second and must return at once. Is there an endless loop?");
     }
 
@@ -106,7 +133,7 @@ public final class Performance {
      * @param exitCode what it has called {@code System.exit} with
      * @return the score
      */
-    public static Score ofExit(int exitCode) {
+    public static Score ofExit(String exitCode) {
         return Score.failed(
                 0, "The program ended the whole process (exit code " + exitCode + "). Does it call System.exit?", MEND);
     }

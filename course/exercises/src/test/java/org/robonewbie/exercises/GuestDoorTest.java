@@ -11,12 +11,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.agent.Agent;
+import org.robonewbie.programs.process.GuestDoor;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.tcp.FrameInput;
 import org.robonewbie.protocol.tcp.FrameOutput;
 import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.TrialListener;
-import org.robonewbie.trial.guest.GuestDoor;
 
 class GuestDoorTest {
 

@@ -2,12 +2,12 @@ package org.robonewbie.pagejvm;
 
 import java.util.Objects;
 
-/** Calculations, conversions and comparisons of numbers. */
+/** Arithmetic, conversion and comparison instructions. */
 final class Arithmetic {
 
     private Arithmetic() {}
 
-    static void carryOut(int code, Frame frame) {
+    static void execute(int code, Frame frame) {
         if (code == 132) {
             int local = frame.u1();
             frame.locals[local] = (Integer) Objects.requireNonNull(frame.locals[local]) + frame.s1();
@@ -24,7 +24,7 @@ final class Arithmetic {
         }
     }
 
-    /** From 96 on: add, subtract, multiply, divide, remainder; each for int, long, float, double. */
+    /** Opcodes from 96: add, subtract, multiply, divide, remainder; each for int, long, float, double. */
     private static void calculate(int code, Frame frame) {
         int operation = (code - 96) / 4;
         switch ((code - 96) % 4) {
@@ -107,7 +107,7 @@ final class Arithmetic {
         return value instanceof Float number ? (Object) (-number) : (Object) (-(Double) value);
     }
 
-    /** From 120 on: shifts left, right, right without sign; and, or, exclusive or; each for int and long. */
+    /** Opcodes from 120: shift left, right, unsigned right; and, or, exclusive or; each for int and long. */
     private static Object bits(int code, Frame frame) {
         Object right = frame.popObject();
         int operation = (code - 120) / 2;

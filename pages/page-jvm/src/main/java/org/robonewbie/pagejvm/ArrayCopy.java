@@ -3,7 +3,7 @@ package org.robonewbie.pagejvm;
 import java.lang.reflect.Array;
 import org.jspecify.annotations.Nullable;
 
-/** Copies and recognises arrays of any type: TeaVM 0.15.0 fails at those of numbers where it does not know the type before. */
+/** Copies and type checks of arrays; TeaVM 0.15.0 fails for primitive arrays whose type is not known statically. */
 public final class ArrayCopy {
 
     private ArrayCopy() {}
@@ -11,11 +11,11 @@ public final class ArrayCopy {
     /**
      * Copies as {@link System#arraycopy} does.
      *
-     * @param from an array
+     * @param from the source array
      * @param at index of the first copied value
-     * @param to an array of the same type, or the same array
-     * @param place index of the first value that is replaced
-     * @param count how many values are copied
+     * @param to the destination array, of the same type
+     * @param place index of the first replaced value
+     * @param count number of values
      * @throws ArrayIndexOutOfBoundsException if one of the arrays is too short
      */
     public static void copy(Object from, int at, Object to, int place, int count) {
@@ -30,12 +30,12 @@ public final class ArrayCopy {
         }
     }
 
-    /** {@return whether a type, written as in class files, is an array of numbers, or an array of such arrays} */
+    /** {@return whether an array type in descriptor notation has primitive elements, possibly nested} */
     static boolean isOfNumbers(String type) {
         return !type.endsWith(";");
     }
 
-    /** {@return whether a value is an array of numbers of a type that is written as in class files} */
+    /** {@return whether a value is an array of a primitive type in descriptor notation} */
     static boolean isArray(@Nullable Object value, String type) {
         return switch (type) {
             case "[D" -> value instanceof double[];

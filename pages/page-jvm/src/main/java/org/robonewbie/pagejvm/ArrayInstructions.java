@@ -5,7 +5,7 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.pagejvm.ClassFile.TypeName;
 
-/** Arrays and their elements. */
+/** Instructions for arrays and their elements. */
 final class ArrayInstructions {
 
     private static final String[] PRIMITIVES = {"Z", "C", "F", "D", "B", "S", "I", "J"};
@@ -13,7 +13,7 @@ final class ArrayInstructions {
 
     private ArrayInstructions() {}
 
-    /** Reads or writes an element. */
+    /** Loads or stores an element. */
     static void element(int code, Frame frame) {
         if (code <= 53) {
             int index = frame.popInt();
@@ -76,7 +76,7 @@ final class ArrayInstructions {
         return index;
     }
 
-    /** Makes an array, or asks for its length. */
+    /** Creates an array, or pushes its length. */
     static void array(int code, Frame frame, Program program) {
         switch (code) {
             case 188 -> frame.push(create("[" + PRIMITIVES[frame.u1() - FIRST_PRIMITIVE], program, frame.popInt()));
@@ -96,7 +96,7 @@ final class ArrayInstructions {
         }
     }
 
-    /** Makes an array of arrays. */
+    /** Creates a multidimensional array. */
     private static Object create(String type, Program program, int... lengths) {
         if (lengths[0] < 0) {
             throw new NegativeArraySizeException("" + lengths[0]);

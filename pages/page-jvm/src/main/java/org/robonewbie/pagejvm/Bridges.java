@@ -37,12 +37,11 @@ import org.jspecify.annotations.Nullable;
 import org.robonewbie.nao.motion.Interpolation;
 
 /**
- * What compiled code calls when it has got an object of the student where it wants an interface, such as a comparator: a compiled
- * object that passes calls on.
+ * Adapters that let compiled code call a student's object through an interface such as {@code Comparator}.
  */
 final class Bridges {
 
-    /** A call of the interface's method. */
+    /** Call of a method of the interface. */
     private interface Call {
         @Nullable
         Object of(String method, @Nullable Object... arguments);
@@ -53,7 +52,7 @@ final class Bridges {
     static {
         MAKERS.put(Runnable.class, call -> (Runnable) () -> call.of("run"));
         MAKERS.put(Callable.class, call -> (Callable<Object>) () -> call.of("call"));
-        MAKERS.put(Comparator.class, call -> (Comparator<Object>) (a, b) -> whole(call.of("compare", a, b)));
+        MAKERS.put(Comparator.class, call -> (Comparator<Object>) (a, b) -> toInt(call.of("compare", a, b)));
         MAKERS.put(Supplier.class, call -> (Supplier<Object>) () -> call.of("get"));
         MAKERS.put(Consumer.class, call -> (Consumer<Object>) a -> call.of("accept", a));
         MAKERS.put(BiConsumer.class, call -> (BiConsumer<Object, Object>) (a, b) -> call.of("accept", a, b));
@@ -61,31 +60,31 @@ final class Bridges {
         MAKERS.put(BiFunction.class, call -> (BiFunction<Object, Object, Object>) (a, b) -> call.of("apply", a, b));
         MAKERS.put(UnaryOperator.class, call -> (UnaryOperator<Object>) a -> call.of("apply", a));
         MAKERS.put(BinaryOperator.class, call -> (BinaryOperator<Object>) (a, b) -> call.of("apply", a, b));
-        MAKERS.put(Predicate.class, call -> (Predicate<Object>) a -> truth(call.of("test", a)));
-        MAKERS.put(BiPredicate.class, call -> (BiPredicate<Object, Object>) (a, b) -> truth(call.of("test", a, b)));
-        MAKERS.put(BooleanSupplier.class, call -> (BooleanSupplier) () -> truth(call.of("getAsBoolean")));
-        MAKERS.put(ToIntFunction.class, call -> (ToIntFunction<Object>) a -> whole(call.of("applyAsInt", a)));
-        MAKERS.put(ToLongFunction.class, call -> (ToLongFunction<Object>) a -> (Long) some(call.of("applyAsLong", a)));
-        MAKERS.put(ToDoubleFunction.class, call -> (ToDoubleFunction<Object>) a -> real(call.of("applyAsDouble", a)));
+        MAKERS.put(Predicate.class, call -> (Predicate<Object>) a -> toBoolean(call.of("test", a)));
+        MAKERS.put(BiPredicate.class, call -> (BiPredicate<Object, Object>) (a, b) -> toBoolean(call.of("test", a, b)));
+        MAKERS.put(BooleanSupplier.class, call -> (BooleanSupplier) () -> toBoolean(call.of("getAsBoolean")));
+        MAKERS.put(ToIntFunction.class, call -> (ToIntFunction<Object>) a -> toInt(call.of("applyAsInt", a)));
+        MAKERS.put(ToLongFunction.class, call -> (ToLongFunction<Object>) a -> (Long) nonNull(call.of("applyAsLong", a)));
+        MAKERS.put(ToDoubleFunction.class, call -> (ToDoubleFunction<Object>) a -> toDouble(call.of("applyAsDouble", a)));
         MAKERS.put(ToDoubleBiFunction.class, call ->
-                (ToDoubleBiFunction<Object, Object>) (a, b) -> real(call.of("applyAsDouble", a, b)));
-        MAKERS.put(IntSupplier.class, call -> (IntSupplier) () -> whole(call.of("getAsInt")));
+                (ToDoubleBiFunction<Object, Object>) (a, b) -> toDouble(call.of("applyAsDouble", a, b)));
+        MAKERS.put(IntSupplier.class, call -> (IntSupplier) () -> toInt(call.of("getAsInt")));
         MAKERS.put(IntConsumer.class, call -> (IntConsumer) a -> call.of("accept", a));
         MAKERS.put(IntFunction.class, call -> (IntFunction<Object>) a -> call.of("apply", a));
-        MAKERS.put(IntPredicate.class, call -> (IntPredicate) a -> truth(call.of("test", a)));
-        MAKERS.put(IntUnaryOperator.class, call -> (IntUnaryOperator) a -> whole(call.of("applyAsInt", a)));
-        MAKERS.put(IntBinaryOperator.class, call -> (IntBinaryOperator) (a, b) -> whole(call.of("applyAsInt", a, b)));
-        MAKERS.put(IntToDoubleFunction.class, call -> (IntToDoubleFunction) a -> real(call.of("applyAsDouble", a)));
-        MAKERS.put(DoubleSupplier.class, call -> (DoubleSupplier) () -> real(call.of("getAsDouble")));
+        MAKERS.put(IntPredicate.class, call -> (IntPredicate) a -> toBoolean(call.of("test", a)));
+        MAKERS.put(IntUnaryOperator.class, call -> (IntUnaryOperator) a -> toInt(call.of("applyAsInt", a)));
+        MAKERS.put(IntBinaryOperator.class, call -> (IntBinaryOperator) (a, b) -> toInt(call.of("applyAsInt", a, b)));
+        MAKERS.put(IntToDoubleFunction.class, call -> (IntToDoubleFunction) a -> toDouble(call.of("applyAsDouble", a)));
+        MAKERS.put(DoubleSupplier.class, call -> (DoubleSupplier) () -> toDouble(call.of("getAsDouble")));
         MAKERS.put(DoubleConsumer.class, call -> (DoubleConsumer) a -> call.of("accept", a));
         MAKERS.put(DoubleFunction.class, call -> (DoubleFunction<Object>) a -> call.of("apply", a));
-        MAKERS.put(DoublePredicate.class, call -> (DoublePredicate) a -> truth(call.of("test", a)));
-        MAKERS.put(DoubleUnaryOperator.class, call -> (DoubleUnaryOperator) a -> real(call.of("applyAsDouble", a)));
+        MAKERS.put(DoublePredicate.class, call -> (DoublePredicate) a -> toBoolean(call.of("test", a)));
+        MAKERS.put(DoubleUnaryOperator.class, call -> (DoubleUnaryOperator) a -> toDouble(call.of("applyAsDouble", a)));
         MAKERS.put(DoubleBinaryOperator.class, call ->
-                (DoubleBinaryOperator) (a, b) -> real(call.of("applyAsDouble", a, b)));
-        MAKERS.put(Iterable.class, call -> (Iterable<Object>) () -> iterator(some(call.of("iterator"))));
+                (DoubleBinaryOperator) (a, b) -> toDouble(call.of("applyAsDouble", a, b)));
+        MAKERS.put(Iterable.class, call -> (Iterable<Object>) () -> iterator(nonNull(call.of("iterator"))));
         MAKERS.put(Interpolation.class, call ->
-                (Interpolation) (section, joint, fraction) -> real(call.of("degrees", section, joint, fraction)));
+                (Interpolation) (section, joint, fraction) -> toDouble(call.of("degrees", section, joint, fraction)));
         MAKERS.put(Iterator.class, OwnIterator::new);
     }
 
@@ -94,10 +93,10 @@ final class Bridges {
     /**
      * Adapts an argument.
      *
-     * @param value what the program gives
-     * @param type what compiled code wants
-     * @param machine carries out calls
-     * @return the value, or an object that passes calls on to it
+     * @param value the student's value
+     * @param type the parameter type
+     * @param machine executes the calls
+     * @return the value, or an adapter for it
      */
     static @Nullable Object adapted(@Nullable Object value, Class<?> type, Machine machine) {
         boolean isOurs = value instanceof StudentObject || value instanceof Lambda;
@@ -106,7 +105,7 @@ final class Bridges {
         }
         Function<Call, Object> maker = MAKERS.get(type);
         if (maker == null) {
-            throw new Missing("An object of the program cannot be a " + type.getName() + " for Java's own classes");
+            throw new Missing("An object of the program cannot be passed to Java's classes as a " + type.getName());
         }
         return maker.apply((method, arguments) -> call(value, method, arguments, machine));
     }
@@ -122,20 +121,20 @@ final class Bridges {
         return machine.call(found, Members.with(value, arguments));
     }
 
-    private static Object some(@Nullable Object value) {
+    private static Object nonNull(@Nullable Object value) {
         return Objects.requireNonNull(value);
     }
 
-    private static int whole(@Nullable Object value) {
-        return (Integer) some(value);
+    private static int toInt(@Nullable Object value) {
+        return (Integer) nonNull(value);
     }
 
-    private static double real(@Nullable Object value) {
-        return (Double) some(value);
+    private static double toDouble(@Nullable Object value) {
+        return (Double) nonNull(value);
     }
 
-    private static boolean truth(@Nullable Object value) {
-        return value instanceof Boolean known ? known : whole(value) != 0;
+    private static boolean toBoolean(@Nullable Object value) {
+        return value instanceof Boolean known ? known : toInt(value) != 0;
     }
 
     @SuppressWarnings("unchecked")
@@ -146,17 +145,17 @@ final class Bridges {
         return (Iterator<Object>) iterator;
     }
 
-    /** An iterator of the student. */
+    /** Adapter for a student's iterator. */
     private record OwnIterator(Call call) implements Iterator<Object> {
 
         @Override
         public boolean hasNext() {
-            return truth(call.of("hasNext"));
+            return toBoolean(call.of("hasNext"));
         }
 
         @Override
         public Object next() {
-            return some(call.of("next"));
+            return nonNull(call.of("next"));
         }
     }
 }

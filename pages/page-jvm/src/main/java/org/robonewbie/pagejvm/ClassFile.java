@@ -4,16 +4,16 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * What a class file says (Java Virtual Machine Specification, chapter 4), as far as it matters for running.
+ * Content of a class file (Java Virtual Machine Specification, chapter 4) that is relevant for execution.
  *
- * @param name of the class, with slashes
- * @param superName of the class that it extends, with slashes
+ * @param name class name with slashes
+ * @param superName name of the superclass with slashes
  * @param interfaces names with slashes
- * @param access flags
+ * @param access access flags
  * @param constants the constant pool
- * @param fields its own fields
- * @param methods its own methods
- * @param bootstraps how dynamic calls are linked
+ * @param fields declared fields
+ * @param methods declared methods
+ * @param bootstraps bootstrap methods of dynamic calls
  */
 record ClassFile(
         String name,
@@ -34,38 +34,38 @@ record ClassFile(
      *
      * @param name its name
      * @param descriptor its type
-     * @param isStatic whether the class has it instead of each object
-     * @param constant its value from the beginning, if it has one
+     * @param isStatic whether it is static
+     * @param constant its initial value, if it has one
      */
     record Field(String name, String descriptor, boolean isStatic, java.util.Optional<Object> constant) {}
 
     /**
-     * The code that links a dynamic call.
+     * Bootstrap method of a dynamic call.
      *
-     * @param handle the method that links
-     * @param arguments constants for it
+     * @param handle the bootstrap method
+     * @param arguments its static arguments
      */
     record Bootstrap(Handle handle, List<Object> arguments) {}
 
     /**
-     * The constant "class".
+     * The constant CONSTANT_Class.
      *
-     * @param name with slashes, or a descriptor of an array
+     * @param name name with slashes, or descriptor of an array
      */
     record TypeName(String name) {}
 
     /**
-     * The constant "method type".
+     * The constant CONSTANT_MethodType.
      *
      * @param descriptor such as {@code (I)V}
      */
     record MethodType(String descriptor) {}
 
     /**
-     * The constant "field" or "method".
+     * The constants CONSTANT_Fieldref and CONSTANT_Methodref.
      *
-     * @param owner name of the class with slashes
-     * @param name of the member
+     * @param owner class name with slashes
+     * @param name name of the member
      * @param descriptor its type
      */
     record Member(String owner, String name, String descriptor) {
@@ -76,29 +76,29 @@ record ClassFile(
     }
 
     /**
-     * The constant "method handle".
+     * The constant CONSTANT_MethodHandle.
      *
-     * @param kind from 1 to 9
-     * @param member what it refers to
+     * @param kind reference kind from 1 to 9
+     * @param member the referenced member
      */
     record Handle(int kind, Member member) {}
 
     /**
-     * The constant "dynamic call".
+     * The constant CONSTANT_InvokeDynamic.
      *
-     * @param bootstrap index of what links it
-     * @param name of the call
+     * @param bootstrap index of the bootstrap method
+     * @param name name of the call
      * @param descriptor its type
      */
     record DynamicCall(int bootstrap, String name, String descriptor) {}
 
     /**
-     * A guarded part of a method.
+     * Entry of an exception table.
      *
-     * @param from first guarded byte
-     * @param to the one behind the last
-     * @param handler where to go on
-     * @param type name of the exception with slashes; empty for all
+     * @param from first guarded byte, inclusive
+     * @param to last guarded byte, exclusive
+     * @param handler start of the exception handler
+     * @param type class name of the exception with slashes; empty for all
      */
     record Guard(int from, int to, int handler, String type) {}
 
@@ -107,15 +107,15 @@ record ClassFile(
      *
      * @param name its name
      * @param descriptor its type
-     * @param access flags
-     * @param code instructions; empty if there are none
-     * @param locals number of its variables
-     * @param stack most values that it lays down
-     * @param guards its guarded parts
-     * @param lines line by first byte of its code
-     * @param source name of the file with its text
+     * @param access access flags
+     * @param code bytecode; empty if there is none
+     * @param locals number of local variables
+     * @param stack maximum depth of the operand stack
+     * @param guards the exception table
+     * @param lines line numbers by first byte of their code
+     * @param source name of the source file
      */
-    @SuppressWarnings("ArrayRecordComponent") // of this package, and never compared
+    @SuppressWarnings("ArrayRecordComponent") // never compared
     record MethodCode(
             String name,
             String descriptor,
@@ -139,7 +139,7 @@ record ClassFile(
             return name + descriptor;
         }
 
-        /** {@return the line of the text in which an instruction stands} */
+        /** {@return the source line of an instruction} */
         int line(int at) {
             int best = -1;
             int line = -1;

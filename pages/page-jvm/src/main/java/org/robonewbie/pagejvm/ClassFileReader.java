@@ -14,7 +14,7 @@ import org.robonewbie.pagejvm.ClassFile.Guard;
 import org.robonewbie.pagejvm.ClassFile.MethodCode;
 import org.robonewbie.pagejvm.ClassFile.TypeName;
 
-/** Reads class files. */
+/** Parser of class files. */
 final class ClassFileReader {
 
     private static final int MAGIC = 0xCAFEBABE;
@@ -30,11 +30,11 @@ final class ClassFileReader {
     }
 
     /**
-     * Reads a class file.
+     * Parses a class file.
      *
      * @param bytes its content
-     * @return what it says
-     * @throws IllegalArgumentException if it is none, or a newer one than Java 17 makes; the message is a sentence for the user
+     * @return the parsed class
+     * @throws IllegalArgumentException if it is malformed or newer than Java 17; the message is shown to the user
      */
     static ClassFile read(byte[] bytes) {
         try {
@@ -47,7 +47,7 @@ final class ClassFileReader {
     private ClassFile read() throws IOException {
         if (input.readInt() != MAGIC) {
             throw new IllegalArgumentException(
-                    "This is no class file. Choose what javac has made, such as MyAgent.class.");
+                    "This is not a class file. Choose an output file of javac, such as MyAgent.class.");
         }
         input.readUnsignedShort();
         int version = input.readUnsignedShort();
@@ -185,7 +185,7 @@ final class ClassFileReader {
         return attributes;
     }
 
-    /** A method before the name of the file with its text is known, which stands at the end. */
+    /** A method before the source file name is known, which follows at the end of the class file. */
     private record Unnamed(MethodCode method) {
 
         MethodCode in(String source) {

@@ -16,10 +16,10 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.pagejvm.ClassFile.Member;
 
-/** The classes that are compiled already: the framework and Java's library. */
+/** Reflective access to the compiled classes: the framework and Java's library. */
 final class Compiled {
 
-    /** Classes whose methods the machine itself carries out, at least in part. */
+    /** Classes of which the machine executes at least some methods itself. */
     private static final Set<String> SPECIAL = Set.of(
             "org/robonewbie/agent/Agent",
             "org/robonewbie/agent/Nao",
@@ -36,9 +36,9 @@ final class Compiled {
     private final Map<String, Class<?>> types = new HashMap<>();
     private final Set<String> initialised = new HashSet<>();
 
-    /** {@return the class of a name with slashes, or of the descriptor of an array} */
+    /** {@return the class of a name with slashes, or of an array descriptor} */
     Class<?> type(String name) {
-        return known(name).orElseThrow(() -> new Missing("The class " + name.replace('/', '.') + " is not here"));
+        return known(name).orElseThrow(() -> new Missing("The class " + name.replace('/', '.') + " is not available"));
     }
 
     private Optional<Class<?>> known(String name) {
@@ -60,7 +60,7 @@ final class Compiled {
         }
     }
 
-    /** {@return the class of a type; that of all objects for one of the student's} */
+    /** {@return the class of a descriptor; {@code Object} for a student's class} */
     Class<?> javaType(String descriptor) {
         return switch (descriptor.charAt(0)) {
             case 'Z' -> boolean.class;
@@ -76,19 +76,19 @@ final class Compiled {
         };
     }
 
-    /** {@return whether a compiled class is another one or below it; both with slashes} */
+    /** {@return whether a compiled class is a subtype of another; both names with slashes} */
     boolean isSubtype(String name, String above) {
         Optional<Class<?>> lower = known(name);
         Optional<Class<?>> upper = known(above);
         return lower.isPresent() && upper.isPresent() && upper.get().isAssignableFrom(lower.get());
     }
 
-    /** {@return whether there is a class of a name with slashes} */
+    /** {@return whether a class exists; the name has slashes} */
     boolean isKnown(String name) {
         return known(name).isPresent();
     }
 
-    /** {@return whether there is a field or a method, as far as this can be known before the program runs} */
+    /** {@return whether a field or method exists, as far as this is known before the program runs} */
     boolean has(Member member) {
         if (!isKnown(member.owner())) {
             return false;
@@ -109,13 +109,13 @@ final class Compiled {
         return field(field, null);
     }
 
-    /** Lets a class initialise itself: fields that are read by their names do not in a page. */
+    /** Initialises a class explicitly: in a page, reflective field access does not. */
     private void initialise(String name) {
         if (initialised.add(name)) {
             try {
                 Class.forName(type(name).getName(), true, Compiled.class.getClassLoader());
             } catch (ClassNotFoundException missing) {
-                throw new Missing("The class " + name.replace('/', '.') + " is not here");
+                throw new Missing("The class " + name.replace('/', '.') + " is not available");
             }
         }
     }
@@ -127,11 +127,10 @@ final class Compiled {
             return field.descriptor().length() == 1 ? fromJava(value) : value;
         } catch (ReflectiveOperationException missing) {
             throw new Missing(
-                    "The field " + field.name() + " of " + field.owner().replace('/', '.') + " is not here");
+                    "The field " + field.name() + " of " + field.owner().replace('/', '.') + " is not available");
         }
     }
 
-    /** Calls a method of a compiled class. */
     @Nullable
     Object call(
             Member member, Descriptor type, @Nullable Object target, @Nullable Object[] arguments, Machine machine) {
@@ -147,7 +146,7 @@ final class Compiled {
         }
     }
 
-    /** Makes an object of a compiled class. */
+    /** Creates an instance of a compiled class. */
     Object create(Member member, Descriptor type, @Nullable Object[] arguments, Machine machine) {
         Constructor<?> constructor = constructors
                 .computeIfAbsent(member, wanted -> findConstructor(wanted, type))
@@ -162,7 +161,7 @@ final class Compiled {
     }
 
     private static Missing missing(Member member) {
-        return new Missing(member.owner().replace('/', '.') + "." + member.name() + " is not here");
+        return new Missing(member.owner().replace('/', '.') + "." + member.name() + " is not available");
     }
 
     private static RuntimeException unwrapped(InvocationTargetException failed) {
@@ -205,7 +204,7 @@ final class Compiled {
         return parameters;
     }
 
-    /** A class and all above it, with interfaces. */
+    /** A class with all superclasses and interfaces. */
     private static List<Class<?>> withAbove(Class<?> type) {
         List<Class<?>> all = new ArrayList<>(List.of(type));
         for (int i = 0; i < all.size(); i++) {
@@ -226,20 +225,20 @@ final class Compiled {
         Object[] adapted = new Object[arguments.length];
         for (int i = 0; i < arguments.length; i++) {
             if (isOfNumbers(types[i])) {
-                throw new Missing(method.getName() + " with an array of numbers or letters is not here");
+                throw new Missing(method.getName() + " with an array of numbers or characters is not available");
             }
             adapted[i] = toJava(arguments[i], types[i], machine);
         }
         return adapted;
     }
 
-    /** {@return whether a type is an array of numbers or letters, or an array of such arrays} */
+    /** {@return whether a type is an array of primitives, possibly nested} */
     private static boolean isOfNumbers(Class<?> type) {
         Class<?> inner = type.getComponentType();
         return inner != null && (inner.isPrimitive() || isOfNumbers(inner));
     }
 
-    /** {@return a value as compiled code wants it} */
+    /** {@return a value of the machine in the representation of compiled code} */
     static @Nullable Object toJava(@Nullable Object value, Class<?> type, Machine machine) {
         if (!type.isPrimitive()) {
             return Bridges.adapted(value, type, machine);
@@ -259,7 +258,7 @@ final class Compiled {
         return type == short.class ? (Object) (short) (int) number : number;
     }
 
-    /** {@return a primitive value as the machine keeps it} */
+    /** {@return a primitive value in the machine's representation} */
     static @Nullable Object fromJava(@Nullable Object value) {
         if (value instanceof Boolean truth) {
             return truth ? 1 : 0;

@@ -11,10 +11,10 @@ import org.robonewbie.pagejvm.ClassFile.Member;
 import org.robonewbie.pagejvm.ClassFile.MethodType;
 import org.robonewbie.pagejvm.ClassFile.TypeName;
 
-/** Reads the constant pool of a class file: numbers, texts, and names of classes and members. */
+/** Parser of the constant pool of a class file. */
 final class ConstantReader {
 
-    /** No constants. */
+    /** An empty constant pool. */
     static final ConstantReader NONE = new ConstantReader(0);
 
     private static final Object UNUSED = "";
@@ -34,7 +34,7 @@ final class ConstantReader {
         ConstantReader reader = new ConstantReader(input.readUnsignedShort());
         for (int i = 1; i < reader.raw.length; i++) {
             int tag = reader.readOne(i, input);
-            if (tag == 5 || tag == 6) { // a long and a double take two places
+            if (tag == 5 || tag == 6) { // long and double take two entries
                 i++;
             }
         }
@@ -57,12 +57,10 @@ final class ConstantReader {
         return tag;
     }
 
-    /** {@return the text at an index} */
     String text(int index) {
         return (String) raw[index];
     }
 
-    /** {@return the constant at an index} */
     Object get(int index) {
         int[] part = parts[index];
         if (part == null) {

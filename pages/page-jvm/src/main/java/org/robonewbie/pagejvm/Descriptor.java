@@ -6,10 +6,10 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The type of a method, such as {@code (ILjava/lang/String;)V}.
+ * Method descriptor such as {@code (ILjava/lang/String;)V}.
  *
- * @param parameters types of its parameters
- * @param result type of its result
+ * @param parameters descriptors of the parameters
+ * @param result descriptor of the result
  */
 record Descriptor(List<String> parameters, String result) {
 
@@ -38,7 +38,7 @@ record Descriptor(List<String> parameters, String result) {
         return text.charAt(at) == 'L' ? text.indexOf(';', at) + 1 : at + 1;
     }
 
-    /** {@return the value that a variable of a type has before it gets one} */
+    /** {@return the default value of a variable of a type} */
     static @org.jspecify.annotations.Nullable Object zero(String type) {
         return switch (type) {
             case "Z", "B", "C", "S", "I" -> 0;
@@ -49,7 +49,7 @@ record Descriptor(List<String> parameters, String result) {
         };
     }
 
-    /** {@return whether a value of this type takes two variables} */
+    /** {@return whether a value of this type takes two local variables} */
     static boolean isWide(String type) {
         return type.equals("J") || type.equals("D");
     }

@@ -8,7 +8,7 @@ import org.robonewbie.pagejvm.ClassFile.DynamicCall;
 import org.robonewbie.pagejvm.ClassFile.Handle;
 import org.robonewbie.pagejvm.ClassFile.MethodType;
 
-/** What Java 17 links at the first call: lambdas, texts that are put together, and the methods that each record has. */
+/** The {@code invokedynamic} calls of Java 17: lambdas, string concatenation, and the generated methods of records. */
 final class DynamicCalls {
 
     private static final char ARGUMENT = '\u0001';
@@ -29,7 +29,7 @@ final class DynamicCalls {
             case "java/lang/invoke/LambdaMetafactory" -> lambda(call, type, bootstrap.arguments(), arguments);
             case "java/lang/invoke/StringConcatFactory" -> text(type, bootstrap.arguments(), arguments);
             case "java/lang/runtime/ObjectMethods" -> ofRecord(call.name(), bootstrap.arguments(), arguments);
-            default -> throw new Missing("The program links a call by " + linker.replace('/', '.'));
+            default -> throw new Missing("The program uses an unsupported bootstrap method of " + linker.replace('/', '.'));
         };
     }
 
@@ -69,7 +69,7 @@ final class DynamicCalls {
         };
     }
 
-    /** equals, hashCode and toString of a record; constants are its class, the names of its parts, and who reads them. */
+    /** Calls equals, hashCode or toString of a record; the constants are its class, the component names and the component getters. */
     private Object ofRecord(String name, List<Object> constants, @Nullable Object[] arguments) {
         StudentObject one = (StudentObject) Objects.requireNonNull(arguments[0]);
         String[] names = constants.get(1).toString().split(";", -1);

@@ -1,6 +1,6 @@
 package org.robonewbie.pagejvm;
 
-/** A program did not come to the end of a cycle. */
+/** A program did not finish a cycle. */
 public final class EndlessLoop extends Error {
 
     private static final long serialVersionUID = 1;
@@ -8,12 +8,12 @@ public final class EndlessLoop extends Error {
     private final String place;
 
     EndlessLoop(String place, long steps) {
-        super("Stopped at " + place + ": the program has gone " + steps
-                + " steps without a new message of the simulator. Does a loop there never end?");
+        super("Stopped at " + place + ": the program has executed " + steps
+                + " instructions without a new message from the simulator. Is there an endless loop?");
         this.place = place;
     }
 
-    /** {@return where it was stopped, such as {@code Walker.java:12}} */
+    /** {@return where it was stopped, for example {@code Walker.java:12}} */
     public String place() {
         return place;
     }

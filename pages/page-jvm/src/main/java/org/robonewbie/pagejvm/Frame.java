@@ -4,8 +4,8 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One call of a method of the student: where it is, its variables and what it has laid down. Truth values, bytes, characters and shorts
- * are kept as {@code Integer}, as in the virtual machine; a {@code long} and a {@code double} take one place of the stack.
+ * Stack frame of a student's method: program counter, local variables and operand stack. Booleans, bytes, characters and shorts are
+ * represented as {@code Integer}, as in the virtual machine; a {@code long} and a {@code double} take one stack entry.
  */
 final class Frame {
 
@@ -15,13 +15,13 @@ final class Frame {
     private final @Nullable Object[] stack;
     private int size;
 
-    /** The first byte of the instruction that is carried out. */
+    /** Offset of the current instruction. */
     int at;
 
-    /** The next byte to read. */
+    /** Offset of the next byte to read. */
     int next;
 
-    /** Whether the method that it has called gives it a result. */
+    /** Whether the called method returns a value. */
     boolean awaitsResult;
 
     Frame(StudentMethod method, @Nullable Object[] arguments) {
@@ -60,12 +60,12 @@ final class Frame {
         return u2() << 16 | u2();
     }
 
-    /** {@return the constant that the next two bytes name} */
+    /** {@return the constant at the index in the next two bytes} */
     Object constant() {
         return method.home().file().constants().get(u2());
     }
 
-    /** Goes on elsewhere. */
+    /** Jumps relative to the current instruction. */
     void jump(int offset) {
         next = at + offset;
     }
@@ -81,7 +81,7 @@ final class Frame {
         return value;
     }
 
-    /** {@return the value on top, where the program lays down an object} */
+    /** {@return the topmost value, which must not be null} */
     Object popObject() {
         return Objects.requireNonNull(pop());
     }
@@ -111,7 +111,7 @@ final class Frame {
         return values;
     }
 
-    /** Forgets what was laid down, and lays down an exception for its handler. */
+    /** Clears the operand stack and pushes an exception for its handler. */
     void handle(Throwable mistake, int handler) {
         while (size > 0) {
             pop();
@@ -121,15 +121,15 @@ final class Frame {
         next = handler;
     }
 
-    /** Puts an object wherever its announcement stands. */
-    void replace(Object announcement, Object object) {
-        replace(stack, announcement, object);
-        replace(locals, announcement, object);
+    /** Replaces a placeholder by an object in all variables and on the stack. */
+    void replace(Object placeholder, Object object) {
+        replace(stack, placeholder, object);
+        replace(locals, placeholder, object);
     }
 
-    private static void replace(@Nullable Object[] values, Object announcement, Object object) {
+    private static void replace(@Nullable Object[] values, Object placeholder, Object object) {
         for (int i = 0; i < values.length; i++) {
-            if (values[i] == announcement) {
+            if (values[i] == placeholder) {
                 values[i] = object;
             }
         }

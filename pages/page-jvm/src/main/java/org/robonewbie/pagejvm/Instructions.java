@@ -5,13 +5,12 @@ import org.jspecify.annotations.Nullable;
 import org.robonewbie.pagejvm.ClassFile.MethodType;
 import org.robonewbie.pagejvm.ClassFile.TypeName;
 
-/** Tells the groups of instructions apart, and carries out the simple ones: constants, variables, the stack, results. */
+/** Dispatches instructions by group and executes the simple ones: constants, variables, stack operations, returns. */
 final class Instructions {
 
     private Instructions() {}
 
-    /** Carries out one instruction. */
-    static void carryOut(Frame frame, Machine machine) {
+    static void execute(Frame frame, Machine machine) {
         int code = frame.u1();
         if (code <= 20) {
             constant(code, frame, machine);
@@ -24,9 +23,9 @@ final class Instructions {
         } else if (code <= 95) {
             stack(code, frame);
         } else if (code <= 152) {
-            Arithmetic.carryOut(code, frame);
+            Arithmetic.execute(code, frame);
         } else if (code <= 171 || code == 198 || code == 199 || code == 200) {
-            Jumping.carryOut(code, frame);
+            Jumping.execute(code, frame);
         } else if (code <= 177) {
             machine.leave(code == 177 ? null : frame.pop());
         } else if (code == 188 || code == 189 || code == 190 || code == 197) {
@@ -34,7 +33,7 @@ final class Instructions {
         } else if (code == 196) {
             wide(frame);
         } else {
-            machine.members().carryOut(code, frame);
+            machine.members().execute(code, frame);
         }
     }
 
@@ -61,7 +60,7 @@ final class Instructions {
                     .orElseGet(() -> machine.program().compiled().type(type.name()));
         }
         if (constant instanceof MethodType) {
-            throw new Missing("The program asks for the type of a method");
+            throw new Missing("The program uses a method type constant");
         }
         return constant;
     }
@@ -121,7 +120,7 @@ final class Instructions {
         }
     }
 
-    /** dup_x2: the top goes below the two places under it. */
+    /** dup_x2: duplicates the top value below the two stack slots under it. */
     private static void duplicateBelow(Frame frame, @Nullable Object top) {
         Object second = frame.pop();
         if (isWide(second)) {

@@ -1,17 +1,17 @@
 package org.robonewbie.pagejvm;
 
-/** Instructions that go on elsewhere. */
+/** Jump instructions. */
 final class Jumping {
 
     private Jumping() {}
 
-    static void carryOut(int code, Frame frame) {
+    static void execute(int code, Frame frame) {
         switch (code) {
             case 167 -> frame.jump(frame.s2());
             case 200 -> frame.jump(frame.s4());
             case 170 -> table(frame);
             case 171 -> lookup(frame);
-            case 168, 169 -> throw new Missing("The program was compiled by a Java before 6");
+            case 168, 169 -> throw new Missing("The program was compiled for a Java version before 6");
             default -> {
                 int offset = frame.s2();
                 if (holds(code, frame)) {

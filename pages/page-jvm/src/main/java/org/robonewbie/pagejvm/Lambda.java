@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
 import org.robonewbie.pagejvm.ClassFile.Handle;
 import org.robonewbie.pagejvm.ClassFile.Member;
 
-/** What {@code x -> x + 1} and {@code Ball::distance} make: one method, and what it remembers of its surroundings. */
+/** Lambda expression or method reference: a method handle and its captured arguments. */
 final class Lambda {
 
     private static final int STATIC = 6;
@@ -20,14 +20,14 @@ final class Lambda {
     private final Machine machine;
 
     /**
-     * Creates one.
+     * Creates a lambda.
      *
-     * @param type the interface, with slashes
+     * @param type the functional interface, with slashes
      * @param name its only method
-     * @param called with which types it is called
-     * @param handle what it does
-     * @param remembered the first arguments
-     * @param machine carries it out
+     * @param called types of the call
+     * @param handle the implementation
+     * @param remembered captured arguments, which precede those of the call
+     * @param machine executes the call
      */
     Lambda(String type, String name, Descriptor called, Handle handle, @Nullable Object[] remembered, Machine machine) {
         this.type = type;
@@ -46,7 +46,7 @@ final class Lambda {
         return method.equals(name);
     }
 
-    /** {@return the student's method that it calls, if this is all that it does} */
+    /** {@return the student's method that implements it, if no conversion is needed} */
     Optional<StudentMethod> body(Program program, @Nullable Object[] arguments) {
         Member member = handle.member();
         if (handle.kind() == NEW) {
@@ -64,7 +64,7 @@ final class Lambda {
                 : Optional.empty();
     }
 
-    /** {@return what its body gets} */
+    /** {@return all arguments of the implementation} */
     @Nullable
     Object[] allArguments(StudentMethod body, @Nullable Object[] arguments) {
         Object[] all = all(arguments);
@@ -83,10 +83,10 @@ final class Lambda {
     }
 
     /**
-     * Carries it out, and comes back with its result.
+     * Calls the lambda and waits for its result.
      *
-     * @param arguments as the machine keeps them
-     * @return its result, as the machine keeps it
+     * @param arguments in the machine's representation
+     * @return the result in the machine's representation
      */
     @Nullable
     Object call(@Nullable Object... arguments) {

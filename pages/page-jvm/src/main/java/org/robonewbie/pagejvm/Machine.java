@@ -7,25 +7,25 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Carries out a program of a student: a list of calls, the innermost last, and one instruction after the other. A call that waits, such
- * as {@code nao.sense()}, stops the program between two instructions; {@link #goOn} continues when its result is there.
+ * Interpreter for a student's program with an explicit call stack. A call that waits, such as {@code nao.sense()}, suspends the program
+ * between two instructions; {@link #resume} continues when its result is available.
  *
  * <pre>{@code
  * Machine machine = new Machine(new Program(classFiles), System.out, SpecialCalls.NONE);
  * machine.begin("Walker", "--team", "Blue");
- * while (!machine.goOn()) { turnTheWorld(); }
+ * while (!machine.resume()) { turnTheWorld(); }
  * }</pre>
  */
 public final class Machine {
 
-    /** Steps from one message of the simulator to the next after which a loop is called endless; some tenths of a second. */
+    /** Instructions between two messages of the simulator after which a loop counts as endless; some tenths of a second. */
     public static final long STEPS_PER_CYCLE = 5_000_000;
 
-    /** Steps after which a cycle is slow: the page takes longer for them than a message of the simulator lets it. */
+    /** Instructions after which a cycle counts as slow, since the page then falls behind real time. */
     static final long SLOW_STEPS = 500_000;
 
     private static final int SLOW_CYCLES_TO_REPORT = 5;
-    private static final int DEEPEST = 1500;
+    private static final int MAX_DEPTH = 1500;
 
     private final Program program;
     private final PrintStream output;
@@ -36,15 +36,15 @@ public final class Machine {
     private @Nullable Throwable traced;
     private @Nullable Object result;
     private long stepsLeft = STEPS_PER_CYCLE;
-    private long stepsLeftAtNextLook = STEPS_PER_CYCLE - SLOW_STEPS;
+    private long stepsLeftAtNextCheck = STEPS_PER_CYCLE - SLOW_STEPS;
     private int slowCycles;
 
     /**
      * Creates a machine.
      *
      * @param program its classes
-     * @param output what {@code System.out} and {@code System.err} are to the program
-     * @param specialCalls methods that are carried out in another way
+     * @param output destination of {@code System.out} and {@code System.err}
+     * @param specialCalls methods that are executed differently
      */
     public Machine(Program program, PrintStream output, SpecialCalls specialCalls) {
         this.program = program;
@@ -70,7 +70,7 @@ public final class Machine {
     }
 
     /**
-     * Begins a main method; {@link #goOn} carries it out.
+     * Prepares to run a main method with {@link #resume}.
      *
      * @param type name of its class, with slashes
      * @param arguments its arguments
@@ -82,27 +82,27 @@ public final class Machine {
     }
 
     /**
-     * Makes an object of the program with its constructor that takes nothing.
+     * Creates an instance of a student's class with the no-arg constructor.
      *
-     * @param type name of its class, with slashes
-     * @return the object
+     * @param type name of the class, with slashes
+     * @return the instance
      */
     public Object create(String type) {
         StudentClass home = program.find(type).orElseThrow(() -> new Missing("The program has no class " + type));
         initialiseNow(home);
         StudentObject object = StudentObjects.create(home, this);
         call(
-                home.own("<init>()V").orElseThrow(() -> new Missing(home + " has no constructor without arguments")),
+                home.own("<init>()V").orElseThrow(() -> new Missing(home + " has no constructor without parameters")),
                 object);
         return object;
     }
 
     /**
-     * Goes on until the program is over or waits.
+     * Runs until the program ends or waits.
      *
-     * @return whether it is over
+     * @return whether it has ended
      */
-    public boolean goOn() {
+    public boolean resume() {
         Waiting pause = waiting;
         if (pause != null) {
             if (!pause.isReady()) {
@@ -114,31 +114,31 @@ public final class Machine {
         return frames.isEmpty();
     }
 
-    /** Says that a message of the simulator has come: the steps are counted from 0 again. */
+    /** Signals a new message of the simulator, which resets the instruction count. */
     public void newCycle() {
         stepsLeft = STEPS_PER_CYCLE;
-        stepsLeftAtNextLook = STEPS_PER_CYCLE - SLOW_STEPS;
+        stepsLeftAtNextCheck = STEPS_PER_CYCLE - SLOW_STEPS;
     }
 
     /**
-     * Calls a method of the program and comes back with its result. What waits inside is awaited here.
+     * Calls a method of the program and returns its result. Blocks if the method waits.
      *
      * @param method the method
-     * @param arguments the object, unless it is static, and its arguments
+     * @param arguments the receiver, unless it is static, and the arguments
      * @return its result
      */
     @Nullable
     Object call(StudentMethod method, @Nullable Object... arguments) {
         int base = frames.size();
         enter(method, arguments);
-        carryOut(base);
+        finish(base);
         Object value = result;
         result = null;
         return value;
     }
 
-    /** Carries out the calls above others to their end, also while those below wait. */
-    private void carryOut(int base) {
+    /** Runs the calls above a stack depth to their end, even while outer calls wait. */
+    private void finish(int base) {
         Waiting outer = waiting;
         waiting = null;
         try {
@@ -165,12 +165,12 @@ public final class Machine {
         top().push(value);
     }
 
-    /** Waits for the result of a call; it is laid down if somebody wants it. */
+    /** Waits for the result of a call, which is pushed unless it is discarded. */
     void await(Waiting pause, boolean isWanted) {
         waiting = isWanted ? pause : new Discarded(pause);
     }
 
-    /** Carries out instructions until only so many calls are left, or one waits. */
+    /** Executes instructions until the stack has a given depth or a call waits. */
     private void run(int base) {
         while (frames.size() > base && waiting == null) {
             try {
@@ -189,35 +189,35 @@ public final class Machine {
     private void step() {
         Frame frame = top();
         frame.at = frame.next;
-        if (--stepsLeft < stepsLeftAtNextLook) {
-            lookAtTime();
+        if (--stepsLeft < stepsLeftAtNextCheck) {
+            checkTime();
         }
-        Instructions.carryOut(frame, this);
+        Instructions.execute(frame, this);
     }
 
-    /** Ends a loop without an end, and says once in which line the program is that needs too long in many cycles. */
-    private void lookAtTime() {
+    /** Stops an endless loop, and reports once a program that is slow in many cycles. */
+    private void checkTime() {
         if (stepsLeft < 0) {
             throw new EndlessLoop(placeText(), STEPS_PER_CYCLE);
         }
-        stepsLeftAtNextLook = 0;
+        stepsLeftAtNextCheck = 0;
         slowCycles++;
         if (slowCycles == SLOW_CYCLES_TO_REPORT) {
-            output.println("The program goes more than " + SLOW_STEPS + " steps in a cycle, at " + placeText()
-                    + ", and there are 50 cycles per simulated second: the page becomes slow."
+            output.println("The program executes more than " + SLOW_STEPS + " instructions in a cycle, at " + placeText()
+                    + ". There are 50 cycles per simulated second, so the page becomes slow."
                     + " Compute less in a cycle, or spread the work over several cycles.");
         }
     }
 
-    /** Begins a call. */
+    /** Pushes a stack frame. */
     void enter(StudentMethod method, @Nullable Object[] arguments) {
-        if (frames.size() >= DEEPEST) {
-            throw new StackOverflowError("Does " + method.code().name() + "() call itself without an end?");
+        if (frames.size() >= MAX_DEPTH) {
+            throw new StackOverflowError("Does " + method.code().name() + "() call itself endlessly?");
         }
         frames.add(new Frame(method, arguments));
     }
 
-    /** Ends the innermost call. */
+    /** Pops the innermost stack frame. */
     void leave(@Nullable Object value) {
         frames.remove(frames.size() - 1);
         result = value;
@@ -227,7 +227,7 @@ public final class Machine {
         }
     }
 
-    /** Carries out the static initialiser of a class before anything else, and those of the classes above before it. */
+    /** Pushes the static initialiser of a class, and above it those of its superclasses. Returns whether there is any. */
     boolean initialise(StudentClass type) {
         if (type.isInitialised) {
             return false;
@@ -242,14 +242,14 @@ public final class Machine {
         return type.parent().map(this::initialise).orElse(false) || begun;
     }
 
-    /** Carries out the static initialiser of a class if it is due, and comes back. */
+    /** Runs the static initialiser of a class if it has not run yet. */
     void initialiseNow(StudentClass type) {
         int base = frames.size();
         initialise(type);
-        carryOut(base);
+        finish(base);
     }
 
-    /** Finds who handles an exception; if nobody does, it leaves the machine. */
+    /** Unwinds the stack to the handler of an exception; throws it if there is none. */
     void raise(Throwable mistake, int base) {
         if (traced != mistake && !(mistake instanceof Thrown)) {
             trace(mistake);
@@ -266,21 +266,21 @@ public final class Machine {
             }
             frames.remove(frames.size() - 1);
         }
-        Machine.<RuntimeException>throwAsItIs(cause);
+        Machine.<RuntimeException>sneakyThrow(cause);
     }
 
     @SuppressWarnings({"unchecked", "TypeParameterUnusedInFormals"})
-    private static <T extends Throwable> void throwAsItIs(Throwable what) throws T {
+    private static <T extends Throwable> void sneakyThrow(Throwable what) throws T {
         throw (T) what;
     }
 
-    /** Writes the calls of the program into an exception. */
+    /** Sets the stack trace of an exception to the program's calls. */
     void trace(Throwable mistake) {
         traced = mistake;
         mistake.setStackTrace(trace());
     }
 
-    /** {@return the calls of the program, the innermost first} */
+    /** {@return the program's calls, the innermost first} */
     public StackTraceElement[] trace() {
         List<StackTraceElement> calls = new ArrayList<>();
         frames.forEach(frame -> calls.add(frame.place()));
@@ -300,7 +300,7 @@ public final class Machine {
         return place.getFileName() + ":" + place.getLineNumber();
     }
 
-    /** {@return where the program is, such as {@code Walker.java:12}; empty if it does nothing} */
+    /** {@return the current position, such as {@code Walker.java:12}; empty if the program does not run} */
     public String place() {
         return frames.isEmpty() ? "" : placeText();
     }
@@ -315,7 +315,7 @@ public final class Machine {
         return frames.get(frames.size() - 1);
     }
 
-    /** A pause whose result nobody wants. */
+    /** A wait whose result is discarded. */
     private record Discarded(Waiting pause) implements Waiting {
 
         @Override
@@ -334,7 +334,7 @@ public final class Machine {
         }
     }
 
-    /** An exception that the program throws itself; its calls stand in it already. */
+    /** Wrapper of an exception that the program throws itself, which already has a stack trace. */
     static final class Thrown extends RuntimeException {
 
         private static final long serialVersionUID = 1;

@@ -8,7 +8,7 @@ import org.robonewbie.pagejvm.ClassFile.DynamicCall;
 import org.robonewbie.pagejvm.ClassFile.Member;
 import org.robonewbie.pagejvm.ClassFile.TypeName;
 
-/** Fields, calls and types: here the student's classes meet the compiled ones. */
+/** Instructions for fields, calls and types, where the student's classes meet the compiled ones. */
 final class Members {
 
     private static final String CONSTRUCTOR = "<init>";
@@ -23,7 +23,7 @@ final class Members {
         dynamicCalls = new DynamicCalls(machine);
     }
 
-    void carryOut(int code, Frame frame) {
+    void execute(int code, Frame frame) {
         switch (code) {
             case 178, 179 -> staticField(code, frame, (Member) frame.constant());
             case 180 -> frame.push(read(frame, (Member) frame.constant()));
@@ -41,11 +41,11 @@ final class Members {
                 frame.push(value != null && StudentObjects.isInstance(value, type, program) ? 1 : 0);
             }
             case 194, 195 -> Objects.requireNonNull(frame.pop());
-            default -> throw new Missing("The instruction " + code + " is none of Java 17");
+            default -> throw new Missing("The instruction " + code + " is not part of Java 17");
         }
     }
 
-    /** Begins the static initialiser of a class if it is due; the instruction comes again afterwards. */
+    /** Starts the static initialiser of a class if it has not run yet; the instruction is then repeated afterwards. */
     private boolean mustWaitForInitialiser(Frame frame, StudentClass type) {
         if (!machine.initialise(type)) {
             return false;
@@ -103,17 +103,17 @@ final class Members {
     private void callVirtual(int code, Frame frame) {
         Member method = (Member) frame.constant();
         if (code == 185) {
-            frame.u2(); // the number of arguments, and a zero
+            frame.u2(); // argument count and a zero byte
         }
         Descriptor type = Descriptor.of(method.descriptor());
         Object[] arguments = frame.pop(type.parameters().size());
         Object target = Objects.requireNonNull(
                 frame.pop(),
-                () -> "Cannot call \"" + method.name() + "()\", because what stands before the dot is null");
+                () -> "Cannot call \"" + method.name() + "()\" because the value before the dot is null");
         call(frame, method, type, target, arguments);
     }
 
-    /** Calls a method of an object: that of the student's class, else what a compiled class says. */
+    /** Calls a method of an object: of the student's class if there is one, else of a compiled class. */
     private void call(Frame frame, Member method, Descriptor type, Object target, @Nullable Object[] arguments) {
         if (target instanceof Lambda lambda && lambda.isCalledBy(method.name(), program)) {
             enterLambda(frame, lambda, type, arguments);
@@ -204,7 +204,7 @@ final class Members {
     private void create(Frame frame, String type) {
         Optional<StudentClass> own = program.find(type);
         if (own.isEmpty()) {
-            frame.push(new Announced());
+            frame.push(new Uninitialised());
         } else if (!mustWaitForInitialiser(frame, own.get())) {
             frame.push(StudentObjects.create(own.get(), machine));
         }
@@ -213,7 +213,7 @@ final class Members {
     private void cast(Frame frame, String type) {
         Object value = frame.pop();
         if (value != null && !StudentObjects.isInstance(value, type, program)) {
-            throw new ClassCastException("A " + StudentObjects.className(value) + " is no " + type.replace('/', '.'));
+            throw new ClassCastException("A " + StudentObjects.className(value) + " is not a " + type.replace('/', '.'));
         }
         frame.push(value);
     }
@@ -250,7 +250,7 @@ final class Members {
         return all;
     }
 
-    /** Calls any method from outside an instruction, and comes back with its result. */
+    /** Calls any method outside of an instruction and waits for its result. */
     @Nullable
     Object callAndWait(Member method, @Nullable Object target, @Nullable Object[] arguments) {
         Descriptor type = Descriptor.of(method.descriptor());
@@ -270,6 +270,6 @@ final class Members {
                 : callCompiled(method, type, target, arguments);
     }
 
-    /** Stands for a compiled class's object until its constructor has made it. */
-    private static final class Announced {}
+    /** Placeholder for an object of a compiled class until its constructor has been called. */
+    private static final class Uninitialised {}
 }

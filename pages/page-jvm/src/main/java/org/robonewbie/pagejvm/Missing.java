@@ -1,14 +1,14 @@
 package org.robonewbie.pagejvm;
 
-/** Something that Java has and the page has not. */
+/** A feature of Java that the page does not support. */
 public final class Missing extends RuntimeException {
 
     private static final long serialVersionUID = 1;
 
     /**
-     * Names it.
+     * Creates the exception.
      *
-     * @param what what is missing, without a dot at the end
+     * @param what the missing feature, without a full stop
      */
     public Missing(String what) {
         super(what + ". The page cannot do this; RoboNewbie on your computer can.");

@@ -18,9 +18,9 @@ public final class Program {
     /**
      * Loads a program.
      *
-     * @param classFiles the contents of its class files
-     * @throws IllegalArgumentException if one is none, or extends a class that the page cannot extend; the message is a sentence for
-     *     the user
+     * @param classFiles contents of the class files
+     * @throws IllegalArgumentException if one is malformed or extends a class that the page does not support; the message is shown to the
+     *     user
      */
     public Program(Collection<byte[]> classFiles) {
         for (byte[] bytes : classFiles) {
@@ -34,7 +34,7 @@ public final class Program {
         return compiled;
     }
 
-    /** {@return the student's class of a name with slashes} */
+    /** {@return the student's class with a name with slashes} */
     Optional<StudentClass> find(String name) {
         return Optional.ofNullable(classes.get(name));
     }
@@ -47,7 +47,7 @@ public final class Program {
                 .toList();
     }
 
-    /** {@return the names of the agents that can be made without arguments, with slashes; those of inner classes last} */
+    /** {@return names with slashes of the agents with a no-arg constructor, inner classes last} */
     public List<String> agents() {
         return classes.values().stream()
                 .filter(type -> type.is("org/robonewbie/agent/Agent")
@@ -57,7 +57,7 @@ public final class Program {
                 .toList();
     }
 
-    /** {@return classes and methods that the program uses and the page lacks, by their names in Java} */
+    /** {@return Java names of classes and methods that the program uses and the page lacks} */
     public List<String> missing() {
         return classes.values().stream()
                 .flatMap(type -> type.file().constants().stream())

@@ -8,16 +8,16 @@ public final class ProgramEnd extends Error {
     private final int exitCode;
 
     /**
-     * Ends the program.
+     * Creates the exit.
      *
-     * @param exitCode 0 if all is well
+     * @param exitCode 0 for success
      */
     public ProgramEnd(int exitCode) {
-        super("The program has ended itself with exit code " + exitCode + ".");
+        super("The program has exited with code " + exitCode + ".");
         this.exitCode = exitCode;
     }
 
-    /** {@return 0 if all is well} */
+    /** {@return the exit code, 0 for success} */
     public int exitCode() {
         return exitCode;
     }

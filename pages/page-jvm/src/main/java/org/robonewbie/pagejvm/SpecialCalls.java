@@ -2,23 +2,23 @@ package org.robonewbie.pagejvm;
 
 import org.jspecify.annotations.Nullable;
 
-/** Methods of compiled classes that the page carries out in another way, such as those that wait. */
+/** Methods of compiled classes that the page executes differently, such as those that wait. */
 public interface SpecialCalls {
 
-    /** The answer for a method that is called as it is. */
+    /** Result for a method that is not replaced. */
     Object UNKNOWN = new Object();
 
-    /** All calls as they are. */
+    /** Replaces no calls. */
     SpecialCalls NONE = (owner, name, target, arguments) -> UNKNOWN;
 
     /**
-     * Carries out a call.
+     * Executes a call.
      *
-     * @param owner the class that the program names, with slashes
-     * @param name of the method
-     * @param target the object; null for a static method
+     * @param owner the class named by the instruction, with slashes
+     * @param name name of the method
+     * @param target the receiver; null for a static method
      * @param arguments the arguments
-     * @return the result, a {@link Waiting} for one that comes later, or {@link #UNKNOWN}
+     * @return the result, a {@link Waiting} for a later one, or {@link #UNKNOWN}
      */
     @Nullable
     Object call(String owner, String name, @Nullable Object target, @Nullable Object[] arguments);

@@ -8,7 +8,7 @@ import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.Options;
 import org.robonewbie.agent.running.ThinkSpelling;
 
-/** An agent of a class of the student: the framework turns its cycle, and the machine does what its steps say. */
+/** Instance of a student's agent class: the framework runs the cycle, and the machine executes its steps. */
 final class StudentAgent extends Agent implements StudentObject {
 
     private static final String STEP = "()V";
@@ -91,7 +91,7 @@ final class StudentAgent extends Agent implements StudentObject {
         return null;
     }
 
-    /** Calls a method of {@code Agent} that programs inherit. */
+    /** Calls a method inherited from {@code Agent}. */
     @Nullable
     Object inherited(String name, @Nullable Object[] arguments) {
         switch (name) {

@@ -17,7 +17,7 @@ final class StudentClass {
     private final Map<String, @Nullable Object> freshFields = new LinkedHashMap<>();
     private final Map<String, Optional<StudentMethod>> found = new HashMap<>();
 
-    /** Whether its static initialiser has begun. */
+    /** Whether its static initialiser has started. */
     boolean isInitialised;
 
     StudentClass(ClassFile file, Program program) {
@@ -42,12 +42,12 @@ final class StudentClass {
         return program.find(file.superName());
     }
 
-    /** {@return the name of the first class above that is not the student's} */
+    /** {@return name of the nearest superclass that is not the student's} */
     String compiledParent() {
         return parent().map(StudentClass::compiledParent).orElse(file.superName());
     }
 
-    /** {@return whether this is a class, one below it, or one that implements it} */
+    /** {@return whether this class is a type or a subtype of it} */
     boolean is(String name) {
         return file.name().equals(name)
                 || file.interfaces().stream()
@@ -60,10 +60,10 @@ final class StudentClass {
     }
 
     /**
-     * Finds a method here or above.
+     * Finds a method in this class or its supertypes.
      *
-     * @param key its name and type
-     * @return the method; empty if only classes have it that are not the student's
+     * @param key its name and descriptor
+     * @return the method; empty if no class of the student declares it
      */
     Optional<StudentMethod> find(String key) {
         Optional<StudentMethod> known = found.get(key);
@@ -90,7 +90,7 @@ final class StudentClass {
                 .or(() -> inherited);
     }
 
-    /** {@return a method here or above that takes so many arguments} */
+    /** {@return a method of this class or its superclasses with a given number of parameters} */
     Optional<StudentMethod> findByName(String name, int arguments) {
         return file.methods().stream()
                 .filter(method -> method.name().equals(name) && !method.isAbstract())
@@ -100,7 +100,7 @@ final class StudentClass {
                 .or(() -> parent().flatMap(type -> type.findByName(name, arguments)));
     }
 
-    /** {@return the methods of this class and of those above that are the student's, such as {@code thnik()}} */
+    /** {@return signatures of the methods of this class and of the student's superclasses, such as {@code thnik()}} */
     List<String> headings() {
         List<String> headings =
                 new ArrayList<>(parent().map(StudentClass::headings).orElseGet(List::of));
@@ -114,7 +114,7 @@ final class StudentClass {
         return headings;
     }
 
-    /** {@return a method of this very class} */
+    /** {@return a method that this class declares} */
     Optional<StudentMethod> own(String key) {
         return file.methods().stream()
                 .filter(method -> method.key().equals(key))
@@ -122,7 +122,7 @@ final class StudentClass {
                 .map(code -> new StudentMethod(this, code));
     }
 
-    /** {@return the static fields of the class that has this one; empty if it is not the student's} */
+    /** {@return the static fields of the class that declares this one; empty if it is not the student's} */
     Optional<Map<String, @Nullable Object>> staticsWith(String field) {
         if (statics.containsKey(field)) {
             return Optional.of(statics);
@@ -137,7 +137,7 @@ final class StudentClass {
         return parent().flatMap(type -> type.staticsWith(field));
     }
 
-    /** {@return all fields of a new object, by class and name} */
+    /** {@return the fields of a new instance with default values, by class and name} */
     Map<String, @Nullable Object> newFields() {
         Map<String, @Nullable Object> fields =
                 parent().map(StudentClass::newFields).orElseGet(HashMap::new);
@@ -145,7 +145,7 @@ final class StudentClass {
         return fields;
     }
 
-    /** {@return the key of a field in the objects of this class; empty if no class of the student has it} */
+    /** {@return the key of a field in instances of this class; empty if no class of the student declares it} */
     Optional<String> fieldKey(String name) {
         return freshFields.containsKey(name)
                 ? Optional.of(file.name() + "." + name)

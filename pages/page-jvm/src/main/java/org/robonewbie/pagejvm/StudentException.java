@@ -3,7 +3,7 @@ package org.robonewbie.pagejvm;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/** An exception of a class of the student. */
+/** Instance of a student's exception class. */
 final class StudentException extends RuntimeException implements StudentObject {
 
     private static final long serialVersionUID = 1;
@@ -44,7 +44,7 @@ final class StudentException extends RuntimeException implements StudentObject {
             case "toString" -> {
                 return defaultText();
             }
-            default -> throw new Missing("super." + member.name() + "() is not here");
+            default -> throw new Missing("super." + member.name() + "() is not available");
         }
         return null;
     }

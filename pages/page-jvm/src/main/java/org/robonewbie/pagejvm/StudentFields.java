@@ -7,7 +7,7 @@ import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
-/** The fields of a student's robot, and what they depend on. */
+/** Copies changed values between the fields of student's robots. */
 public final class StudentFields {
 
     private final List<StudentObject> seen = new ArrayList<>();
@@ -15,24 +15,24 @@ public final class StudentFields {
     private StudentFields() {}
 
     /**
-     * Makes another object of the same class by its constructor without parameters.
+     * Creates another instance of the same class with the no-arg constructor.
      *
-     * @param robot the object
-     * @return another one; empty if its class is not the student's
-     * @throws RuntimeException if there is no such constructor, or if it fails
+     * @param robot an instance
+     * @return the new instance; empty if its class is not the student's
+     * @throws RuntimeException if there is no such constructor or it fails
      */
-    public static Optional<?> madeOnceMore(Object robot) {
+    public static Optional<?> newInstance(Object robot) {
         return robot instanceof StudentObject own
                 ? Optional.of(own.machine().create(own.type().file().name()))
                 : Optional.empty();
     }
 
     /**
-     * Gives a robot the values in which two others of its class differ, also in objects of the student to which its fields lead.
+     * Updates a robot with the values in which two instances of its class differ, including objects reachable through its fields.
      *
-     * @param old one of the others
-     * @param fresh the other, whose values are taken
-     * @param robot is changed
+     * @param old the old instance
+     * @param fresh the new instance, whose values are copied
+     * @param robot the robot to update
      */
     public static void copyDifferences(Object old, Object fresh, Object robot) {
         if (old instanceof StudentObject before

@@ -5,8 +5,8 @@ import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
-/** An object of a class that extends no compiled class, of a record, or one of an enumeration. */
-@SuppressWarnings("ComparableType") // whether it is one of an enumeration is known when the program runs
+/** Instance of a student's plain class, record or enumeration. */
+@SuppressWarnings("ComparableType") // only enumeration constants are comparable
 final class StudentInstance implements StudentObject, Comparable<Object> {
 
     private final StudentClass type;
@@ -36,12 +36,12 @@ final class StudentInstance implements StudentObject, Comparable<Object> {
         return fields;
     }
 
-    /** {@return the name in its enumeration} */
+    /** {@return the name of the enumeration constant} */
     String name() {
         return name;
     }
 
-    /** {@return the place in its enumeration, from 0} */
+    /** {@return the ordinal of the enumeration constant} */
     int ordinal() {
         return ordinal;
     }
@@ -49,7 +49,7 @@ final class StudentInstance implements StudentObject, Comparable<Object> {
     @Override
     public @Nullable Object callSuper(ClassFile.Member member, @Nullable Object[] arguments) {
         if (member.name().equals("<init>")) {
-            if (arguments.length == 2) { // of an enumeration
+            if (arguments.length == 2) { // enumeration constant
                 name = (String) Objects.requireNonNull(arguments[0]);
                 ordinal = (Integer) Objects.requireNonNull(arguments[1]);
             }
@@ -59,7 +59,7 @@ final class StudentInstance implements StudentObject, Comparable<Object> {
             case "toString" -> defaultText();
             case "hashCode" -> System.identityHashCode(this);
             case "equals" -> arguments[0] == this ? 1 : 0;
-            default -> throw new Missing("super." + member.name() + "() is not here");
+            default -> throw new Missing("super." + member.name() + "() is not available");
         };
     }
 

@@ -5,8 +5,8 @@ import org.robonewbie.pagejvm.ClassFile.MethodCode;
 /**
  * A method of a student's class.
  *
- * @param home the class
- * @param code what it does
+ * @param home the declaring class
+ * @param code its bytecode
  */
 record StudentMethod(StudentClass home, MethodCode code) {
 

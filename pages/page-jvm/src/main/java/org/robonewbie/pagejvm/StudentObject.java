@@ -3,20 +3,19 @@ package org.robonewbie.pagejvm;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/** An object of a student's class, whatever Java class stands for it. */
+/** Instance of a student's class. */
 interface StudentObject {
 
-    /** {@return its class} */
     StudentClass type();
 
-    /** {@return the machine in which it lives} */
+    /** {@return the machine that executes its methods} */
     Machine machine();
 
     /** {@return its fields, by class and name} */
     Map<String, @Nullable Object> fields();
 
     /**
-     * Calls what a compiled class above says, as {@code super} does.
+     * Calls a method of the compiled superclass, as {@code super} does.
      *
      * @param member the method
      * @param arguments its arguments
@@ -26,9 +25,9 @@ interface StudentObject {
     Object callSuper(ClassFile.Member member, @Nullable Object[] arguments);
 
     /**
-     * Reads a field of a compiled class above.
+     * Reads a field of the compiled superclass.
      *
-     * @param name of the field
+     * @param name name of the field
      * @return its value
      */
     default Object inheritedField(String name) {

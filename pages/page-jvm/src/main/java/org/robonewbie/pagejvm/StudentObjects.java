@@ -5,7 +5,7 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.pagejvm.ClassFile.Member;
 
-/** Makes objects of the student's classes, and knows what all objects can do. */
+/** Creates instances of the student's classes and implements the methods that all objects have. */
 final class StudentObjects {
 
     private static final String AGENT = "org/robonewbie/agent/Agent";
@@ -14,17 +14,17 @@ final class StudentObjects {
     private StudentObjects() {}
 
     /**
-     * Checks that the page can make objects of a class.
+     * Checks that the page can create instances of a class.
      *
      * @param type the class
-     * @throws IllegalArgumentException if it extends one that the page cannot extend; the message is a sentence for the user
+     * @throws IllegalArgumentException if it extends a class that the page does not support; the message is shown to the user
      */
     static void check(StudentClass type) {
         String above = type.compiledParent();
         if (!PLAIN.contains(above) && !above.equals(AGENT) && !isThrowable(type)) {
             throw new IllegalArgumentException(type.simpleName() + " extends " + above.replace('/', '.')
-                    + ", which the page cannot do; RoboNewbie on your computer can. In the page a class may extend Agent, an"
-                    + " exception, or a class of your own.");
+                    + ", which the page does not support; RoboNewbie on your computer does. In the page, a class may extend Agent, an"
+                    + " exception, or one of your own classes.");
         }
     }
 
@@ -45,7 +45,7 @@ final class StudentObjects {
         return mistake;
     }
 
-    /** {@return whether an object is of a class, which has slashes, or of one below it} */
+    /** {@return whether an object is an instance of a class with a name with slashes} */
     static boolean isInstance(Object value, String name, Program program) {
         if (name.equals("java/lang/Object")) {
             return true;
@@ -70,14 +70,14 @@ final class StudentObjects {
         return program.find(name).isEmpty() && program.compiled().type(name).isInstance(value);
     }
 
-    /** {@return the name of the class of an object, for messages} */
+    /** {@return the class name of an object, for messages} */
     static String className(Object value) {
         return value instanceof StudentObject own
                 ? own.type().simpleName()
                 : value.getClass().getSimpleName();
     }
 
-    /** Calls what is no method of a class file: those of arrays, of enumerations, of classes as objects, and of agents. */
+    /** Calls methods that have no bytecode: those of arrays, enumerations, class objects and agents. */
     static @Nullable Object callOfEachObject(
             Member method, Object target, @Nullable Object[] arguments, Machine machine) {
         if (target instanceof StudentAgent agent) {
@@ -132,7 +132,7 @@ final class StudentObjects {
             case "desiredAssertionStatus" -> 0;
             case "toString" -> type.toString();
             case "hashCode" -> type.hashCode();
-            default -> throw new Missing("Class." + method + "() of a class of the program is not here");
+            default -> throw new Missing("Class." + method + "() of a class of the program is not available");
         };
     }
 
@@ -144,7 +144,7 @@ final class StudentObjects {
         return copy;
     }
 
-    /** Calls what an enumeration of the student has from Java: the value of a name. */
+    /** Calls {@code Enum.valueOf} of a student's enumeration. */
     static @Nullable Object staticCall(
             Member method, @Nullable StudentClass owner, @Nullable Object[] arguments, Machine machine) {
         boolean isValueOf = method.name().equals("valueOf") && arguments.length == 2;
@@ -152,7 +152,7 @@ final class StudentObjects {
             return SpecialCalls.UNKNOWN;
         }
         StudentMethod values = type.own("values()[L" + type.file().name() + ";")
-                .orElseThrow(() -> new Missing(type + " is no enumeration"));
+                .orElseThrow(() -> new Missing(type + " is not an enumeration"));
         for (Object one : (Object[]) Objects.requireNonNull(machine.call(values))) {
             if (((StudentInstance) one).name().equals(arguments[1])) {
                 return one;

@@ -2,13 +2,13 @@ package org.robonewbie.pagejvm;
 
 import org.jspecify.annotations.Nullable;
 
-/** The result of a call that takes longer than a moment: the program stands still until it is there. */
+/** Pending result of a call that suspends the program. */
 public interface Waiting {
 
-    /** {@return whether the result is there; asked in each turn} */
+    /** {@return whether the result is available; polled in each turn} */
     boolean isReady();
 
-    /** Lets the world go on, for a caller that cannot come back later: compiled code that has called the program. */
+    /** Advances the world, for compiled code that has called the program and must block. */
     void hurry();
 
     /** {@return the result} */

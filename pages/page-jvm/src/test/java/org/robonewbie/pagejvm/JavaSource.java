@@ -16,7 +16,7 @@ import javax.tools.SimpleJavaFileObject;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
 
-/** Compiles texts in memory, as the page does. */
+/** Compiles sources in memory, as the page does. */
 public final class JavaSource {
 
     private JavaSource() {}
@@ -24,8 +24,8 @@ public final class JavaSource {
     /**
      * Compiles a program.
      *
-     * @param className of its public class
-     * @param text its text
+     * @param className name of its public class
+     * @param text its source
      * @return its class files by name
      */
     public static Map<String, byte[]> compile(String className, String text) {

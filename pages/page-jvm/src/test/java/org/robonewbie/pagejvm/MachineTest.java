@@ -70,25 +70,25 @@ class MachineTest {
     }
 
     @Test
-    void uncaughtExceptionTellsTheLine() {
+    void uncaughtExceptionHasTheLine() {
         assertThatThrownBy(() -> said("int zero = 0;\nint one = 1 / zero;"))
                 .isInstanceOf(ArithmeticException.class)
                 .satisfies(mistake -> assertThat(mistake.getStackTrace()[0]).hasToString("Try.main(Try.java:11)"));
     }
 
     @Test
-    void endlessLoopIsNamedByItsLine() {
+    void endlessLoopIsReportedWithItsLine() {
         assertThatThrownBy(() -> said("int i = 0;\nwhile (true) { i++; }"))
                 .isInstanceOf(EndlessLoop.class)
                 .hasMessageContaining("Try.java:11")
-                .hasMessageContaining("Does a loop there never end?");
+                .hasMessageContaining("Is there an endless loop?");
     }
 
     @Test
-    void endlessRecursionIsNamed() {
+    void endlessRecursionIsReported() {
         assertThatThrownBy(() -> said("deeper(1);"))
                 .isInstanceOf(StackOverflowError.class)
-                .hasMessage("Does deeper() call itself without an end?");
+                .hasMessage("Does deeper() call itself endlessly?");
     }
 
     @Test
@@ -97,14 +97,14 @@ class MachineTest {
 
         assertThatThrownBy(() -> new Program(JavaSource.compile("Try", text).values()))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageStartingWith("Try extends java.util.ArrayList, which the page cannot do");
+                .hasMessageStartingWith("Try extends java.util.ArrayList, which the page does not support");
     }
 
     @Test
     void damagedClassFileIsRefused() {
         assertThatThrownBy(() -> ClassFileReader.read(new byte[] {1, 2, 3, 4}))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageStartingWith("This is no class file.");
+                .hasMessageStartingWith("This is not a class file.");
     }
 
     private static String said(String code) {
@@ -112,8 +112,8 @@ class MachineTest {
         Machine machine =
                 new Machine(program(code), new PrintStream(bytes, true, StandardCharsets.UTF_8), SpecialCalls.NONE);
         machine.begin("Try");
-        while (!machine.goOn()) {
-            // nothing waits here
+        while (!machine.resume()) {
+            // no call waits
         }
         return bytes.toString(StandardCharsets.UTF_8).strip();
     }

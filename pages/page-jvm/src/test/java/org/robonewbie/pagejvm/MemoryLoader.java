@@ -2,13 +2,13 @@ package org.robonewbie.pagejvm;
 
 import java.util.Map;
 
-/** Loads classes from memory, before those of the same name elsewhere. */
+/** Class loader that prefers in-memory classes to those of its parent. */
 public final class MemoryLoader extends ClassLoader {
 
     private final Map<String, byte[]> classes;
 
     /**
-     * Prepares to load classes.
+     * Creates a class loader.
      *
      * @param classes class files by name
      */

@@ -5,8 +5,8 @@ import java.nio.file.Path;
 import java.util.Locale;
 
 /**
- * Maps files of the project to addresses of the site: the folder {@code docs} is the root of the site, a {@code README.md} is
- * the first page of its folder, and all addresses are lower-case letters, digits and hyphens.
+ * Maps project files to addresses of the site. The folder {@code docs} is the root of the site, {@code README.md} is the first page of its
+ * folder, and addresses consist of lower-case letters, digits and hyphens.
  */
 final class Addresses {
 
@@ -15,7 +15,7 @@ final class Addresses {
     private final Path root;
 
     /**
-     * Looks at a project.
+     * Creates the mapping.
      *
      * @param root the folder of the project
      */
@@ -23,7 +23,7 @@ final class Addresses {
         this.root = root;
     }
 
-    /** The address of a page, a picture, of an API page, or of a page that shows a source file or lists a folder. */
+    /** The address of a page, a picture, an API page, or a page that shows a source file or folder. */
     String of(Path file) {
         String path = name(file);
         if (path.startsWith(DOCS)) {
@@ -38,12 +38,12 @@ final class Addresses {
         return "files/" + plain(path) + (Files.isDirectory(file) ? "/index.html" : ".html");
     }
 
-    /** The path of a file within the project, with slashes. */
+    /** The path of a file relative to the project, with slashes. */
     String name(Path file) {
         return root.relativize(file).toString().replace('\\', '/');
     }
 
-    /** How one page names another: from {@code a/b.html} to {@code c.html} it is {@code ../c.html}. */
+    /** The relative link between two pages: from {@code a/b.html} to {@code c.html} it is {@code ../c.html}. */
     static String relative(String from, String to) {
         Path folder = Path.of("/" + from).resolveSibling("").normalize();
         return folder.relativize(Path.of("/" + to)).toString().replace('\\', '/');

@@ -21,8 +21,8 @@ import java.util.stream.Stream;
 import java.util.zip.CRC32;
 
 /**
- * Makes the API pages with the JDK's own javadoc: all packages whose {@code package-info.java} is not marked as internal. Pages
- * whose sources have not changed stay as they are.
+ * Generates the API pages with the JDK's javadoc, for all packages whose {@code package-info.java} is not marked as internal. Pages are
+ * regenerated only if sources have changed.
  */
 final class ApiPages {
 
@@ -39,17 +39,17 @@ final class ApiPages {
     private final String version;
 
     /**
-     * Looks at a project.
+     * Creates the generator.
      *
-     * @param root its folder
-     * @param version its version, which each page tells
+     * @param root the folder of the project
+     * @param version version of the project, shown on each page
      */
     ApiPages(Path root, String version) {
         this.root = root;
         this.version = version;
     }
 
-    /** Whether a file says that its package belongs to the API. */
+    /** Returns whether a file is the {@code package-info.java} of an API package. */
     static boolean isPackageOfApi(Path file) {
         try {
             return file.endsWith(PACKAGE_INFO) && !Files.readString(file).contains(INTERNAL);
@@ -58,12 +58,12 @@ final class ApiPages {
         }
     }
 
-    /** The address of the page of a package, from its {@code package-info.java} within the project. */
+    /** The address of the page of a package, given the path of its {@code package-info.java}. */
     static String addressOf(String packageInfo) {
         return FOLDER + packageInfo.replaceFirst("^.*src/main/java", "").replace(PACKAGE_INFO, "package-summary.html");
     }
 
-    /** Makes the pages, unless they are there already. */
+    /** Generates the pages unless they are up to date. */
     void build(Path site) throws IOException {
         List<Path> sources = sources();
         Path pages = site.resolve(FOLDER);
@@ -74,7 +74,7 @@ final class ApiPages {
         }
         Files.createDirectories(pages);
         run(arguments(pages, sources));
-        takeOutScripts(pages);
+        extractScripts(pages);
         Files.writeString(note, content);
     }
 
@@ -126,7 +126,7 @@ final class ApiPages {
         return arguments;
     }
 
-    /** The classes beside this one, which Maven gives to a loader of its own; internal types that the API names are among them. */
+    /** The class path of this class, which Maven loads separately; it contains internal types that the API refers to. */
     private static String classPath() {
         if (!(ApiPages.class.getClassLoader() instanceof URLClassLoader loader)) {
             return System.getProperty("java.class.path");
@@ -136,8 +136,8 @@ final class ApiPages {
                 .collect(Collectors.joining(File.pathSeparator));
     }
 
-    /** The studio serves pages that run scripts from files only. */
-    private static void takeOutScripts(Path pages) throws IOException {
+    /** Moves inline scripts to files, since the studio's Content-Security-Policy forbids inline scripts. */
+    private static void extractScripts(Path pages) throws IOException {
         List<Path> files;
         try (Stream<Path> all = Files.walk(pages)) {
             files = all.filter(file -> file.toString().endsWith(".html")).toList();
@@ -160,11 +160,11 @@ final class ApiPages {
     private static void run(List<String> arguments) {
         ToolProvider javadoc = ToolProvider.findFirst("javadoc")
                 .orElseThrow(() -> new IllegalStateException(
-                        "The API pages need the javadoc of a JDK, which this Java lacks. Set JAVA_HOME to a JDK."));
-        ByteArrayOutputStream told = new ByteArrayOutputStream();
-        PrintStream printer = new PrintStream(told, true, UTF_8);
+                        "The API pages need javadoc, which this Java runtime lacks. Set JAVA_HOME to a JDK."));
+        ByteArrayOutputStream output = new ByteArrayOutputStream();
+        PrintStream printer = new PrintStream(output, true, UTF_8);
         if (javadoc.run(printer, printer, arguments.toArray(String[]::new)) != 0) {
-            throw new IllegalStateException("javadoc has failed:\n" + told.toString(UTF_8));
+            throw new IllegalStateException("javadoc failed:\n" + output.toString(UTF_8));
         }
     }
 }

@@ -18,8 +18,7 @@ import org.commonmark.renderer.html.HtmlRenderer;
 import org.commonmark.renderer.text.TextContentRenderer;
 
 /**
- * A page in Markdown, read and taken apart. Its headings get the same anchors as on the code hosts, so that a link works in both
- * places.
+ * A parsed Markdown page. Its headings have the same anchors as on code hosts, so that links work in both places.
  */
 final class Article {
 
@@ -41,12 +40,12 @@ final class Article {
     }
 
     /**
-     * What stands below a heading.
+     * A section under a heading.
      *
-     * @param level of the heading, 1 for the title
-     * @param anchor how a link names it
-     * @param title the heading
-     * @param text all words up to the next heading
+     * @param level level of the heading, 1 for the title
+     * @param anchor its anchor
+     * @param title text of the heading
+     * @param text plain text up to the next heading
      */
     record Section(int level, String anchor, String title, String text) {}
 
@@ -72,7 +71,6 @@ final class Article {
         return sections().stream().findFirst().map(Section::title).orElse(address);
     }
 
-    /** All sections in their order. */
     List<Section> sections() {
         List<Section> ordered = new ArrayList<>();
         document.accept(new AbstractVisitor() {
@@ -89,8 +87,8 @@ final class Article {
     }
 
     /**
-     * The page as HTML, with its links as they are now. The empty corner of a table is no head that a screen reader would read; code
-     * can be focused, so that the arrow keys scroll to the end of a long line.
+     * Renders the page as HTML with its current links. Empty header cells of tables become data cells, for screen readers; code blocks are
+     * focusable, so that long lines can be scrolled with the arrow keys.
      */
     String html() {
         return HtmlRenderer.builder()

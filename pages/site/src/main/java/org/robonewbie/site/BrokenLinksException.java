@@ -2,12 +2,12 @@ package org.robonewbie.site;
 
 import java.util.List;
 
-/** Links in the documentation lead nowhere. */
+/** The documentation contains broken links. */
 public final class BrokenLinksException extends RuntimeException {
 
     private static final long serialVersionUID = 1;
 
     BrokenLinksException(List<String> broken) {
-        super("Correct these links of the documentation:\n  " + String.join("\n  ", broken));
+        super("Fix these broken links in the documentation:\n  " + String.join("\n  ", broken));
     }
 }

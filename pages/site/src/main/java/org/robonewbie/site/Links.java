@@ -10,7 +10,7 @@ import org.commonmark.node.AbstractVisitor;
 import org.commonmark.node.Image;
 import org.commonmark.node.Link;
 
-/** Turns the links between files into links between pages, and collects what they need and which of them lead nowhere. */
+/** Translates links between files to links between pages; collects the referenced files and the broken links. */
 final class Links {
 
     private final Addresses addresses;
@@ -20,32 +20,31 @@ final class Links {
     private final List<String> broken = new ArrayList<>();
 
     /**
-     * Knows where everything is.
+     * Creates the translator.
      *
-     * @param addresses of all files
-     * @param articles by their source
+     * @param addresses addresses of all files
+     * @param articles all pages by source file
      */
     Links(Addresses addresses, Map<Path, Article> articles) {
         this.addresses = addresses;
         this.articles = articles;
     }
 
-    /** Pictures that pages show, and slides, which are pages already. */
+    /** Pictures and ready-made HTML slides that pages refer to. */
     List<Path> pictures() {
         return List.copyOf(pictures);
     }
 
-    /** Files and folders of the project that pages point to, and that are no pages themselves. */
+    /** Other files and folders of the project that pages refer to. */
     List<Path> files() {
         return List.copyOf(files);
     }
 
-    /** A sentence for each link that leads nowhere. */
+    /** One message per broken link. */
     List<String> broken() {
         return List.copyOf(broken);
     }
 
-    /** Changes all links of a page. */
     void translate(Article article) {
         article.document().accept(new AbstractVisitor() {
             @Override
@@ -73,11 +72,11 @@ final class Links {
                 ? from.source()
                 : from.source().resolveSibling(path).normalize();
         if (!Files.exists(target)) {
-            broken.add(addresses.name(from.source()) + ": there is no " + destination);
+            broken.add(addresses.name(from.source()) + ": missing file in link " + destination);
             return destination;
         }
         if (!anchor.isEmpty() && !hasAnchor(target, anchor)) {
-            broken.add(addresses.name(from.source()) + ": there is no heading for " + destination);
+            broken.add(addresses.name(from.source()) + ": missing heading in link " + destination);
         }
         collect(target);
         String address = path.isEmpty() ? "" : Addresses.relative(from.address(), addresses.of(target));

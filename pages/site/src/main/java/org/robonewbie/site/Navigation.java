@@ -14,8 +14,8 @@ import org.commonmark.node.Node;
 import org.commonmark.renderer.text.TextContentRenderer;
 
 /**
- * The order of the pages: the start page names chapters by its headings and pages by its links; pages of the same folder stand
- * below the first page of that folder.
+ * Table of contents. The start page defines chapters by its headings and pages by its links; other pages of a folder are nested below the
+ * folder's first page.
  */
 final class Navigation {
 
@@ -26,7 +26,7 @@ final class Navigation {
     }
 
     /**
-     * Some pages under one heading.
+     * A group of pages.
      *
      * @param title the heading
      * @param entries the pages
@@ -34,14 +34,14 @@ final class Navigation {
     record Chapter(String title, List<Entry> entries) {}
 
     /**
-     * A page in the list.
+     * A page in a chapter.
      *
      * @param article the page
-     * @param below pages of its folder, in their order
+     * @param below nested pages of its folder, in order
      */
     record Entry(Article article, List<Article> below) {}
 
-    /** Reads the order from the start page, whose links still name files. */
+    /** Reads the order from the start page, whose links must not have been translated yet. */
     static Navigation of(Article start, Map<Path, Article> articles) {
         List<Chapter> chapters = new ArrayList<>();
         for (Node node = start.document().getFirstChild(); node != null; node = node.getNext()) {
@@ -56,12 +56,11 @@ final class Navigation {
         return new Navigation(chapters);
     }
 
-    /** All chapters. */
     List<Chapter> chapters() {
         return chapters;
     }
 
-    /** All pages in the order in which one would read them. */
+    /** All pages in reading order. */
     List<Article> order() {
         return chapters.stream()
                 .flatMap(chapter -> chapter.entries().stream())
@@ -70,7 +69,7 @@ final class Navigation {
                 .toList();
     }
 
-    /** The page that follows or precedes another one. */
+    /** The page at an offset in reading order. */
     Optional<Article> neighbour(Article article, int steps) {
         List<Article> order = order();
         int index = order.indexOf(article) + steps;

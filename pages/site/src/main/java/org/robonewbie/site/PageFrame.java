@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
-/** What all pages have around their text: name, version, search, list of pages, and the way to the pages before and after. */
+/** HTML template around each page: name, version, search, table of contents, and links to the previous and the next page. */
 final class PageFrame {
 
     private static final String START = "index.html";
@@ -15,11 +15,11 @@ final class PageFrame {
     private final Navigation navigation;
 
     /**
-     * Prepares the frame.
+     * Creates the template.
      *
-     * @param template a page with places to be filled, such as {@code {{title}}}
-     * @param version of the project
-     * @param navigation order of the pages
+     * @param template HTML with placeholders such as {@code {{title}}}
+     * @param version version of the project
+     * @param navigation table of contents
      */
     PageFrame(String template, String version, Navigation navigation) {
         this.template = template;
@@ -27,17 +27,17 @@ final class PageFrame {
         this.navigation = navigation;
     }
 
-    /** A page of text. */
+    /** Renders an article. */
     String around(Article article) {
         return fill(article.address(), article.title(), article.html(), onThisPage(article), neighbours(article));
     }
 
-    /** A page that shows something else. */
+    /** Renders any other page. */
     String around(String address, String title, String html) {
         return fill(address, title, html, "", "");
     }
 
-    /** Escapes a text for a page. */
+    /** Escapes a text for HTML. */
     static String escape(String text) {
         return text.replace("&", "&amp;")
                 .replace("<", "&lt;")

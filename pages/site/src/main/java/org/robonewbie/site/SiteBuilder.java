@@ -14,8 +14,8 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 
 /**
- * Builds the documentation site: all Markdown pages of the project as HTML that works from a folder, from the studio and without
- * a network. A link that leads nowhere ends the build.
+ * Builds the documentation site: all Markdown pages of the project as HTML that works offline, from a folder and from the studio. A broken
+ * link fails the build.
  */
 public final class SiteBuilder {
 
@@ -26,10 +26,10 @@ public final class SiteBuilder {
     private final Addresses addresses;
 
     /**
-     * Looks at a project.
+     * Creates a builder.
      *
-     * @param root its folder, in which {@code docs} lies
-     * @param version its version, which each page tells
+     * @param root folder of the project, which contains {@code docs}
+     * @param version version of the project, shown on each page
      */
     public SiteBuilder(Path root, String version) {
         this.root = root.toAbsolutePath().normalize();
@@ -40,7 +40,7 @@ public final class SiteBuilder {
     /**
      * Builds the site.
      *
-     * @param arguments folder of the project, folder of the site, version; one more if API pages are wanted
+     * @param arguments folder of the project, folder of the site, version; a fourth argument enables the API pages
      * @throws IOException if a file cannot be read or written
      */
     public static void main(String[] arguments) throws IOException {
@@ -55,8 +55,8 @@ public final class SiteBuilder {
     /**
      * Builds the site.
      *
-     * @param site folder to write into; what is there is overwritten
-     * @throws BrokenLinksException if a link leads nowhere
+     * @param site destination folder; existing files are overwritten
+     * @throws BrokenLinksException if a link is broken
      * @throws IOException if a file cannot be read or written
      */
     public void build(Path site) throws IOException {
@@ -112,7 +112,7 @@ public final class SiteBuilder {
         }
     }
 
-    /** One entry for each section; a script rather than JSON, since pages opened from a folder may load scripts only. */
+    /** One entry per section. A script, not JSON, since pages opened from a folder may load scripts only. */
     private static String searchIndex(Map<Path, Article> articles) {
         List<Map<String, String>> sections = articles.values().stream()
                 .flatMap(article -> article.sections().stream()

@@ -12,31 +12,30 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * Makes pages of the files of the project to which a page points, such as an example's source, so that the site is complete
- * without it.
+ * Renders project files that pages refer to, such as sources of examples, so that the site is self-contained.
  */
 final class SourcePages {
 
     private final Addresses addresses;
 
     /**
-     * Knows where files go.
+     * Creates the renderer.
      *
-     * @param addresses of all files
+     * @param addresses addresses of all files
      */
     SourcePages(Addresses addresses) {
         this.addresses = addresses;
     }
 
     /**
-     * The content of a page for a file.
+     * Content of a page for a file.
      *
-     * @param title what it shows
-     * @param html the text
+     * @param title title of the page
+     * @param html its HTML
      */
     record Content(String title, String html) {}
 
-    /** Makes the pages of a file, or of a folder and all text files in it. */
+    /** Renders a file, or a folder and all text files in it. */
     Map<String, Content> of(Path target) throws IOException {
         Map<String, Content> pages = new TreeMap<>();
         if (!Files.isDirectory(target)) {

@@ -1,8 +1,7 @@
 /**
- * Makes the documentation site from the Markdown pages of the project, while the project is built. Read {@link
- * org.robonewbie.site.SiteBuilder} first.
+ * Generates the documentation site from the Markdown pages during the build. Start with {@link org.robonewbie.site.SiteBuilder}.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.site;

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A small project becomes a site, and so does this one: whole, with links that lead somewhere, without anything from outside. */
+/** Sites of a small project and of this one are complete, with working links and without external resources. */
 class SiteBuilderTest {
 
     private static final Pattern REFERENCE = Pattern.compile("(?:href|src)=\"([^\"]+)\"");
@@ -74,7 +74,7 @@ class SiteBuilderTest {
     }
 
     @Test
-    void everyPageTellsTheVersionAndKnowsTheOthers() throws IOException {
+    void everyPageShowsVersionAndNavigation() throws IOException {
         build(project);
 
         assertThat(read("lessons/1-step.html"))
@@ -85,7 +85,7 @@ class SiteBuilderTest {
     }
 
     @Test
-    void searchKnowsEachSection() throws IOException {
+    void searchIndexHasEverySection() throws IOException {
         build(project);
 
         assertThat(read("search-index.js"))
@@ -94,13 +94,13 @@ class SiteBuilderTest {
     }
 
     @Test
-    void linkThatLeadsNowhereEndsTheBuild() throws IOException {
+    void brokenLinkFailsTheBuild() throws IOException {
         page("docs/rules.md", "# Rules\n\n[gone](gone.md), [no heading](README.md#nothing)\n");
 
         assertThatThrownBy(() -> build(project))
                 .isInstanceOf(BrokenLinksException.class)
-                .hasMessageContaining("docs/rules.md: there is no gone.md")
-                .hasMessageContaining("docs/rules.md: there is no heading for README.md#nothing");
+                .hasMessageContaining("docs/rules.md: missing file in link gone.md")
+                .hasMessageContaining("docs/rules.md: missing heading in link README.md#nothing");
     }
 
     @Test
@@ -120,7 +120,7 @@ class SiteBuilderTest {
         build(projectRoot());
 
         Set<String> listed = new HashSet<>();
-        List<Path> framed = new ArrayList<>(); // slides and cards are shown and printed without the list
+        List<Path> framed = new ArrayList<>(); // slides and cards have no navigation
         for (Path page : files(".html")) {
             if (Files.readString(page).contains("<nav aria-label=\"Pages\">")) {
                 framed.add(page);

@@ -1,3 +1,3 @@
-/** Tests of the site: that of the project itself, and small ones. */
+/** Tests of the site generator, on this project and on small ones. */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.site;

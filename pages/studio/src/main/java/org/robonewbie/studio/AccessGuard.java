@@ -12,14 +12,14 @@ import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
 import org.jspecify.annotations.Nullable;
 
-/** Stands before everything else in the server: signs browsers in and turns away what {@link AccessRule} refuses. */
+/** Outermost HTTP handler: signs browsers in, rejects what {@link AccessRule} refuses, and sets the security headers. */
 final class AccessGuard extends Handler.Wrapper {
 
     private static final String USED_UP = """
             <!doctype html>
             <html lang="en"><meta charset="utf-8"><title>RoboNewbie Studio</title>
-            <h1>This address has been used</h1>
-            <p>An address of the studio opens it once, within ten minutes.
+            <h1>This address has already been used</h1>
+            <p>Each address works once, within ten minutes.
             Press <kbd>Enter</kbd> in the terminal where RoboNewbie runs for a new one, or start RoboNewbie again.</p>
             <p>In this browser the studio may be <a href="/">open already</a>.</p>
             """;
@@ -64,7 +64,7 @@ final class AccessGuard extends Handler.Wrapper {
         return super.handle(request, response, callback);
     }
 
-    /** Answers an address that holds a code by the way to the same page without it. */
+    /** Redeems the one-time code of an address and redirects to the same page without it. */
     private void exchange(Request request, Response response, String code, boolean isSignedIn, Callback callback) {
         response.getHeaders().put(HttpHeader.CACHE_CONTROL, "no-store");
         boolean isNew = signIn.redeem(code);

@@ -16,11 +16,10 @@ import java.util.HexFormat;
 import java.util.regex.Pattern;
 
 /**
- * The secret of one user from which the cookies of studios are derived: 128 random bits that leave neither this process nor the
- * file in which they are kept.
+ * Secret of one user from which the cookies of all studios are derived: 128 random bits, known only to this process and its file.
  *
- * <p>It is the same in all runs of a day, in a file that only this user can read, so that an open page finds back to a simulator
- * that was started again.
+ * <p>The token lives for a day in a file that only this user can read, so that an open page reconnects after the simulator has
+ * been restarted.
  *
  * @param text 32 hexadecimal digits
  */
@@ -28,7 +27,7 @@ public record AccessToken(String text) {
 
     private static final int BYTES = 16;
     private static final Pattern FORM = Pattern.compile("[0-9a-f]{32}");
-    /** How long a kept token lasts, and with it the cookies. */
+    /** Lifetime of a stored token and of the cookies. */
     static final Duration LIFETIME = Duration.ofDays(1);
 
     /**
@@ -43,7 +42,7 @@ public record AccessToken(String text) {
     }
 
     /**
-     * Draws a new token.
+     * Generates a new token.
      *
      * @return a random token that cannot be guessed
      */
@@ -51,7 +50,7 @@ public record AccessToken(String text) {
         return new AccessToken(randomDigits());
     }
 
-    /** Draws 128 random bits as hexadecimal digits. */
+    /** Returns 128 random bits as hexadecimal digits. */
     static String randomDigits() {
         byte[] bytes = new byte[BYTES];
         new SecureRandom().nextBytes(bytes);
@@ -59,9 +58,9 @@ public record AccessToken(String text) {
     }
 
     /**
-     * Takes the token of this user, kept in {@code .robonewbie/studio-token} in the home directory.
+     * Loads the token of this user from {@code .robonewbie/studio-token} in the home directory.
      *
-     * @return the kept token, or a new one if none can be kept there
+     * @return the stored token, or an unsaved new one if the file is not accessible
      */
     public static AccessToken ofUser() {
         Path file = Path.of(System.getProperty("user.home", "."), ".robonewbie", "studio-token");
@@ -73,12 +72,12 @@ public record AccessToken(String text) {
     }
 
     /**
-     * Takes the token that a file holds; draws and writes one if there is none, or it is damaged or older than a day.
+     * Loads the token from a file. Replaces it by a new one if the file is missing, malformed or older than a day.
      *
-     * @param file where the token is kept
-     * @param now the present time
-     * @return the kept token
-     * @throws IOException if the file can neither be read nor written
+     * @param file the token file
+     * @param now the current time
+     * @return the stored token
+     * @throws IOException if the file can be neither read nor written
      */
     static AccessToken keptIn(Path file, Instant now) throws IOException {
         if (Files.isRegularFile(file)
@@ -104,7 +103,7 @@ public record AccessToken(String text) {
     }
 
     /**
-     * Derives the secret of the studio at one port. It does not reveal the token, nor the secret of another port.
+     * Derives the secret of the studio at one port. It reveals neither the token nor the secret of another port.
      *
      * @param port TCP port of the studio
      * @return hexadecimal digits
@@ -115,7 +114,7 @@ public record AccessToken(String text) {
                     .digest((text + " studio " + port).getBytes(StandardCharsets.UTF_8));
             return HexFormat.of().formatHex(digest, 0, BYTES);
         } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("Every Java has SHA-256.", e);
+            throw new IllegalStateException("SHA-256 is part of every Java runtime.", e);
         }
     }
 }

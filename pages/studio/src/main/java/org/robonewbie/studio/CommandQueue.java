@@ -4,38 +4,38 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 
-/** Where what people do to the world waits: for what was done before it, for the simulation, and for robots that come. */
+/** Queue of user commands. They run in order, and may wait for the simulation or for robots that join. */
 interface CommandQueue extends AutoCloseable {
 
     /**
-     * Does some work after all that was given before.
+     * Enqueues a command.
      *
-     * @param work what is done
+     * @param work the command
      */
     void later(Runnable work);
 
     /**
-     * Does some work after all that was given before, and waits for it.
+     * Enqueues a command and waits for its result.
      *
-     * @param work what is done
+     * @param work the command
      * @return its result
-     * @throws IllegalStateException if the work is refused; the message says why
+     * @throws IllegalStateException if the command is refused; the message gives the reason
      */
     <T> T result(Supplier<T> work);
 
     /**
-     * Asks the simulation.
+     * Sends the simulation a request and waits for the answer.
      *
-     * @param none the answer of a simulation that has ended
-     * @param request asks, and names who takes the answer
+     * @param none the result if the simulation has ended
+     * @param request starts the request with the given callback
      * @return the answer
      */
     <T> T answer(T none, Consumer<Consumer<T>> request);
 
     /**
-     * Waits until something has come about, for some seconds at most.
+     * Waits for a condition, for some seconds at most.
      *
-     * @param condition whether it has
+     * @param condition the condition
      */
     void await(BooleanSupplier condition);
 

@@ -6,19 +6,19 @@ import java.util.Set;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 
-/** What goes wrong in programs, for all pages, whichever robot they watch; the same only once. */
+/** Warnings and errors of all robots' programs, without duplicates. Sent to every page, whichever robot it watches. */
 final class DiagnosticsFeed {
 
-    private static final int MOST_MISTAKES = 500;
+    private static final int MAX_DIAGNOSTICS = 500;
     private static final Set<String> SERIOUS = Set.of("WARNING", "ERROR");
 
-    private final Set<String> told = new HashSet<>();
+    private final Set<String> sent = new HashSet<>();
 
-    /** Returns a mistake as JSON; empty if the message is none, or an old one. */
+    /** Returns a warning or error as JSON; empty for other messages and for duplicates. */
     Optional<String> of(TelemetryMessage message) {
         if (message.item() instanceof TelemetryItem.LogEntry line && SERIOUS.contains(line.level())) {
-            String json = SceneDescriptionWriter.mistake(message.team(), message.number(), line);
-            return told.size() < MOST_MISTAKES && told.add(json) ? Optional.of(json) : Optional.empty();
+            String json = SceneDescriptionWriter.diagnostic(message.team(), message.number(), line);
+            return sent.size() < MAX_DIAGNOSTICS && sent.add(json) ? Optional.of(json) : Optional.empty();
         }
         return Optional.empty();
     }

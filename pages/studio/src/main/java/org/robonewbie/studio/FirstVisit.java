@@ -5,15 +5,11 @@ import java.net.InetAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 
-/**
- * Asks the studio for its start page while the browser of the person still starts, since Java is slow at everything that it
- * does first.
- */
+/** Warm-up request for the start page, sent while the user's browser is still starting, so that the JVM has loaded the server code. */
 final class FirstVisit {
 
     private FirstVisit() {}
 
-    /** Starts the visit in the background. */
     static void start(WebFiles files, int port) {
         Thread visitor = new Thread(() -> visit(files, port), "studio-first-visit");
         visitor.setDaemon(true);
@@ -27,7 +23,7 @@ final class FirstVisit {
             socket.getOutputStream().write(request.getBytes(StandardCharsets.US_ASCII));
             socket.getInputStream().readAllBytes();
         } catch (IOException closedMeanwhile) {
-            // The user's own visit will then be the first one.
+            // The user's own visit is then the first one.
         }
     }
 }

@@ -6,11 +6,11 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 
-/** Does everything at once, where simulation, robots and people share one thread, such as in a page of the browser. */
+/** Command queue that runs each command immediately. For pages where simulation, robots and user share one thread. */
 final class InlineCommandQueue implements CommandQueue {
 
-    /** Robots enter while they are looked for; one that has to wait for another team comes at the second look. */
-    private static final int MOST_LOOKS = 10;
+    /** Each evaluation lets robots join; a robot that has to wait for the other team joins during the second one. */
+    private static final int MAX_EVALUATIONS = 10;
 
     @Override
     public void later(Runnable work) {
@@ -32,13 +32,13 @@ final class InlineCommandQueue implements CommandQueue {
     @Override
     public void await(BooleanSupplier condition) {
         boolean holds = false;
-        for (int look = 0; look < MOST_LOOKS && !holds; look++) {
+        for (int look = 0; look < MAX_EVALUATIONS && !holds; look++) {
             holds = condition.getAsBoolean();
         }
     }
 
     @Override
     public void close() {
-        // nothing is under way
+        // nothing is pending
     }
 }

@@ -29,20 +29,19 @@ import org.robonewbie.simulator.soccer.MatchEvent;
 import org.robonewbie.studio.roboviz.RoboVizFeed;
 
 /**
- * Sends the latest state of the simulation to all pages, about 25 times per second.
+ * Broadcasts the latest state of the simulation to all pages, about 25 times per second.
  *
- * <p>The simulation's thread only leaves a reference here. A thread of the feed turns it into bytes once and passes them to
- * each spectator that has finished with its last frame; the others miss it. So no page can slow down the simulation or another
- * page.
+ * <p>The simulation thread only stores a reference. The feed's thread encodes it once and sends the bytes to each spectator that
+ * has drawn its last frame; the others skip this one. A slow page thus delays neither the simulation nor other pages.
  */
 final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext, AutoCloseable {
 
-    /** A little less than two cycles, so that in real time every second cycle is sent. */
+    /** Slightly less than two cycles, so that every second cycle is sent in real time. */
     private static final long SEND_INTERVAL_NANOS = TimeUnit.MILLISECONDS.toNanos(37);
 
-    private static final int MOST_THOUGHTS = 20_000;
-    private static final int MOST_MESSAGES = 500;
-    private static final long LATEST_LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
+    private static final int MAX_TELEMETRY = 20_000;
+    private static final int MAX_MESSAGES = 500;
+    private static final long MAX_PARK_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
 
     private final SimulationControl simulation;
     private final PuppetService puppets;
@@ -53,10 +52,10 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
     private final Queue<MatchEvent> events = new ConcurrentLinkedQueue<>();
     private final Queue<String> sentences = new ConcurrentLinkedQueue<>();
     private final List<Spectator> spectators = new CopyOnWriteArrayList<>();
-    private final BlockingQueue<TelemetryMessage> telemetry = new ArrayBlockingQueue<>(MOST_THOUGHTS);
-    private final BlockingQueue<AgentMessages> messages = new ArrayBlockingQueue<>(MOST_MESSAGES);
-    private final DiagnosticsFeed mistakes = new DiagnosticsFeed();
-    private final TelemetryHistory memory = new TelemetryHistory();
+    private final BlockingQueue<TelemetryMessage> telemetry = new ArrayBlockingQueue<>(MAX_TELEMETRY);
+    private final BlockingQueue<AgentMessages> messages = new ArrayBlockingQueue<>(MAX_MESSAGES);
+    private final DiagnosticsFeed diagnostics = new DiagnosticsFeed();
+    private final TelemetryHistory history = new TelemetryHistory();
     private final Consumer<TelemetryMessage> notes;
     private final Thread sender = new Thread(this::send, "studio-live-feed");
     private volatile @Nullable WorldSnapshot latest;
@@ -70,12 +69,12 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
     private String sceneJson = "";
     private ByteBuffer frame = ByteBuffer.allocate(0);
 
-    /** Feeds pages only. */
+    /** Creates a feed for pages only. */
     LiveFeed(SimulationControl simulation) {
         this(simulation, message -> {});
     }
 
-    /** Feeds pages, and passes the robots' telemetry on to a listener that records it. */
+    /** Creates a feed that also passes the robots' telemetry to a recording listener. */
     LiveFeed(SimulationControl simulation, Consumer<TelemetryMessage> notes) {
         this.simulation = simulation;
         this.notes = notes;
@@ -127,7 +126,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
     public WorldSnapshot now() {
         WorldSnapshot snapshot = latest;
         if (snapshot == null) {
-            throw new IllegalStateException("The world has not begun yet. Try again in a moment.");
+            throw new IllegalStateException("The simulation has not started yet. Try again in a moment.");
         }
         return snapshot;
     }
@@ -145,7 +144,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
         spectators.remove(spectator);
     }
 
-    /** Without a page, one snapshot per frame is enough to answer where the world is. */
+    /** Without a page, one snapshot per frame interval suffices for {@link #now}. */
     @Override
     public boolean wantsSnapshot() {
         return isWanted() || latest == null || System.nanoTime() - lastWakeNanos >= SEND_INTERVAL_NANOS;
@@ -166,7 +165,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
         return watchedRobots.containsKey(robot);
     }
 
-    /** Takes what the agent of a watched robot has said and heard; what is too much for the pages is left out. */
+    /** Queues the messages that a watched robot's agent exchanged. Drops them when the queue is full. */
     @Override
     public void messagesExchanged(AgentMessages exchanged) {
         messages.offer(exchanged);
@@ -189,7 +188,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
         sentences.add(sentence);
     }
 
-    /** Takes what a robot tells; what is too much for the pages is left out. */
+    /** Queues telemetry of a robot. Clears the queue when it is full. */
     @Override
     public void accept(TelemetryMessage message) {
         if (isWanted() && !telemetry.offer(message)) {
@@ -202,49 +201,49 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
         return !spectators.isEmpty();
     }
 
-    private void handOnEvents() {
+    private void queueEvents() {
         for (MatchEvent event = events.poll(); event != null; event = events.poll()) {
             String json = SceneDescriptionWriter.event(event);
-            spectators.forEach(spectator -> spectator.tell(json));
+            spectators.forEach(spectator -> spectator.enqueue(json));
         }
     }
 
-    /** What was told before a page was open is kept for the first one. */
-    private void handOnSentences() {
+    /** Messages from before the first page was opened are kept for it. */
+    private void queueSentences() {
         while (isWanted() && !sentences.isEmpty()) {
-            String json = SceneDescriptionWriter.told(sentences.remove());
-            spectators.forEach(spectator -> spectator.tell(json));
+            String json = SceneDescriptionWriter.notice(sentences.remove());
+            spectators.forEach(spectator -> spectator.enqueue(json));
         }
     }
 
-    private void handOnDeeds() {
+    private void queueUndoNames() {
         UndoManager.Names names = undoManager.names();
-        spectators.forEach(spectator -> spectator.tellDeeds(names));
+        spectators.forEach(spectator -> spectator.enqueueUndoNames(names));
     }
 
-    private void handOnThoughts() {
+    private void queueTelemetry() {
         List<TelemetryMessage> news = new ArrayList<>();
         telemetry.drainTo(news);
-        spectators.forEach(spectator -> spectator.telemetry().remember(memory));
+        spectators.forEach(spectator -> spectator.telemetry().remember(history));
         for (TelemetryMessage message : news) {
-            memory.keep(message);
+            history.keep(message);
             notes.accept(message);
-            mistakes.of(message).ifPresent(json -> spectators.forEach(spectator -> spectator.tell(json)));
-            spectators.forEach(spectator -> spectator.telemetry().hear(message));
+            diagnostics.of(message).ifPresent(json -> spectators.forEach(spectator -> spectator.enqueue(json)));
+            spectators.forEach(spectator -> spectator.telemetry().add(message));
         }
-        handOnMessages();
+        queueMessages();
     }
 
-    private void handOnMessages() {
+    private void queueMessages() {
         List<AgentMessages> news = new ArrayList<>();
         messages.drainTo(news);
         for (AgentMessages exchanged : news) {
             String robot = watchedRobots.getOrDefault(exchanged.robot(), "");
-            spectators.forEach(spectator -> spectator.telemetry().hear(robot, exchanged));
+            spectators.forEach(spectator -> spectator.telemetry().add(robot, exchanged));
         }
     }
 
-    private void lookWhoIsWatched(WorldSnapshot snapshot) {
+    private void updateWatchedRobots(WorldSnapshot snapshot) {
         Map<Integer, String> watched = new HashMap<>();
         for (RobotSnapshot robot : snapshot.robots()) {
             String key = TelemetryHistory.key(robot.team(), robot.number());
@@ -257,20 +256,20 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
 
     private void send() {
         while (open) {
-            handOnThoughts();
-            handOnEvents();
-            handOnSentences();
-            handOnDeeds();
-            spectators.forEach(spectator -> spectator.tellDrawings(board));
+            queueTelemetry();
+            queueEvents();
+            queueSentences();
+            queueUndoNames();
+            spectators.forEach(spectator -> spectator.enqueueDrawings(board));
             WorldSnapshot snapshot = latest;
             if (snapshot != null && !spectators.isEmpty()) {
                 write(snapshot);
-                lookWhoIsWatched(snapshot);
+                updateWatchedRobots(snapshot);
                 for (Spectator spectator : spectators) {
                     spectator.offer(sceneRevision, sceneJson, frame);
                 }
             }
-            LockSupport.parkNanos(LATEST_LOOK_NANOS);
+            LockSupport.parkNanos(MAX_PARK_NANOS);
         }
     }
 
@@ -296,6 +295,6 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
         puppets.close();
         commandQueue.close();
         LockSupport.unpark(sender);
-        spectators.forEach(Spectator::sayGoodbye);
+        spectators.forEach(Spectator::disconnect);
     }
 }

@@ -10,8 +10,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * Lists in the page itself which scripts it will need. Otherwise a browser discovers a script's imports only after reading the
- * script, and requests one layer after another.
+ * Adds {@code modulepreload} links for all scripts of a page. Without them a browser discovers imports only after it has parsed
+ * the importing script, one layer per round trip.
  */
 public final class ModuleGraph {
 
@@ -22,19 +22,19 @@ public final class ModuleGraph {
     private final Function<String, Optional<String>> files;
 
     /**
-     * A graph of scripts.
+     * Creates a graph.
      *
-     * @param files gives the text of a script by its path
+     * @param files returns the text of a script by its path
      */
     public ModuleGraph(Function<String, Optional<String>> files) {
         this.files = files;
     }
 
     /**
-     * Adds the links to a page, before the script that needs them.
+     * Inserts the links before the script element that needs them.
      *
-     * @param page its HTML
-     * @return the page with a link for each script
+     * @param page HTML of the page
+     * @return the HTML with one link per script
      */
     public String withPreloads(String page) {
         Matcher start = START.matcher(page);
@@ -47,7 +47,7 @@ public final class ModuleGraph {
         return page.substring(0, start.start()) + links + page.substring(start.start());
     }
 
-    /** All scripts that a script needs from its start on, itself not counted; those that it needs directly come first. */
+    /** Returns the transitive imports of a script in breadth-first order, without the script itself. */
     Set<String> scriptsOf(String script) {
         Set<String> found = new LinkedHashSet<>();
         Set<String> layer = Set.of(script);

@@ -19,8 +19,8 @@ import org.robonewbie.simulator.soccer.MatchEvent;
 import org.robonewbie.studio.replay.NoteLines;
 
 /**
- * Shows a world to one page in whose worker it runs: the messages are those of the live feed, but there is neither thread nor clock
- * nor socket. Used by one thread only.
+ * Live feed for a single page in whose worker the world runs. It sends the messages of {@link LiveFeed} without a thread, a clock
+ * or a socket. Not thread-safe.
  */
 public final class PageFeed implements TelemetrySink {
 
@@ -28,53 +28,53 @@ public final class PageFeed implements TelemetrySink {
     private final Page page;
     private final SteppedContext context;
     private final TelemetryFeed telemetry = new TelemetryFeed();
-    private final TelemetryHistory memory = new TelemetryHistory();
-    private final DiagnosticsFeed mistakes = new DiagnosticsFeed();
+    private final TelemetryHistory history = new TelemetryHistory();
+    private final DiagnosticsFeed diagnostics = new DiagnosticsFeed();
     private final NoteLines notes = new NoteLines();
-    private final List<String> news = new ArrayList<>();
+    private final List<String> queue = new ArrayList<>();
     private Optional<TrialLabel> judged = Optional.empty();
-    private Optional<UndoManager.Names> toldDeeds = Optional.empty();
+    private Optional<UndoManager.Names> sentUndoNames = Optional.empty();
     private boolean ready = true;
     private int sceneRevision;
     private @Nullable SceneDescription scene;
     private @Nullable ByteBuffer shown;
 
-    /** The world that is shown. What the page asks for is carried out at once, and puppets enter before their maker returns. */
+    /** The displayed world. It applies orders immediately, and puppets have joined when {@link #start} returns. */
     public interface World extends SimulationControl, PuppetProvider {
 
-        /** {@return its present state} */
+        /** {@return the current state} */
         WorldSnapshot now();
 
         @Override
         default void addObserver(SimulationObserver observer) {
-            throw new UnsupportedOperationException("The feed of the page is the only one that looks at its world.");
+            throw new UnsupportedOperationException("The world of a page supports no observers.");
         }
 
         @Override
         default void removeObserver(SimulationObserver observer) {
-            throw new UnsupportedOperationException("The feed of the page is the only one that looks at its world.");
+            throw new UnsupportedOperationException("The world of a page supports no observers.");
         }
     }
 
-    /** Where the messages go. */
+    /** Receiver of the messages. */
     public interface Page {
 
         /**
-         * Takes a piece of news.
+         * Receives a message.
          *
          * @param json one JSON object
          */
-        void tell(String json);
+        void send(String json);
 
         /**
-         * Takes the state of the world.
+         * Receives the state of the world.
          *
          * @param frame a state frame
          */
         void show(byte[] frame);
 
         /**
-         * Keeps a note beside the recording of the world.
+         * Stores a note beside the recording of the world.
          *
          * @param note a line of {@link NoteLines}
          */
@@ -82,10 +82,10 @@ public final class PageFeed implements TelemetrySink {
     }
 
     /**
-     * Prepares to show a world.
+     * Creates a feed.
      *
-     * @param world what is shown and acted upon; it need not have begun
-     * @param page gets the messages
+     * @param world the displayed world; it need not have started
+     * @param page the receiver of the messages
      */
     public PageFeed(World world, Page page) {
         this.world = world;
@@ -94,26 +94,25 @@ public final class PageFeed implements TelemetrySink {
     }
 
     /**
-     * Says that the world is a trial from now on.
+     * Marks the world as a trial from now on.
      *
-     * @param trial what is judged in it
+     * @param trial the trial
      */
     public void judge(TrialLabel trial) {
         judged = Optional.of(trial);
     }
 
-    /** What the page can act upon. */
     SteppedContext context() {
         return context;
     }
 
-    /** {@return what is judged in this world; empty where everybody just plays} */
+    /** {@return the trial that runs in this world; empty for free play} */
     public Optional<TrialLabel> trial() {
         return judged;
     }
 
     /**
-     * Does what the page asks for.
+     * Executes a command of the page.
      *
      * @param command one JSON object
      */
@@ -124,7 +123,7 @@ public final class PageFeed implements TelemetrySink {
                 ready = true;
             } else if (request instanceof StudioRequest.Watch watch) {
                 telemetry.watch(TelemetryHistory.key(watch.team(), watch.number()));
-                telemetry.remember(memory);
+                telemetry.remember(history);
             } else {
                 request.applyTo(context);
             }
@@ -134,48 +133,48 @@ public final class PageFeed implements TelemetrySink {
     }
 
     /**
-     * Returns whether the page looks at a robot from inside.
+     * Returns whether the page watches a robot's internals.
      *
-     * @param robot any robot
-     * @return whether its agent's messages are wanted
+     * @param robot a robot
+     * @return whether the messages of its agent are needed
      */
     public boolean watches(RobotSnapshot robot) {
         return telemetry.watches(TelemetryHistory.key(robot.team(), robot.number()));
     }
 
     /**
-     * Keeps what a watched robot's agent says and hears.
+     * Queues the messages that a watched robot's agent exchanged.
      *
      * @param robot the robot
-     * @param messages what was said
+     * @param messages the messages of one cycle
      */
     public void exchanged(RobotSnapshot robot, AgentMessages messages) {
-        telemetry.hear(TelemetryHistory.key(robot.team(), robot.number()), messages);
+        telemetry.add(TelemetryHistory.key(robot.team(), robot.number()), messages);
     }
 
     /**
-     * Keeps what has happened in the game.
+     * Queues a match event.
      *
      * @param event the event
      */
     public void happened(MatchEvent event) {
-        news.add(SceneDescriptionWriter.event(event));
+        queue.add(SceneDescriptionWriter.event(event));
     }
 
     /**
-     * Keeps what the simulator tells people.
+     * Queues a message of the simulator to the user.
      *
      * @param sentence a complete sentence
      */
     public void told(String sentence) {
-        news.add(SceneDescriptionWriter.told(sentence));
+        queue.add(SceneDescriptionWriter.notice(sentence));
     }
 
     @Override
     public void accept(TelemetryMessage message) {
-        memory.keep(message);
-        mistakes.of(message).ifPresent(news::add);
-        telemetry.hear(message);
+        history.keep(message);
+        diagnostics.of(message).ifPresent(queue::add);
+        telemetry.add(message);
         notes.of(message).ifPresent(page::keep);
     }
 
@@ -184,13 +183,13 @@ public final class PageFeed implements TelemetrySink {
         return Optional.of(context.numbers());
     }
 
-    /** {@return whether the page has drawn what it got last} */
+    /** {@return whether the page has drawn the last frame} */
     public boolean isReady() {
         return ready;
     }
 
     /**
-     * Sends the state of the world and all news, if the page is ready for them.
+     * Sends the state of the world and all queued messages if the page is ready.
      *
      * @param snapshot the state of the world
      */
@@ -199,11 +198,11 @@ public final class PageFeed implements TelemetrySink {
             return;
         }
         context.puppets().place(snapshot);
-        tellWhoPlays(snapshot);
-        tellDeeds();
-        news.forEach(page::tell);
-        news.clear();
-        telemetry.take().ifPresent(page::tell);
+        sendScene(snapshot);
+        queueUndoNames();
+        queue.forEach(page::send);
+        queue.clear();
+        telemetry.take().ifPresent(page::send);
         ByteBuffer frame = StateFrame.write(snapshot, sceneRevision);
         if (!frame.equals(shown)) {
             ready = false;
@@ -214,20 +213,20 @@ public final class PageFeed implements TelemetrySink {
         }
     }
 
-    private void tellWhoPlays(WorldSnapshot snapshot) {
+    private void sendScene(WorldSnapshot snapshot) {
         SceneDescription current = SceneDescription.of(world, context.puppets(), snapshot);
         if (!current.equals(scene)) {
             scene = current;
             sceneRevision++;
-            page.tell(SceneDescriptionWriter.write(current, sceneRevision));
+            page.send(SceneDescriptionWriter.write(current, sceneRevision));
         }
     }
 
-    private void tellDeeds() {
+    private void queueUndoNames() {
         Optional<UndoManager.Names> names = Optional.of(context.undoManager().names());
-        if (!names.equals(toldDeeds)) {
-            toldDeeds = names;
-            news.add(SceneDescriptionWriter.undoManager(names.get()));
+        if (!names.equals(sentUndoNames)) {
+            sentUndoNames = names;
+            queue.add(SceneDescriptionWriter.undoManager(names.get()));
         }
     }
 }

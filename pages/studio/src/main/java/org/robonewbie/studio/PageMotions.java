@@ -6,28 +6,28 @@ import org.robonewbie.studio.file.RefusedException;
 import org.robonewbie.studio.motion.PhysicalTrial;
 import org.robonewbie.studio.motion.RobotDescription;
 
-/** What the motion editor of a page asks for that has no server behind it. */
+/** Requests of the motion editor that a page without a server answers locally. */
 public final class PageMotions {
 
     private PageMotions() {}
 
-    /** {@return the robot whose motions are edited, as JSON} */
+    /** {@return the robot of the motion editor, as JSON} */
     public static String robot() {
         return RobotDescription.write(SceneDescriptionWriter.model(NaoModel.of(RobotType.TYPE_0)));
     }
 
-    /** {@return the bodies of all robot types, as JSON} */
+    /** {@return the bodies of all robot types by name, as JSON} */
     public static String models() {
         return SceneDescriptionWriter.allModels().toString();
     }
 
     /**
-     * Lets a robot with weight and motors play the motion of a file.
+     * Plays a motion file on a robot with weight and motors.
      *
-     * @param text what is in the file
-     * @param start how the robot is before: {@code standing}, {@code back} or {@code front}
-     * @return what happened, as JSON
-     * @throws RefusedException if the file is no motion or too long; its message says so
+     * @param text content of the file
+     * @param start initial posture: {@code standing}, {@code back} or {@code front}
+     * @return the result as JSON
+     * @throws RefusedException if the text is not a motion or too long
      */
     public static String trial(String text, String start) {
         return PhysicalTrial.json(text, start);

@@ -8,7 +8,7 @@ import org.robonewbie.studio.file.RefusedException;
 import org.robonewbie.studio.scene.SceneRepository;
 import org.robonewbie.studio.scene.SceneService;
 
-/** The scenes of a page in whose worker the world runs. */
+/** Saved scenes of a page in whose worker the world runs. */
 public final class PageScenes {
 
     private static final String PLACE = "this browser";
@@ -16,15 +16,15 @@ public final class PageScenes {
     private final SceneRepository repository;
 
     /**
-     * Opens an empty shelf.
+     * Creates an empty repository.
      *
-     * @param keeper the browser, which keeps scenes for longer
+     * @param keeper the persistent store in the browser
      */
     public PageScenes(SceneRepository.Keeper keeper) {
         repository = new SceneRepository(keeper);
     }
 
-    /** {@return the scenes, which the browser hands over} */
+    /** {@return the scenes in memory} */
     public SceneRepository repository() {
         return repository;
     }
@@ -32,12 +32,12 @@ public final class PageScenes {
     /**
      * Answers a request of the page.
      *
-     * @param feed shows the world
-     * @param method PUT saves or renames, DELETE removes, POST goes back to a scene, all others list them
+     * @param feed the feed of the displayed world
+     * @param method PUT saves or renames, DELETE removes, POST restores, any other method lists the scenes
      * @param name the scene
-     * @param old the scene that is renamed; empty if none is
+     * @param old previous name of a scene to be renamed; else empty
      * @return one JSON object
-     * @throws RefusedException if that cannot be; the message says why
+     * @throws RefusedException if the request is refused; the message gives the reason
      */
     public String answer(PageFeed feed, String method, String name, String old) {
         return attempt(
@@ -46,13 +46,13 @@ public final class PageScenes {
     }
 
     /**
-     * Goes on from a moment of a recording.
+     * Continues from a cycle of a recording.
      *
-     * @param feed shows the world
-     * @param recording the bytes of the recording, not compressed
-     * @param moment number of the moment, from 0
-     * @return how much of it is back, as one JSON object
-     * @throws RefusedException if that cannot be; the message says why
+     * @param feed the feed of the displayed world
+     * @param recording the uncompressed bytes of the recording
+     * @param moment index of the cycle, from 0
+     * @return what was restored, as one JSON object
+     * @throws RefusedException if the request is refused; the message gives the reason
      */
     public String start(PageFeed feed, byte[] recording, long moment) {
         return attempt(

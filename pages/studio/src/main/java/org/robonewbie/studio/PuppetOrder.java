@@ -4,22 +4,22 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.protocol.embedded.Puppet;
 import org.robonewbie.protocol.order.PlayerNumber;
 
-/** What a page wants from a robot that people steer by hand. */
+/** Command for a puppet, a robot that the user steers by hand. */
 sealed interface PuppetOrder {
 
     /**
-     * Does what is wanted.
+     * Applies the command.
      *
      * @param puppet the robot
      */
     void applyTo(Puppet puppet);
 
     /**
-     * Walks; all parts are from -1 to 1.
+     * Walks with the given velocity; all components range from -1 to 1.
      *
-     * @param forward negative is backward
-     * @param left negative is to the right
-     * @param turn negative is to the right
+     * @param forward negative for backward
+     * @param left negative for right
+     * @param turn negative for clockwise
      */
     record Walk(double forward, double left, double turn) implements PuppetOrder {
         @Override
@@ -43,8 +43,8 @@ sealed interface PuppetOrder {
     /**
      * Turns the head.
      *
-     * @param yawDegrees to the left
-     * @param pitchDegrees up
+     * @param yawDegrees angle in degrees, positive to the left
+     * @param pitchDegrees angle in degrees, positive upward
      */
     record Look(double yawDegrees, double pitchDegrees) implements PuppetOrder {
         @Override
@@ -57,7 +57,7 @@ sealed interface PuppetOrder {
      * Moves a joint.
      *
      * @param joint the joint
-     * @param degrees its angle
+     * @param degrees target angle in degrees
      */
     record Hold(Joint joint, double degrees) implements PuppetOrder {
         @Override
@@ -67,10 +67,10 @@ sealed interface PuppetOrder {
     }
 
     /**
-     * An order for a certain robot.
+     * Command addressed to one robot.
      *
      * @param player the robot
-     * @param order what it is to do
+     * @param order the command
      */
     record To(PlayerNumber player, PuppetOrder order) implements StudioRequest {
         @Override

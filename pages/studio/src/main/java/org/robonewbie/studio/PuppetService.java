@@ -16,12 +16,10 @@ import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
 
-/**
- * The robots that people steer from the page, before any line of code is written. They join as ordinary agents do.
- */
+/** Manages the puppets: robots that the user steers from the page. They join as ordinary agents. */
 final class PuppetService {
 
-    /** The team of puppets where there is no team yet. */
+    /** Team name of puppets on a side that has no team yet. */
     static final String TEAM = "Puppets";
 
     private static final int PLAYERS = 11;
@@ -32,21 +30,21 @@ final class PuppetService {
     private final SimulationControl simulation;
     private final Optional<PuppetProvider> provider;
     private final Map<PlayerNumber, Puppet> puppets = new ConcurrentHashMap<>();
-    /** Puppets on their way, and since which cycle each has been in the game. */
+    /** Puppets that are joining, with the cycle in which each was first seen in the game. */
     private final Map<PlayerNumber, Long> arriving = new ConcurrentHashMap<>();
 
     /**
-     * Opens the desk.
+     * Creates a service without puppets.
      *
      * @param simulation the world that puppets join
-     * @param provider makes them; empty where there are none
+     * @param provider creates puppets; empty if none is available
      */
     PuppetService(SimulationControl simulation, Optional<PuppetProvider> provider) {
         this.simulation = simulation;
         this.provider = provider;
     }
 
-    /** Whether puppets can join this simulation, which no judge looks at. */
+    /** Returns whether puppets can join; trials admit none. */
     boolean isOpen() {
         return provider.isPresent()
                 && simulation.hasClock()
@@ -60,9 +58,10 @@ final class PuppetService {
     }
 
     /**
-     * Adds a puppet with the first free number of a team, and returns which one it is.
+     * Adds a puppet with the first free number of a team.
      *
-     * @throws IllegalStateException if that is not possible; the message says why
+     * @return the side and number of the puppet
+     * @throws IllegalStateException if no puppet can join; the message gives the reason
      */
     synchronized PlayerNumber add(TeamSide wanted, WorldSnapshot now) {
         TeamSide side = now.teamLeft().isEmpty() ? TeamSide.LEFT : wanted;
@@ -74,11 +73,10 @@ final class PuppetService {
                 return player;
             }
         }
-        throw new IllegalStateException(
-                "This team has eleven robots already. Take one away, or choose the other team.");
+        throw new IllegalStateException("This team has eleven robots already. Remove one, or choose the other team.");
     }
 
-    /** Puts puppets behind the ball, where they can kick it at once, as soon as they have taken their places in the line-up. */
+    /** Places new puppets behind the ball, in reach of a kick, once they have taken their line-up positions. */
     void place(WorldSnapshot now) {
         for (PlayerNumber player : List.copyOf(arriving.keySet())) {
             find(now, player).ifPresent(robot -> {
@@ -95,7 +93,7 @@ final class PuppetService {
         return player.side() == TeamSide.LEFT ? 0 : 180;
     }
 
-    /** The nearest free place on the line from the goal that the robot attacks through the ball. */
+    /** The nearest free position on the line behind the ball, seen from the goal that the robot attacks. */
     private static Vector3 behindBall(RobotSnapshot robot, WorldSnapshot now) {
         Vector3 ball = now.ballPosition();
         double backwards = robot.side().equals(Optional.of(TeamSide.LEFT)) ? -1 : 1;
@@ -114,7 +112,7 @@ final class PuppetService {
                 .anyMatch(place -> place.minus(new Vector3(x, y, place.z())).length() < METRES_BETWEEN);
     }
 
-    /** Adds puppets for all robots of a state that are not in the game now; returns how many are on their way. */
+    /** Adds a puppet for each robot of a state that has left the game. Returns the number of missing robots. */
     synchronized int fillUp(WorldSnapshot state, WorldSnapshot now) {
         int missing = 0;
         for (RobotSnapshot robot : state.robots()) {
@@ -144,7 +142,7 @@ final class PuppetService {
     Puppet puppet(PlayerNumber player) {
         return Optional.ofNullable(puppets.get(player))
                 .orElseThrow(() -> new IllegalStateException(
-                        "This robot has a program of its own. Only puppets can be steered by hand."));
+                        "This robot is controlled by a program. Only puppets can be steered by hand."));
     }
 
     void close() {
@@ -154,7 +152,7 @@ final class PuppetService {
 
     private void start(PlayerNumber player, String team, RobotType type) {
         PuppetProvider maker = provider.orElseThrow(() -> new IllegalStateException(
-                "This program has been packed without puppets; robonewbie-agent must be on its class path."));
+                "Puppets are not available: robonewbie-agent is missing from the class path."));
         AgentLink link = simulation
                 .connect()
                 .orElseThrow(() -> new IllegalStateException("Puppets cannot join a server of another process."));

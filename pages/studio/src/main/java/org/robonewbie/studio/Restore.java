@@ -11,7 +11,7 @@ import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.studio.scene.Checkpoint;
 import org.robonewbie.studio.scene.RestorableSimulation;
 
-/** Continues the running simulation from a kept moment; puppets take the places of robots that have left. */
+/** Restores checkpoints of the running simulation. Puppets replace robots that have left. */
 final class Restore implements RestorableSimulation {
 
     private final StudioContext context;
@@ -36,20 +36,20 @@ final class Restore implements RestorableSimulation {
     }
 
     @Override
-    public Restored goOnFrom(Checkpoint moment) {
+    public Restored restore(Checkpoint moment) {
         if (!context.simulation().hasClock()) {
-            throw new IllegalStateException("A server of another process cannot be put into a kept state.");
+            throw new IllegalStateException("A simulation in another process cannot be restored.");
         }
         if (context.simulation().trial().isPresent()) {
             throw new IllegalStateException(
-                    "This trial counts, so it goes its way. Go back to a scene when it is over.");
+                    "A trial that counts cannot be changed. Load the scene after it has ended.");
         }
         awaitRobots(moment.state());
         context.simulation().order(new Order.Pause());
-        return restore(moment);
+        return apply(moment);
     }
 
-    private Restored restore(Checkpoint moment) {
+    private Restored apply(Checkpoint moment) {
         OptionalInt agents = moment.exact()
                 .filter(state -> players(moment.state()).equals(players(context.now())))
                 .map(state -> context.commandQueue()
@@ -64,15 +64,17 @@ final class Restore implements RestorableSimulation {
         return new Restored(agents.isPresent(), agents.orElse(0));
     }
 
-    /** Keeps the present moment. */
+    /** Takes a checkpoint of the current state. */
     Checkpoint keep() {
         Optional<WorldState> exact = save();
         return new Checkpoint(now(), now(), exact);
     }
 
     /**
-     * Goes on from a moment; the clock goes on if it was going. Puppets stand in for robots that have left only if that is wanted.
-     * Returns what people should know of it; empty if the world is as it was to the bit.
+     * Restores a checkpoint; a running clock stays running.
+     *
+     * @param withAbsent whether puppets replace robots that have left
+     * @return a remark for the user; empty if the state is restored exactly
      */
     String goBackTo(Checkpoint moment, boolean withAbsent) {
         boolean wasGoing = !context.now().paused();
@@ -80,14 +82,14 @@ final class Restore implements RestorableSimulation {
             awaitRobots(moment.state());
         }
         context.simulation().order(new Order.Pause());
-        Restored restored = restore(moment);
+        Restored restored = apply(moment);
         if (wasGoing) {
             context.simulation().order(new Order.Resume());
         }
-        return restored.exact() ? "" : "The world is nearly as it was: speeds are estimated.";
+        return restored.exact() ? "" : "The world is restored approximately: speeds are estimated.";
     }
 
-    /** Lists who plays and in which body; a saved state gives each of them its own body again. */
+    /** Identities and body types of all robots; an exact state can be restored only if they match. */
     private static List<String> players(WorldSnapshot state) {
         return state.robots().stream()
                 .map(robot -> robot.team() + " " + robot.number() + " " + robot.side() + " " + robot.type())
@@ -95,7 +97,7 @@ final class Restore implements RestorableSimulation {
                 .toList();
     }
 
-    /** Newcomers need a running clock; whoever does not come is left out. */
+    /** New robots join only while the clock runs; those that do not join in time are left out. */
     private void awaitRobots(WorldSnapshot state) {
         if (context.puppets().fillUp(state, context.now()) == 0
                 || !context.puppets().isOpen()) {

@@ -14,17 +14,17 @@ import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.landscape.Thing;
 
 /**
- * What of the world seldom changes: the pitch, the teams and who plays. Pages get it once and again after each change.
+ * The part of the world that rarely changes: pitch, teams and robots. Sent to a page once and again after each change.
  *
  * @param field the pitch
- * @param clock whether time can be stopped
- * @param agentPort the TCP port at which agents join; empty where they cannot
- * @param puppets whether robots can join that people steer
- * @param trial the trial that is judged; empty where everybody just plays
- * @param teamLeft name of the left team, empty before it joined
- * @param teamRight name of the right team, empty before it joined
+ * @param clock whether the clock can be paused
+ * @param agentPort the TCP port of the agent server; empty if there is none
+ * @param puppets whether puppets can join
+ * @param trial the running trial; empty for free play
+ * @param teamLeft name of the left team, empty before it joins
+ * @param teamRight name of the right team, empty before it joins
  * @param robots the robots in the order of the state frames
- * @param things what else stands on the pitch, in the order of the state frames
+ * @param things other objects on the pitch, in the order of the state frames
  */
 record SceneDescription(
         SoccerField field,
@@ -38,14 +38,14 @@ record SceneDescription(
         List<Standing> things) {
 
     /**
-     * One robot without its state.
+     * A robot without its state.
      *
      * @param id number of its connection
-     * @param team name of its team, empty before it joined one
-     * @param side its half, empty before it joined a team
-     * @param number its number, 0 before it joined a team
-     * @param type its build
-     * @param puppet whether people steer it
+     * @param team name of its team, empty before it joins one
+     * @param side its half, empty before it joins a team
+     * @param number its player number, 0 before it joins a team
+     * @param type its body type
+     * @param puppet whether the user steers it
      */
     record Player(int id, String team, Optional<TeamSide> side, int number, RobotType type, boolean puppet) {
 
@@ -55,10 +55,10 @@ record SceneDescription(
     }
 
     /**
-     * Something that stands on the pitch, without its place.
+     * An object on the pitch without its pose.
      *
-     * @param name what it is
-     * @param size its edges, metres
+     * @param name kind of the object
+     * @param size edge lengths in metres
      * @param movable whether it can be pushed
      */
     record Standing(String name, Vector3 size, boolean movable) {

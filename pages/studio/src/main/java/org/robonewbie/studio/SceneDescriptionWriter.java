@@ -15,7 +15,7 @@ import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.soccer.MatchEvent;
 
-/** Writes a {@link SceneDescription} as JSON for the pages, with the bodies of all robot types that play. */
+/** Writes a {@link SceneDescription} as JSON, with the bodies of all robot types in it. */
 final class SceneDescriptionWriter {
 
     private SceneDescriptionWriter() {}
@@ -24,7 +24,7 @@ final class SceneDescriptionWriter {
      * Writes a scene.
      *
      * @param scene the scene
-     * @param revision its number, which the state frames that fit to it carry
+     * @param revision number of the scene, repeated in the state frames that belong to it
      * @return one JSON object
      */
     static String write(SceneDescription scene, int revision) {
@@ -101,12 +101,6 @@ final class SceneDescriptionWriter {
         return json;
     }
 
-    /**
-     * Writes what has happened in the game.
-     *
-     * @param event the event
-     * @return one JSON object
-     */
     static String event(MatchEvent event) {
         JsonObject json = new JsonObject();
         json.addProperty("kind", "event");
@@ -114,8 +108,8 @@ final class SceneDescriptionWriter {
         return json.toString();
     }
 
-    /** Writes what has gone wrong in the program of a robot. */
-    static String mistake(String team, int number, TelemetryItem.LogEntry line) {
+    /** Writes a warning or error of a robot's program. */
+    static String diagnostic(String team, int number, TelemetryItem.LogEntry line) {
         JsonObject json = new JsonObject();
         json.addProperty("kind", "mistake");
         json.addProperty("team", team);
@@ -125,7 +119,7 @@ final class SceneDescriptionWriter {
         return json.toString();
     }
 
-    /** Writes what would be undone and redone. */
+    /** Writes the names of the commands that undo and redo would apply to. */
     static String undoManager(UndoManager.Names names) {
         JsonObject json = new JsonObject();
         json.addProperty("kind", "undo");
@@ -134,24 +128,15 @@ final class SceneDescriptionWriter {
         return json.toString();
     }
 
-    /**
-     * Writes what the simulator tells people.
-     *
-     * @param sentence a complete sentence
-     * @return one JSON object
-     */
-    static String told(String sentence) {
+    /** Writes a message of the simulator to the user. */
+    static String notice(String sentence) {
         JsonObject json = new JsonObject();
         json.addProperty("kind", "told");
         json.addProperty("text", sentence);
         return json.toString();
     }
 
-    /**
-     * Writes the bodies of all robots.
-     *
-     * @return one body for each type, by its name
-     */
+    /** Writes the bodies of all robot types by name. */
     static JsonObject allModels() {
         JsonObject models = new JsonObject();
         for (RobotType type : RobotType.values()) {
@@ -160,12 +145,7 @@ final class SceneDescriptionWriter {
         return models;
     }
 
-    /**
-     * Writes a robot's body.
-     *
-     * @param model the body
-     * @return its links and hinges
-     */
+    /** Writes the links and hinges of a robot's body. */
     static JsonObject model(NaoModel model) {
         JsonArray links = new JsonArray();
         model.links().forEach(link -> links.add(link(link)));

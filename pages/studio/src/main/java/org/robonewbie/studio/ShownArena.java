@@ -13,13 +13,13 @@ import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.studio.program.Arena;
 import org.robonewbie.studio.scene.Checkpoint;
 
-/** The pitch that the pages show, for programs that come and go. */
+/** The displayed pitch, as the place where programs of the editor run. */
 final class ShownArena implements Arena {
 
-    private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(10);
-    private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
+    private static final long TIMEOUT_NANOS = TimeUnit.SECONDS.toNanos(10);
+    private static final long POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
-    /** Until then an agent still hears its number and goes to its first place; a world that jumps would confuse it. */
+    /** Cycles in which a new agent receives its number and moves to its line-up position; a jump of the world would confuse it. */
     private static final int CYCLES_TO_SETTLE = 12;
 
     private final StudioContext context;
@@ -38,14 +38,14 @@ final class ShownArena implements Arena {
     @Override
     public Moment keep() {
         Checkpoint moment = world.keep();
-        return stillWanted -> goOn(moment, stillWanted);
+        return isWanted -> restore(moment, isWanted);
     }
 
-    private void goOn(Checkpoint moment, BooleanSupplier stillWanted) {
+    private void restore(Checkpoint moment, BooleanSupplier isWanted) {
         Set<Integer> before = players(moment.state());
         BooleanSupplier hasCome = () -> !before.containsAll(players(context.now()));
-        if (await(hasCome, stillWanted)) {
-            settle(moment.state().speed(), stillWanted);
+        if (await(hasCome, isWanted)) {
+            settle(moment.state().speed(), isWanted);
             world.goBackTo(moment, false);
         }
         if (moment.state().paused()) {
@@ -53,23 +53,23 @@ final class ShownArena implements Arena {
         }
     }
 
-    /** These cycles are taken back, so nobody need see them in real time. */
-    private void settle(double speed, BooleanSupplier stillWanted) {
+    /** Runs the settling cycles as fast as possible; they are rolled back afterwards. */
+    private void settle(double speed, BooleanSupplier isWanted) {
         long settled = context.now().cycle() + CYCLES_TO_SETTLE;
         context.simulation().order(new Order.SetSpeed(SimulationControl.AS_FAST_AS_POSSIBLE));
-        await(() -> context.now().cycle() >= settled, stillWanted);
+        await(() -> context.now().cycle() >= settled, isWanted);
         context.simulation().order(new Order.SetSpeed(speed));
     }
 
-    private static boolean await(BooleanSupplier condition, BooleanSupplier stillWanted) {
-        long end = System.nanoTime() + PATIENCE_NANOS;
-        while (!condition.getAsBoolean() && stillWanted.getAsBoolean() && System.nanoTime() < end) {
-            LockSupport.parkNanos(LOOK_NANOS);
+    private static boolean await(BooleanSupplier condition, BooleanSupplier isWanted) {
+        long end = System.nanoTime() + TIMEOUT_NANOS;
+        while (!condition.getAsBoolean() && isWanted.getAsBoolean() && System.nanoTime() < end) {
+            LockSupport.parkNanos(POLL_NANOS);
         }
         return condition.getAsBoolean();
     }
 
-    /** The connections of all robots that have joined a team. */
+    /** Connection numbers of all robots that have joined a team. */
     private static Set<Integer> players(WorldSnapshot state) {
         return state.robots().stream()
                 .filter(robot -> !robot.team().isEmpty())

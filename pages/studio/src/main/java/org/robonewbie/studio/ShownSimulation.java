@@ -14,23 +14,23 @@ import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.state.WorldState;
 
-/** What a studio shows, which can change: the free pitch, or the trial of an exercise. Observers see what is shown. */
+/** Proxy for the displayed simulation, which can be exchanged: the free pitch or the trial of an exercise. Observers move along. */
 public final class ShownSimulation implements SimulationControl {
 
     private final List<SimulationObserver> observers = new CopyOnWriteArrayList<>();
     private volatile SimulationControl shown;
 
     /**
-     * Shows a simulation.
+     * Creates a proxy.
      *
-     * @param first what is shown at the beginning
+     * @param first the simulation to show first
      */
     public ShownSimulation(SimulationControl first) {
         this.shown = first;
     }
 
     /**
-     * Shows another simulation. The previous one continues unseen.
+     * Shows another simulation. The previous one continues in the background.
      *
      * @param other the simulation to show from now on
      */

@@ -10,8 +10,8 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * Signs browsers in: an address holds a code for one use, which a studio exchanges for a cookie. The cookie serves all pages of that
- * browser; its name holds the port, since browsers send the cookies of a computer to all of its ports. Thread-safe.
+ * One-time sign-in codes, which the studio exchanges for a cookie. The cookie is valid for all pages of the browser. Its name
+ * contains the port, since browsers send a host's cookies to all of its ports. Thread-safe.
  *
  * <pre>{@code
  * String code = signIn.newCode();
@@ -21,10 +21,10 @@ import java.util.Map;
  */
 final class SignIn {
 
-    /** Parameter of an address that holds a code. */
+    /** Query parameter that holds the code. */
     static final String CODE = "code";
 
-    /** How long a code that was not used can be. */
+    /** Lifetime of an unused code. */
     static final Duration LIFETIME = Duration.ofMinutes(10);
 
     private final String cookieName;
@@ -33,11 +33,11 @@ final class SignIn {
     private final Map<String, Instant> codes = new HashMap<>();
 
     /**
-     * Creates the sign-in of a studio.
+     * Creates the sign-in of one studio.
      *
      * @param token the user's secret
      * @param port TCP port of the studio
-     * @param clock decides when a code is too old
+     * @param clock source of the current time
      */
     SignIn(AccessToken token, int port, InstantSource clock) {
         this.cookieName = "robonewbie-studio-" + port;
@@ -45,7 +45,7 @@ final class SignIn {
         this.clock = clock;
     }
 
-    /** Returns a new code, which can be used once within {@link #LIFETIME}. */
+    /** Returns a new code, valid once within {@link #LIFETIME}. */
     synchronized String newCode() {
         forgetOld();
         String code = AccessToken.randomDigits();
@@ -56,17 +56,17 @@ final class SignIn {
     /**
      * Returns an address with a new code.
      *
-     * @param page the address of a page without a query
+     * @param page address of a page without a query
      */
     URI newAddress(URI page) {
         return URI.create(page + "?" + CODE + "=" + newCode());
     }
 
     /**
-     * Uses a code up.
+     * Redeems a code.
      *
-     * @param shown what an address holds
-     * @return whether it was a code that nothing has used before
+     * @param shown the code from an address
+     * @return whether it was valid and unused
      */
     synchronized boolean redeem(String shown) {
         forgetOld();
@@ -78,23 +78,22 @@ final class SignIn {
         codes.values().removeIf(end -> !end.isAfter(now));
     }
 
-    /** Name of the cookie. */
     String cookieName() {
         return cookieName;
     }
 
-    /** Whether a cookie of {@link #cookieName} has the right value. */
+    /** Returns whether the value of the cookie {@link #cookieName} is correct. */
     boolean admits(String shownValue) {
         return isSame(cookieValue, shownValue);
     }
 
-    /** The value of the header Set-Cookie: a cookie that no script can read. */
+    /** The value of the Set-Cookie header; scripts cannot read the cookie. */
     String cookie() {
         return cookieName + "=" + cookieValue + "; Path=/; HttpOnly; SameSite=Strict; Max-Age="
                 + AccessToken.LIFETIME.toSeconds();
     }
 
-    /** Compares in a time that does not reveal where the difference is. */
+    /** Constant-time comparison. */
     private static boolean isSame(String secret, String shown) {
         return MessageDigest.isEqual(secret.getBytes(StandardCharsets.UTF_8), shown.getBytes(StandardCharsets.UTF_8));
     }

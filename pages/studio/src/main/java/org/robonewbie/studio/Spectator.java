@@ -15,22 +15,21 @@ import org.jspecify.annotations.Nullable;
 import org.robonewbie.studio.roboviz.RoboVizFeed;
 
 /**
- * A page that watches the simulation.
+ * WebSocket connection of a page that watches the simulation.
  *
- * <p>It receives its next frame only after it has reported that the last one was drawn, so a page that is frozen or hidden has
- * at most one frame on its way. A frame that has not changed is repeated once per second, which shows the page that the studio
- * is alive although the world is paused.
+ * <p>The next frame is sent only after the page has acknowledged the last one, so a frozen or hidden page has at most one frame in
+ * flight. An unchanged frame is repeated once per second as a keep-alive while the world is paused.
  */
 public final class Spectator extends Session.Listener.AbstractAutoDemanding {
 
-    private static final int MOST_NEWS = 100;
+    private static final int MAX_QUEUED = 100;
     private static final long REPEAT_NANOS = TimeUnit.SECONDS.toNanos(1);
 
     private final LiveFeed feed;
     private final TelemetryFeed telemetry = new TelemetryFeed();
-    private final Deque<String> news = new ArrayDeque<>();
-    private Optional<UndoManager.Names> toldDeeds = Optional.empty();
-    private int toldBoard;
+    private final Deque<String> queue = new ArrayDeque<>();
+    private Optional<UndoManager.Names> sentUndoNames = Optional.empty();
+    private int sentDrawings;
     private volatile boolean ready;
     private int sentScene = -1;
     private @Nullable ByteBuffer sentFrame;
@@ -70,42 +69,41 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         getSession().sendText(json.toString(), Callback.NOOP);
     }
 
-    /** What the page hears of robots. Called by the feed's thread only, but for {@link TelemetryFeed#watch}. */
+    /** Telemetry for this page. Called by the feed's thread only, except {@link TelemetryFeed#watch}. */
     TelemetryFeed telemetry() {
         return telemetry;
     }
 
-    /** Keeps what has happened in the game until the page is ready for it. Called by the feed's thread only. */
-    void tell(String json) {
-        news.add(json);
-        if (news.size() > MOST_NEWS) {
-            news.remove();
+    /** Queues a message until the page is ready. Called by the feed's thread only. */
+    void enqueue(String json) {
+        queue.add(json);
+        if (queue.size() > MAX_QUEUED) {
+            queue.remove();
         }
     }
 
-    /** Passes on what would be undone and redone, if the page does not know it yet. Called by the feed's thread only. */
-    void tellDeeds(UndoManager.Names names) {
-        if (!toldDeeds.equals(Optional.of(names))) {
-            toldDeeds = Optional.of(names);
-            tell(SceneDescriptionWriter.undoManager(names));
+    /** Queues the names for undo and redo if they have changed. Called by the feed's thread only. */
+    void enqueueUndoNames(UndoManager.Names names) {
+        if (!sentUndoNames.equals(Optional.of(names))) {
+            sentUndoNames = Optional.of(names);
+            enqueue(SceneDescriptionWriter.undoManager(names));
         }
     }
 
-    /** Keeps the sets of drawings that have changed since the page has got its last frame. Called by the feed's thread only. */
-    void tellDrawings(RoboVizFeed board) {
+    /** Queues the drawing sets that have changed since the last frame. Called by the feed's thread only. */
+    void enqueueDrawings(RoboVizFeed board) {
         int revision = board.revision();
-        if (ready && revision > toldBoard) {
-            board.since(toldBoard).ifPresent(this::tell);
-            toldBoard = revision;
+        if (ready && revision > sentDrawings) {
+            board.since(sentDrawings).ifPresent(this::enqueue);
+            sentDrawings = revision;
         }
     }
 
     /**
-     * Sends a frame, and before it the scene if the page does not have it yet; does nothing while the page is busy. Called
-     * by the feed's thread only.
+     * Sends a frame, preceded by the scene if it has changed. Does nothing while the page is busy. Called by the feed's thread only.
      */
     void offer(int sceneRevision, String sceneJson, ByteBuffer frame) {
-        boolean repeated = frame.equals(sentFrame) && news.isEmpty();
+        boolean repeated = frame.equals(sentFrame) && queue.isEmpty();
         if (!ready || (repeated && System.nanoTime() - sentNanos < REPEAT_NANOS)) {
             return;
         }
@@ -118,13 +116,13 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
             sentScene = sceneRevision;
             texts.add(sceneJson);
         }
-        texts.addAll(news);
-        news.clear();
+        texts.addAll(queue);
+        queue.clear();
         telemetry.take().ifPresent(texts::add);
         send(session, texts, frame);
     }
 
-    /** Sends texts in order, and the frame last. */
+    /** Sends texts in order, then the frame. */
     private static void send(Session session, List<String> texts, ByteBuffer frame) {
         if (texts.isEmpty()) {
             session.sendBinary(frame.duplicate(), Callback.NOOP);
@@ -134,7 +132,7 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         session.sendText(texts.get(0), Callback.from(() -> send(session, others, frame), failure -> {}));
     }
 
-    void sayGoodbye() {
+    void disconnect() {
         Session session = getSession();
         if (session != null) {
             session.close(StatusCode.SHUTDOWN, "The simulator has ended.", Callback.NOOP);

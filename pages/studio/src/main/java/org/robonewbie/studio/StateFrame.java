@@ -10,10 +10,10 @@ import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.WorldSnapshot;
 
 /**
- * The binary form in which the state of the world travels to the pages, little-endian.
+ * Binary wire format of the world's state, little-endian.
  *
- * <p>For each robot only the torso's pose and the joint angles are sent, 64 bytes; the page computes the other limbs. So 22
- * robots at 25 frames per second need 36 KB per second.
+ * <p>Each robot takes 64 bytes: only the torso's pose and the joint angles are sent, and the page computes the other limbs by
+ * forward kinematics. 22 robots at 25 frames per second take 36 KB per second.
  *
  * <pre>
  * header   u8 version, u8 flags (1 = paused), u16 scene revision, u32 cycle,
@@ -26,7 +26,7 @@ import org.robonewbie.simulator.WorldSnapshot;
  */
 final class StateFrame {
 
-    /** The first byte of every frame; pages of another version ask to be loaded again. */
+    /** First byte of every frame. A page of another version asks the user to reload it. */
     static final int VERSION = 1;
 
     private static final int HEADER_BYTES = 24;
@@ -37,10 +37,10 @@ final class StateFrame {
     private StateFrame() {}
 
     /**
-     * Writes a state.
+     * Encodes a state.
      *
      * @param snapshot the state of the world
-     * @param sceneRevision number of the scene that tells who the robots are
+     * @param sceneRevision revision of the scene that describes the robots
      * @return the frame, ready to be read
      */
     static ByteBuffer write(WorldSnapshot snapshot, int sceneRevision) {

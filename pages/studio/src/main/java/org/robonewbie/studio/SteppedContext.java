@@ -6,7 +6,7 @@ import org.robonewbie.protocol.telemetry.NumberWishes;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
 
-/** What a page can act upon whose world runs on the same thread. */
+/** Context of a page whose world runs on the same thread. */
 final class SteppedContext implements StudioContext {
 
     private final PageFeed.World world;
@@ -16,15 +16,15 @@ final class SteppedContext implements StudioContext {
     private final UndoManager undoManager;
 
     /**
-     * Opens the stage.
+     * Creates a context.
      *
-     * @param world the world, which need not have begun
-     * @param teller tells people what has happened
+     * @param world the world, which need not have started
+     * @param notifier receives messages to the user
      */
-    SteppedContext(PageFeed.World world, Consumer<String> teller) {
+    SteppedContext(PageFeed.World world, Consumer<String> notifier) {
         this.world = world;
         puppets = new PuppetService(world, Optional.of(world));
-        undoManager = new UndoManager(this, teller);
+        undoManager = new UndoManager(this, notifier);
     }
 
     @Override

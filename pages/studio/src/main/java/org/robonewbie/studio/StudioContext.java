@@ -4,28 +4,27 @@ import org.robonewbie.protocol.telemetry.NumberWishes;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
 
-/** What a page can act upon. */
+/** What the commands of a page act on. */
 interface StudioContext {
 
-    /** The running simulation. */
     SimulationControl simulation();
 
-    /** What people do to the world, so that it can be undone. */
+    /** Undo and redo of the user's changes. */
     UndoManager undoManager();
 
-    /** Where what people do waits for the world. */
+    /** Queue of the user's commands. */
     CommandQueue commandQueue();
 
-    /** What people want of the numbers of robots' programs. */
+    /** Values that the user has set for tunable numbers of robots' programs. */
     NumberWishes numbers();
 
     /** The robots that are steered by hand. */
     PuppetService puppets();
 
     /**
-     * The present state of the world.
+     * The latest state of the world.
      *
-     * @throws IllegalStateException if there was none yet
+     * @throws IllegalStateException if the simulation has not started
      */
     WorldSnapshot now();
 }

@@ -6,13 +6,13 @@ import java.util.Optional;
 import org.robonewbie.simulator.file.RecordingRepository;
 
 /**
- * The folders that the studio's pages may use; nothing else of the disk can be reached from a page.
+ * Folders that the studio's pages may access; no other file can be reached from a page.
  *
- * @param motions where motion files are read and written; it need not exist
- * @param scenes where saved scenes are read and written; it need not exist
- * @param recordings where recordings are read; empty if nothing is recorded
- * @param projects folders of the project in which there may be recordings, the project itself first
- * @param openedRecording a recording that was opened by its name, wherever it is
+ * @param motions folder of motion files; it need not exist
+ * @param scenes folder of saved scenes; it need not exist
+ * @param recordings folder of recordings; empty if nothing is recorded
+ * @param projects folders of the project that may contain recordings, the project itself first
+ * @param openedRecording a recording that was opened by name, in any folder
  */
 public record StudioFolders(
         Path motions,
@@ -24,17 +24,17 @@ public record StudioFolders(
     private static final String SCENES = "scenes";
 
     /**
-     * Creates folders without an opened recording; scenes lie beside the motions.
+     * Creates folders without an opened recording. The scenes folder is a sibling of the motions folder.
      *
-     * @param motions where motion files are read and written; it need not exist
-     * @param recordings where recordings are read; empty if nothing is recorded
+     * @param motions folder of motion files; it need not exist
+     * @param recordings folder of recordings; empty if nothing is recorded
      */
     public StudioFolders(Path motions, Optional<RecordingRepository> recordings) {
         this(motions, motions.resolveSibling(SCENES), recordings, List.of(), Optional.empty());
     }
 
     /**
-     * Opens a recording that lies elsewhere.
+     * Adds a recording from any folder.
      *
      * @param recording its file
      * @return the same folders with this recording
@@ -46,8 +46,8 @@ public record StudioFolders(
     /**
      * Returns the folders of a program that runs in its project.
      *
-     * @return {@code motions} in the working directory, where agents look for motions too, the user's recordings, and
-     *     those in the working directory and its folder {@code recordings}
+     * @return {@code motions} in the working directory, the user's recordings, and those in the working directory and its folder
+     *     {@code recordings}
      */
     public static StudioFolders ofWorkingDirectory() {
         List<Path> projects = List.of(Path.of(""), Path.of("recordings"));

@@ -6,13 +6,13 @@ import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.protocol.telemetry.NumberWish;
 
-/** What a page can ask for. */
+/** Command of a page. */
 interface StudioRequest {
 
     /**
-     * Does what is asked for.
+     * Executes the command.
      *
-     * @param context what can be acted upon
+     * @param context what the command acts on
      */
     void applyTo(StudioContext context);
 
@@ -23,7 +23,7 @@ interface StudioRequest {
     }
 
     /**
-     * Asks for the thoughts of one robot only.
+     * Subscribes to the telemetry of one robot only.
      *
      * @param team name of its team
      * @param number its number
@@ -34,9 +34,9 @@ interface StudioRequest {
     }
 
     /**
-     * Changes a number of a robot's program while it runs.
+     * Changes a tunable number of a robot's program while it runs.
      *
-     * @param wish which number, and its new value
+     * @param wish the number and its new value
      */
     record Tune(NumberWish wish) implements StudioRequest {
         @Override
@@ -46,9 +46,9 @@ interface StudioRequest {
     }
 
     /**
-     * Gives orders to the clock of the world.
+     * Orders to the clock of the world; they cannot be undone.
      *
-     * @param orders the orders, carried out in this order
+     * @param orders the orders, in this order
      */
     record Orders(List<Order> orders) implements StudioRequest {
 
@@ -63,11 +63,11 @@ interface StudioRequest {
     }
 
     /**
-     * Changes the world, which can be undone.
+     * Undoable change of the world.
      *
-     * @param name what is done, such as "ball moved"
-     * @param gesture number of the drag that it belongs to, 0 if it is none
-     * @param orders the orders, carried out in this order
+     * @param name description such as "ball moved"
+     * @param gesture number of the drag that the change belongs to; 0 for none
+     * @param orders the orders, in this order
      */
     record Change(String name, long gesture, List<Order> orders) implements StudioRequest {
 
@@ -81,7 +81,7 @@ interface StudioRequest {
         }
     }
 
-    /** Takes the last change back, or does it again. */
+    /** Undoes the last change, or redoes it. */
     enum History implements StudioRequest {
         UNDO {
             @Override
@@ -100,7 +100,7 @@ interface StudioRequest {
     /**
      * Adds a robot that is steered by hand.
      *
-     * @param side its team; the first robot of all plays on the left
+     * @param side its team; the very first robot plays on the left
      */
     record AddPuppet(TeamSide side) implements StudioRequest {
         @Override
@@ -111,7 +111,7 @@ interface StudioRequest {
     }
 
     /**
-     * Takes a robot away that people steer.
+     * Removes a robot that is steered by hand.
      *
      * @param player the robot
      */

@@ -19,18 +19,18 @@ import org.robonewbie.protocol.telemetry.NumberWish;
 import org.robonewbie.simulator.SimulationControl;
 
 /**
- * Reads what a page asks for, such as <code>{"do":"step","cycles":1}</code>. Nothing that is out of range gets through to the
+ * Parser and validator of page commands such as <code>{"do":"step","cycles":1}</code>. Values out of range never reach the
  * simulation.
  */
 final class StudioRequestReader {
 
-    private static final double SLOWEST = 0.1;
-    private static final double FASTEST = 100;
+    private static final double MIN_SPEED = 0.1;
+    private static final double MAX_SPEED = 100;
     private static final int MAX_CYCLES = 50_000;
     private static final double REACH_METRES = 50;
-    private static final double FASTEST_METRES_PER_SECOND = 20;
+    private static final double MAX_METRES_PER_SECOND = 20;
     private static final int PLAYERS = 11;
-    private static final double MOST_GESTURES = 1e15;
+    private static final double MAX_GESTURE = 1e15;
     private static final Order BALL_TO_CENTRE =
             new Order.MoveBall(new Vector3(0, 0, SoccerField.BALL_RADIUS), Vector3.ZERO);
 
@@ -41,11 +41,11 @@ final class StudioRequestReader {
     }
 
     /**
-     * Reads a command.
+     * Parses a command.
      *
      * @param text one JSON object
      * @return the command
-     * @throws IllegalArgumentException if it cannot be understood; the message is meant for the person at the page
+     * @throws IllegalArgumentException if the command is invalid; the message is shown on the page
      */
     static StudioRequest read(String text) {
         try {
@@ -88,9 +88,7 @@ final class StudioRequestReader {
                 new PuppetOrder.To(
                         player(), new PuppetOrder.Look(number("yaw", -180, 180), number("pitch", -180, 180)));
             case "hold" -> new PuppetOrder.To(player(), new PuppetOrder.Hold(joint(), number("degrees", -180, 180)));
-            default ->
-                throw new IllegalArgumentException(
-                        "The studio does not know the command \"" + name + "\". Load the page again.");
+            default -> throw new IllegalArgumentException("Unknown command \"" + name + "\". Load the page again.");
         };
     }
 
@@ -99,9 +97,9 @@ final class StudioRequestReader {
         return dragged(text("turn").equals("true") ? "robot turned" : "robot moved", order);
     }
 
-    /** All orders of one drag of the mouse have its number. */
+    /** All orders of one drag share a gesture number, which makes them one undoable change. */
     private StudioRequest dragged(String name, Order order) {
-        long gesture = json.has("gesture") ? (long) number("gesture", 0, MOST_GESTURES) : 0;
+        long gesture = json.has("gesture") ? (long) number("gesture", 0, MAX_GESTURE) : 0;
         return new StudioRequest.Change(name, gesture, List.of(order));
     }
 
@@ -111,7 +109,7 @@ final class StudioRequestReader {
 
     private double speed() {
         boolean fastest = json.has("factor") && text("factor").equals("fastest");
-        return fastest ? SimulationControl.AS_FAST_AS_POSSIBLE : number("factor", SLOWEST, FASTEST);
+        return fastest ? SimulationControl.AS_FAST_AS_POSSIBLE : number("factor", MIN_SPEED, MAX_SPEED);
     }
 
     private PlayerNumber player() {
@@ -139,9 +137,9 @@ final class StudioRequestReader {
 
     private Vector3 velocity() {
         return new Vector3(
-                number("x", -FASTEST_METRES_PER_SECOND, FASTEST_METRES_PER_SECOND),
-                number("y", -FASTEST_METRES_PER_SECOND, FASTEST_METRES_PER_SECOND),
-                number("z", -FASTEST_METRES_PER_SECOND, FASTEST_METRES_PER_SECOND));
+                number("x", -MAX_METRES_PER_SECOND, MAX_METRES_PER_SECOND),
+                number("y", -MAX_METRES_PER_SECOND, MAX_METRES_PER_SECOND),
+                number("z", -MAX_METRES_PER_SECOND, MAX_METRES_PER_SECOND));
     }
 
     private TeamSide side() {

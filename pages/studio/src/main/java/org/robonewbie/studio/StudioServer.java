@@ -34,7 +34,7 @@ import org.robonewbie.studio.roboviz.RoboVizFeed;
 import org.robonewbie.studio.scene.SceneApi;
 
 /**
- * The studio of one running simulation: a web server on 127.0.0.1 with the pages and the live feed on one port.
+ * Studio of one running simulation: a web server on 127.0.0.1 with the pages and the live feed on one port.
  *
  * <pre>{@code
  * try (StudioServer studio = StudioServer.start(simulation, 0, AccessToken.random())) {
@@ -44,13 +44,13 @@ import org.robonewbie.studio.scene.SceneApi;
  */
 public final class StudioServer implements Viewer.View {
 
-    /** Kept in a field, since a logger without a reference loses its level. */
+    /** Strong reference: the log manager holds loggers weakly, and a collected logger loses its level. */
     private static final Logger JETTY_LOGGER = Logger.getLogger("org.eclipse.jetty");
 
     private static final Duration QUIET_LIMIT = Duration.ofMinutes(10);
     private static final int MAX_COMMAND_BYTES = 4096;
 
-    /** A browser sends the cookies of all ports of this computer. */
+    /** Large, since browsers send the cookies of all ports of this computer. */
     private static final int MAX_HEADER_BYTES = 32_768;
 
     private static final int MAX_THREADS = 12;
@@ -72,7 +72,7 @@ public final class StudioServer implements Viewer.View {
     /**
      * Starts the studio.
      *
-     * @param simulation what to show and steer
+     * @param simulation the simulation to show and control
      * @param port TCP port on 127.0.0.1, 0 for any free one
      * @param token the secret of the user
      * @return the running studio
@@ -83,12 +83,12 @@ public final class StudioServer implements Viewer.View {
     }
 
     /**
-     * Starts the studio with other folders than those of the working directory.
+     * Starts the studio with explicit folders.
      *
-     * @param simulation what to show and steer
+     * @param simulation the simulation to show and control
      * @param port TCP port on 127.0.0.1, 0 for any free one
      * @param token the secret of the user
-     * @param folders what of the disk the pages may use
+     * @param folders the folders that the pages may access
      * @return the running studio
      * @throws IOException if the port cannot be opened; the message says what to do
      */
@@ -97,7 +97,7 @@ public final class StudioServer implements Viewer.View {
         return start(simulation, port, token, folders, Optional.empty());
     }
 
-    /** Starts the studio, also with the page of a board. */
+    /** Starts the studio with the page of an event bus. */
     static StudioServer start(
             SimulationControl simulation, int port, AccessToken token, StudioFolders folders, Optional<EventBus> board)
             throws IOException {
@@ -105,10 +105,10 @@ public final class StudioServer implements Viewer.View {
     }
 
     /**
-     * Starts another studio at any free port; a browser that is signed in at the first one is so there too.
+     * Starts another studio at any free port. Browsers that are signed in at the first one are signed in at both.
      *
-     * @param simulation what to show and steer
-     * @param first the studio that lets browsers in
+     * @param simulation the simulation to show and control
+     * @param first the studio whose sign-in is shared
      * @return the running studio
      * @throws IOException if no port can be opened; the message says what to do
      */
@@ -121,7 +121,7 @@ public final class StudioServer implements Viewer.View {
         return port -> new SignIn(token, port, InstantSource.system());
     }
 
-    /** Starts the studio, also with exercises. */
+    /** Starts the studio with exercises. */
     static StudioServer start(
             SimulationControl simulation, int port, AccessToken token, StudioFolders folders, Course course)
             throws IOException {
@@ -129,7 +129,7 @@ public final class StudioServer implements Viewer.View {
         return start(simulation, port, signIn(token), folders, Optional.empty(), lessons);
     }
 
-    /** Starts the studio, also with exercises and programs. */
+    /** Starts the studio with exercises and programs. */
     static StudioServer start(
             SimulationControl simulation,
             int port,
@@ -142,7 +142,7 @@ public final class StudioServer implements Viewer.View {
         return start(simulation, port, signIn(token), folders, Optional.empty(), lessons);
     }
 
-    /** What a studio offers to students, if it does. */
+    /** Optional services for students. */
     private record Lessons(Optional<Course> course, Optional<CompilerService> compiler) {
 
         private static final Lessons NONE = new Lessons(Optional.empty(), Optional.empty());
@@ -156,7 +156,7 @@ public final class StudioServer implements Viewer.View {
             Optional<EventBus> board,
             Lessons lessons)
             throws IOException {
-        silenceServerTalk();
+        quietServerLog();
         QueuedThreadPool threads = new QueuedThreadPool(MAX_THREADS, 2);
         threads.setName("studio");
         threads.setDaemon(true);
@@ -184,7 +184,7 @@ public final class StudioServer implements Viewer.View {
         return new StudioServer(server, feed, programs, signIn, openPort);
     }
 
-    private static void silenceServerTalk() {
+    private static void quietServerLog() {
         if (JETTY_LOGGER.getLevel() == null) {
             JETTY_LOGGER.setLevel(Level.WARNING);
         }
@@ -233,7 +233,7 @@ public final class StudioServer implements Viewer.View {
         try {
             server.start();
         } catch (Exception e) {
-            throw new IOException("The studio's web server cannot start: " + e.getMessage(), e);
+            throw new IOException("The studio's web server failed to start: " + e.getMessage(), e);
         }
     }
 
@@ -257,17 +257,15 @@ public final class StudioServer implements Viewer.View {
         return feed;
     }
 
-    /** {@return the board for drawings in RoboViz's protocol} */
+    /** {@return the drawings received in RoboViz's protocol} */
     public RoboVizFeed drawings() {
         return feed.board();
     }
 
-    /** The source of the pages' frames. */
     LiveFeed feed() {
         return feed;
     }
 
-    /** {@return the number of pages that are connected now} */
     int spectators() {
         return feed.spectators();
     }
@@ -279,7 +277,7 @@ public final class StudioServer implements Viewer.View {
         try {
             server.stop();
         } catch (Exception e) {
-            throw new IllegalStateException("The studio's web server did not stop: " + e.getMessage(), e);
+            throw new IllegalStateException("The studio's web server failed to stop: " + e.getMessage(), e);
         }
     }
 }

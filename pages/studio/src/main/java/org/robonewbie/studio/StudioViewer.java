@@ -9,14 +9,14 @@ import org.robonewbie.studio.course.Course;
 import org.robonewbie.studio.program.CompilerService;
 
 /**
- * Shows simulations in the browser; found by {@link java.util.ServiceLoader}.
+ * Viewer in the browser; found by {@link java.util.ServiceLoader}.
  *
- * <p>If any port will do it takes the same one in each run, so that a page that is still open reconnects.
+ * <p>Prefers the same port in each run, so that a page that is still open reconnects.
  */
 public final class StudioViewer implements Viewer {
 
-    /** The port that is taken if it is free and no other is asked for. */
-    public static final int USUAL_PORT = 3400;
+    /** Preferred TCP port if none is requested. */
+    public static final int DEFAULT_PORT = 3400;
 
     @Override
     public View open(SimulationControl simulation, int port) throws IOException {
@@ -24,11 +24,11 @@ public final class StudioViewer implements Viewer {
     }
 
     /**
-     * Starts to show a simulation and what is in some folders.
+     * Shows a simulation with explicit folders.
      *
-     * @param simulation what to show and steer
-     * @param port TCP port on 127.0.0.1, 0 for the usual one, or any other if that is taken
-     * @param folders what of the disk the pages may use
+     * @param simulation the simulation to show and control
+     * @param port TCP port on 127.0.0.1; 0 for the default one, or any other if that is in use
+     * @param folders the folders that the pages may access
      * @return the open view
      * @throws IOException if the port cannot be opened
      */
@@ -37,12 +37,12 @@ public final class StudioViewer implements Viewer {
     }
 
     /**
-     * Starts to show the board of a program, together with the contents of some folders.
+     * Shows the page of an event bus.
      *
-     * @param simulation a world for the other rooms
-     * @param port TCP port on 127.0.0.1, 0 for the usual one, or any other if that is taken
-     * @param folders the folders that the pages may use
-     * @param board what the program writes to; see {@link EventBus#page} for its address
+     * @param simulation the world of the studio's other pages
+     * @param port TCP port on 127.0.0.1; 0 for the default one, or any other if that is in use
+     * @param folders the folders that the pages may access
+     * @param board the event bus; see {@link EventBus#page} for its address
      * @return the open view
      * @throws IOException if the port cannot be opened
      */
@@ -52,11 +52,11 @@ public final class StudioViewer implements Viewer {
     }
 
     /**
-     * Starts to show a simulation with exercises and programs.
+     * Shows a simulation with exercises and programs.
      *
-     * @param simulation what to show and steer
-     * @param port TCP port on 127.0.0.1, 0 for the usual one, or any other if that is taken
-     * @param folders what of the disk the pages may use
+     * @param simulation the simulation to show and control
+     * @param port TCP port on 127.0.0.1; 0 for the default one, or any other if that is in use
+     * @param folders the folders that the pages may access
      * @param course the exercises
      * @param compiler compiles and starts programs
      * @return the open view
@@ -67,7 +67,7 @@ public final class StudioViewer implements Viewer {
             throws IOException {
         AccessToken token = AccessToken.ofUser();
         try {
-            return StudioServer.start(simulation, port == 0 ? USUAL_PORT : port, token, folders, course, compiler);
+            return StudioServer.start(simulation, port == 0 ? DEFAULT_PORT : port, token, folders, course, compiler);
         } catch (IOException inUse) {
             if (port != 0) {
                 throw inUse;
@@ -80,11 +80,11 @@ public final class StudioViewer implements Viewer {
             SimulationControl simulation, int port, StudioFolders folders, Optional<EventBus> board)
             throws IOException {
         return port == 0
-                ? openAtUsual(USUAL_PORT, simulation, folders, board)
+                ? openAtUsual(DEFAULT_PORT, simulation, folders, board)
                 : StudioServer.start(simulation, port, AccessToken.ofUser(), folders, board);
     }
 
-    /** Takes a port if it is free, and any other if it is not. */
+    /** Starts at a port, or at any other if that is in use. */
     static StudioServer openAtUsual(
             int port, SimulationControl simulation, StudioFolders folders, Optional<EventBus> board)
             throws IOException {

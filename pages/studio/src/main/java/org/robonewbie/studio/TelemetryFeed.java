@@ -13,70 +13,69 @@ import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.simulator.AgentMessages;
 
 /**
- * What one page hears of robots until it is ready for it: all that the watched robot tells, says and hears, and the newest picture
- * that each other robot draws.
+ * Telemetry buffer of one page: all items and agent messages of the watched robot, and the latest drawing of each other robot.
  */
 final class TelemetryFeed {
 
-    private static final int MOST_LINES = 2000;
-    private static final int MOST_MESSAGES = 200;
+    private static final int MAX_LINES = 2000;
+    private static final int MAX_MESSAGES = 200;
 
-    private final Deque<String> heard = new ArrayDeque<>();
+    private final Deque<String> items = new ArrayDeque<>();
     private final Map<String, TelemetryMessage> pictures = new LinkedHashMap<>();
     private final Deque<AgentMessages> talk = new ArrayDeque<>();
     private volatile String watched = "";
-    private volatile boolean begins;
-    private long toldCycle = -1;
+    private volatile boolean isNew;
+    private long lastCycle = -1;
 
-    /** Chooses the robot; may be called from any thread. */
+    /** Selects the robot to watch. Thread-safe. */
     void watch(String robot) {
         watched = robot;
-        begins = true;
+        isNew = true;
     }
 
-    /** Whether a robot is the chosen one; may be called from any thread. */
+    /** Returns whether a robot is being watched. Thread-safe. */
     boolean watches(String robot) {
         return watched.equals(robot);
     }
 
-    /** Takes the telemetry from before the page began to watch. */
+    /** Replays the history of a robot that the page has just begun to watch. */
     void remember(TelemetryHistory memory) {
-        if (begins) {
-            begins = false;
-            heard.clear();
+        if (isNew) {
+            isNew = false;
+            items.clear();
             talk.clear();
-            toldCycle = -1;
-            memory.of(watched).forEach(this::hear);
+            lastCycle = -1;
+            memory.of(watched).forEach(this::add);
         }
     }
 
-    /** Keeps what a robot tells. */
-    void hear(TelemetryMessage message) {
+    /** Adds telemetry of any robot. */
+    void add(TelemetryMessage message) {
         String robot = TelemetryHistory.key(message.team(), message.number());
         if (watches(robot)) {
-            heard.add(TelemetryLine.write(message));
-            if (heard.size() > MOST_LINES) {
-                heard.remove();
+            items.add(TelemetryLine.write(message));
+            if (items.size() > MAX_LINES) {
+                items.remove();
             }
         } else if (message.item() instanceof TelemetryItem.Picture) {
             pictures.put(robot, message);
         }
     }
 
-    /** Keeps what the watched robot's agent says and hears. */
-    void hear(String robot, AgentMessages messages) {
-        if (watches(robot) && messages.cycle() != toldCycle) {
-            toldCycle = messages.cycle();
+    /** Adds the messages of the watched robot's agent. */
+    void add(String robot, AgentMessages messages) {
+        if (watches(robot) && messages.cycle() != lastCycle) {
+            lastCycle = messages.cycle();
             talk.add(messages);
-            if (talk.size() > MOST_MESSAGES) {
+            if (talk.size() > MAX_MESSAGES) {
                 talk.remove();
             }
         }
     }
 
-    /** Takes all of it as one JSON object; empty if there is nothing. */
+    /** Drains the buffer into one JSON object; empty if there is nothing. */
     Optional<String> take() {
-        if (heard.isEmpty() && talk.isEmpty() && pictures.isEmpty()) {
+        if (items.isEmpty() && talk.isEmpty() && pictures.isEmpty()) {
             return Optional.empty();
         }
         JsonObject json = new JsonObject();
@@ -90,8 +89,8 @@ final class TelemetryFeed {
 
     private JsonArray lines() {
         JsonArray lines = new JsonArray();
-        heard.forEach(lines::add);
-        heard.clear();
+        items.forEach(lines::add);
+        items.clear();
         return lines;
     }
 

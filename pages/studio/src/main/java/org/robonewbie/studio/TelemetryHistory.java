@@ -8,14 +8,14 @@ import java.util.Map;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 
-/** The last log lines and motions of each robot, for pages that begin to watch it later. Used by one thread only. */
+/** Latest log lines and motion events of each robot, for pages that start to watch it later. Not thread-safe. */
 final class TelemetryHistory {
 
-    private static final int MOST_MESSAGES = 500;
+    private static final int MAX_MESSAGES = 500;
 
     private final Map<String, Deque<TelemetryMessage>> robots = new HashMap<>();
 
-    /** The key of a robot, unique among all robots. */
+    /** Unique key of a robot. */
     static String key(String team, int number) {
         return team + "\t" + number;
     }
@@ -26,7 +26,7 @@ final class TelemetryHistory {
             Deque<TelemetryMessage> kept =
                     robots.computeIfAbsent(key(message.team(), message.number()), robot -> new ArrayDeque<>());
             kept.add(message);
-            if (kept.size() > MOST_MESSAGES) {
+            if (kept.size() > MAX_MESSAGES) {
                 kept.remove();
             }
         }

@@ -11,13 +11,13 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 
-/** Waits on a thread of its own, beside that of the simulation. */
+/** Command queue with its own thread. */
 final class ThreadedCommandQueue implements CommandQueue {
 
-    private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(10);
-    private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
+    private static final long TIMEOUT_NANOS = TimeUnit.SECONDS.toNanos(10);
+    private static final long POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
 
-    /** Longer than a running simulation waits for its agents; only one that has ended does not answer. */
+    /** Longer than a running simulation waits for its agents. */
     private static final long ANSWER_SECONDS = 5;
 
     private final ExecutorService thread = Executors.newSingleThreadExecutor(ThreadedCommandQueue::newThread);
@@ -33,7 +33,7 @@ final class ThreadedCommandQueue implements CommandQueue {
         try {
             thread.execute(work);
         } catch (RejectedExecutionException ended) {
-            // The studio is closing; nobody sees the world any more.
+            // The studio is closing.
         }
     }
 
@@ -65,9 +65,9 @@ final class ThreadedCommandQueue implements CommandQueue {
 
     @Override
     public void await(BooleanSupplier condition) {
-        long end = System.nanoTime() + PATIENCE_NANOS;
+        long end = System.nanoTime() + TIMEOUT_NANOS;
         while (!condition.getAsBoolean() && System.nanoTime() < end) {
-            LockSupport.parkNanos(LOOK_NANOS);
+            LockSupport.parkNanos(POLL_NANOS);
         }
     }
 

@@ -13,31 +13,31 @@ import org.robonewbie.studio.scene.UndoStack;
 import org.robonewbie.studio.scene.UndoableCommand;
 
 /**
- * What people do to the world, one thing after the other, so that each can be taken back. Each change waits until the moment before
- * it is kept.
+ * Executes the user's changes of the world one after the other, and undoes and redoes them. A checkpoint is taken before each
+ * change.
  */
 final class UndoManager implements RestorableSimulation {
 
     private final StudioContext context;
     private final Restore world;
-    private final Consumer<String> teller;
+    private final Consumer<String> notifier;
     private final UndoStack history = new UndoStack();
     private Optional<WorldChange> last = Optional.empty();
     private volatile Names names = new Names("", "");
 
-    /** What would be undone and redone; empty for nothing. */
+    /** Names of the commands that undo and redo apply to; empty for none. */
     record Names(String undo, String redo) {}
 
     /**
-     * Prepares to remember.
+     * Creates a manager with an empty history.
      *
-     * @param context what can be acted upon
-     * @param teller tells people what has happened
+     * @param context what the commands act on
+     * @param notifier receives messages to the user
      */
-    UndoManager(StudioContext context, Consumer<String> teller) {
+    UndoManager(StudioContext context, Consumer<String> notifier) {
         this.context = context;
         this.world = new Restore(context);
-        this.teller = teller;
+        this.notifier = notifier;
     }
 
     Names names() {
@@ -45,11 +45,11 @@ final class UndoManager implements RestorableSimulation {
     }
 
     /**
-     * Changes the world.
+     * Applies an undoable change.
      *
-     * @param name what is done, such as "ball moved"
-     * @param gesture number of the drag that it belongs to: all changes of a drag are one change; 0 if it is none
-     * @param act gives the orders
+     * @param name description such as "ball moved"
+     * @param gesture number of the drag; all changes of one drag are undone together; 0 for none
+     * @param act applies the change
      */
     void change(String name, long gesture, Runnable act) {
         if (!context.simulation().hasClock() || context.simulation().trial().isPresent()) {
@@ -57,14 +57,14 @@ final class UndoManager implements RestorableSimulation {
             return;
         }
         later(() -> {
-            if (last.filter(change -> change.goesOnWith(name, gesture)).isEmpty()) {
+            if (last.filter(change -> change.continues(name, gesture)).isEmpty()) {
                 remember(new WorldChange(world, name, gesture));
             }
             act.run();
         });
     }
 
-    /** Remembers that a puppet was added, which is undone by taking it away. */
+    /** Records that a puppet was added. */
     void puppetAdded(PlayerNumber player) {
         done(new UndoableCommand() {
             @Override
@@ -86,7 +86,7 @@ final class UndoManager implements RestorableSimulation {
         });
     }
 
-    /** Takes a puppet away, which is undone by letting it in once more, at the place that it had. */
+    /** Removes a puppet; undo lets it rejoin at its former position. */
     void removePuppet(PlayerNumber player) {
         later(() -> {
             Checkpoint before = world.keep();
@@ -95,7 +95,7 @@ final class UndoManager implements RestorableSimulation {
             history.add(new UndoableCommand() {
                 @Override
                 public String name() {
-                    return "puppet taken away";
+                    return "puppet removed";
                 }
 
                 @Override
@@ -112,7 +112,7 @@ final class UndoManager implements RestorableSimulation {
         });
     }
 
-    /** Remembers what was done to a file. */
+    /** Records a change of a file. */
     void done(UndoableCommand command) {
         later(() -> {
             last = Optional.empty();
@@ -126,14 +126,14 @@ final class UndoManager implements RestorableSimulation {
     }
 
     void undo() {
-        later(() -> teller.accept(told(history::undo)));
+        later(() -> notifier.accept(attempt(history::undo)));
     }
 
     void redo() {
-        later(() -> teller.accept(told(history::redo)));
+        later(() -> notifier.accept(attempt(history::redo)));
     }
 
-    /** Forgets everything, since another world is shown. */
+    /** Clears the history because another world is shown. */
     void forget() {
         later(() -> {
             last = Optional.empty();
@@ -145,7 +145,7 @@ final class UndoManager implements RestorableSimulation {
         String take() throws IOException;
     }
 
-    private String told(Step step) {
+    private String attempt(Step step) {
         last = Optional.empty();
         try {
             return step.take();
@@ -156,7 +156,7 @@ final class UndoManager implements RestorableSimulation {
 
     private void later(Runnable work) {
         context.commandQueue().later(() -> {
-            carryOut(work);
+            run(work);
             nameNext();
         });
     }
@@ -165,11 +165,11 @@ final class UndoManager implements RestorableSimulation {
         names = new Names(history.nextUndo(), history.nextRedo());
     }
 
-    private void carryOut(Runnable work) {
+    private void run(Runnable work) {
         try {
             work.run();
         } catch (IllegalStateException | IllegalArgumentException refused) {
-            teller.accept(String.valueOf(refused.getMessage()));
+            notifier.accept(String.valueOf(refused.getMessage()));
         }
     }
 
@@ -189,10 +189,10 @@ final class UndoManager implements RestorableSimulation {
     }
 
     @Override
-    public Restored goOnFrom(Checkpoint moment) {
+    public Restored restore(Checkpoint moment) {
         return context.commandQueue().result(() -> {
             WorldChange change = new WorldChange(world, "scene loaded", 0);
-            Restored restored = world.goOnFrom(moment);
+            Restored restored = world.restore(moment);
             remember(change);
             nameNext();
             return restored;

@@ -5,7 +5,7 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.Base64;
 
-/** A file that pages load, with the tag by which a browser asks whether it has changed. */
+/** Static file with its ETag. */
 @SuppressWarnings("ArrayRecordComponent")
 record WebFile(byte[] content, String tag) {
 
@@ -13,13 +13,13 @@ record WebFile(byte[] content, String tag) {
         return new WebFile(content, "\"" + hash(content) + "\"");
     }
 
-    /** The SHA-256 hash of some bytes, as browsers write it. */
+    /** Base64 of the SHA-256 hash, as used in a Content-Security-Policy. */
     static String hash(byte[] content) {
         try {
             return Base64.getEncoder()
                     .encodeToString(MessageDigest.getInstance("SHA-256").digest(content));
         } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("Every Java has SHA-256.", e);
+            throw new IllegalStateException("SHA-256 is part of every Java runtime.", e);
         }
     }
 

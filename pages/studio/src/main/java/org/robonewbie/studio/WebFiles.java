@@ -18,14 +18,14 @@ import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
 
 /**
- * Serves the pages, scripts and pictures of the studio and of the documentation from the class path, and nothing else: a path
- * is made of plain names, so that it cannot climb out of the folder {@code web}.
+ * Static file handler for the studio's pages and the documentation, both from the class path. Paths consist of plain names, so that
+ * no path leaves the folder {@code web}.
  */
 final class WebFiles extends Handler.Abstract {
 
     private static final String START_PAGE = "index.html";
 
-    /** Folder of the addresses of the documentation, and where the build has put its pages. */
+    /** Address prefix of the documentation. */
     private static final String DOCUMENTATION = "docs/";
 
     private static final String DOCUMENTATION_PAGES = "/org/robonewbie/site/pages/";
@@ -69,13 +69,13 @@ final class WebFiles extends Handler.Abstract {
         return true;
     }
 
-    /** Reads what the start page needs, so that the first page need not wait for it. */
+    /** Loads the start page and its scripts into the cache. */
     void warmUp() {
         String page = file(START_PAGE).map(WebFile::text).orElse("");
         LINK.matcher(page).results().forEach(link -> file(link.group(1)));
     }
 
-    /** A file is read once; a page lists the scripts that it will need. */
+    /** Files are cached; pages get preload links for their scripts. */
     private Optional<WebFile> file(String name) {
         WebFile kept = files.get(name);
         if (kept != null) {
@@ -96,11 +96,11 @@ final class WebFiles extends Handler.Abstract {
     }
 
     /**
-     * Returns what the pages may load: this server's own files and its live feed. The start page's import map is the only
-     * inline script and is identified by its hash.
+     * Returns the Content-Security-Policy: only this server's files and its live feed may be loaded. The start page's import map is
+     * the only inline script and is allowed by its hash.
      *
      * @param port the server's port
-     * @return the text of the header Content-Security-Policy
+     * @return the value of the header
      */
     static String contentSecurityPolicy(int port) {
         return "default-src 'none'; script-src 'self' 'sha256-" + importMapHash() + "'; style-src 'self'; "

@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.robonewbie.studio.scene.Checkpoint;
 import org.robonewbie.studio.scene.UndoableCommand;
 
-/** A change of the world, which is taken back by going on from the moment before it. */
+/** Undoable change of the world; undo restores the checkpoint taken before it. */
 final class WorldChange implements UndoableCommand {
 
     private final Restore world;
@@ -14,11 +14,11 @@ final class WorldChange implements UndoableCommand {
     private Optional<Checkpoint> after = Optional.empty();
 
     /**
-     * Remembers the moment before a change.
+     * Takes a checkpoint before a change.
      *
      * @param world the running simulation
-     * @param name what will be done
-     * @param gesture number of the drag that it belongs to, 0 if it is none
+     * @param name description of the change
+     * @param gesture number of the drag that it belongs to; 0 for none
      */
     WorldChange(Restore world, String name, long gesture) {
         this.world = world;
@@ -27,8 +27,8 @@ final class WorldChange implements UndoableCommand {
         this.before = world.keep();
     }
 
-    /** Whether an order is the next one of the same drag. */
-    boolean goesOnWith(String otherName, long otherGesture) {
+    /** Returns whether an order continues the same drag. */
+    boolean continues(String otherName, long otherGesture) {
         return gesture != 0 && gesture == otherGesture && name.equals(otherName);
     }
 

@@ -1,8 +1,8 @@
 /**
- * The browser application: a web server on this computer only, and the live feed from the simulation to the pages. Read
- * {@link org.robonewbie.studio.StudioServer} first; the pages themselves are the files below {@code web}.
+ * The browser application: a local web server, and the live feed from the simulation to the pages. Start with {@link
+ * org.robonewbie.studio.StudioServer}; the pages are the files below {@code web}.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.studio;

@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.studio.search.SearchFeed;
 import org.robonewbie.studio.search.SearchTask;
 
-/** axe-core finds no violation in any room, light and dark, nor in what opens there. */
+/** axe-core finds no violation in any room or dialog, in the light and the dark theme. */
 @Tag("slow")
 @InBrowser
 class AccessibilityPageTest {
@@ -86,7 +86,7 @@ class AccessibilityPageTest {
     @Tag("slow")
     @ParameterizedTest
     @ValueSource(strings = {"light", "dark"})
-    void whatOpensInARoomHasNoViolation(String theme) {
+    void dialogsOfARoomHaveNoViolation(String theme) {
         visit(theme, "#field", FIELD_IS_THERE);
         openAll();
         assertClean("Field with all that folds");
@@ -110,7 +110,7 @@ class AccessibilityPageTest {
     void mistakeInAProgramHasNoViolation(String theme) {
         visit(theme, "#program", PROGRAM_IS_THERE);
         browser.evaluate("studio.rooms.program.editor.replace('int angle = " + SmallWorkshop.MISTAKE + ";')");
-        browser.await("document.querySelector('#program-state').innerText.includes('1 mistake')");
+        browser.await("document.querySelector('#program-state').innerText.includes('1 error')");
         assertClean("a mistake");
         browser.fill("#program-file", "exercise kick");
         browser.await("document.querySelector('#program-check') && !document.querySelector('#program-remarks li')");
@@ -120,7 +120,7 @@ class AccessibilityPageTest {
     @Tag("slow")
     @ParameterizedTest
     @ValueSource(strings = {"light", "dark"})
-    void whatOpensInAnEditorHasNoViolation(String theme) {
+    void dialogsOfAnEditorHaveNoViolation(String theme) {
         visit(theme, "#motion/mine", MOTION_IS_THERE);
         browser.click("#timeline-curves");
         browser.click("#motion-tools .menu-head");
@@ -133,7 +133,7 @@ class AccessibilityPageTest {
     @Tag("slow")
     @ParameterizedTest
     @ValueSource(strings = {"light", "dark"})
-    void whatOpensWithARecordingHasNoViolation(String theme) throws IOException {
+    void dialogsOfARecordingHaveNoViolation(String theme) throws IOException {
         Files.copy(folder.resolve("game.rec"), folder.resolve("other.rec"));
         visit(theme, "#replay/game", RECORDING_IS_THERE);
         openAll();
@@ -171,7 +171,7 @@ class AccessibilityPageTest {
         browser.await(isThere);
     }
 
-    /** Looks after the page has looked what it hides, which it does twice a second. */
+    /** Checks after the page has updated hidden elements, which it does twice a second. */
     private void assertClean(String place) {
         browser.evaluate("window.studio?.workspace.markMore()");
         assertThat(axe.violations(browser)).as(place).isEmpty();

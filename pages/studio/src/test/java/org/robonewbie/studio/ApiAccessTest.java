@@ -13,7 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.simulator.file.RecordingRepository;
 
-/** Each address below {@code /api/} answers pages of the studio only, and no name leads out of its folder. */
+/** Endpoints below {@code /api/} answer only pages of the studio, and no name leads out of its folder. */
 class ApiAccessTest {
 
     @TempDir
@@ -67,16 +67,16 @@ class ApiAccessTest {
                 .contains("not to \"evil.example\"");
         assertThat(ask(order, host(), cookie, "Origin: http://evil.example"))
                 .startsWith("HTTP/1.1 403")
-                .contains("Pages of \"http://evil.example\" may not talk to the studio.");
+                .contains("Pages of \"http://evil.example\" may not use the studio.");
         for (String site : new String[] {"cross-site", "same-site"}) {
             assertThat(ask(order, host(), cookie, "Sec-Fetch-Site: " + site))
                     .startsWith("HTTP/1.1 403")
-                    .contains("Pages of other addresses may not talk to the studio.");
+                    .contains("Pages of other addresses may not use the studio.");
         }
-        assertThat(ask(order, host())).startsWith("HTTP/1.1 403").contains("This browser has not been let in yet");
+        assertThat(ask(order, host())).startsWith("HTTP/1.1 403").contains("This browser is not signed in");
         assertThat(ask(order, host(), cookie + "0"))
                 .startsWith("HTTP/1.1 403")
-                .contains("This browser has not been let in yet");
+                .contains("This browser is not signed in");
     }
 
     @ParameterizedTest
@@ -102,13 +102,13 @@ class ApiAccessTest {
                 "POST /api/programs/run/MyAgent.java?world=keep",
                 "DELETE /api/programs/run",
             })
-    void nothingIsChangedForAProgramThatNamesNoOrigin(String order) throws IOException {
+    void requestsWithoutOriginChangeNothing(String order) throws IOException {
         assertThat(ask(order, host(), cookie, "Content-Length: 0"))
                 .startsWith("HTTP/1.1 403")
                 .contains("Only a page of the studio may change files; this request names no origin.");
         assertThat(ask(order, host(), "Origin: http://" + host(), "Content-Length: 0"))
                 .startsWith("HTTP/1.1 403")
-                .contains("This browser has not been let in yet");
+                .contains("This browser is not signed in");
     }
 
     @ParameterizedTest

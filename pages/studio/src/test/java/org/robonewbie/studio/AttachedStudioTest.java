@@ -13,12 +13,12 @@ import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.studio.monitor.MonitoredSimulation;
 
-/** The studio that looks at something that is not its own: a server with a monitor port, or a recording of somebody. */
+/** The studio attached to a foreign simulation: a server with a monitor port, or a given recording. */
 @Tag("slow")
 @InBrowser
 class AttachedStudioTest {
 
-    private static final String NO_CLOCK = "The server that is watched keeps its own clock; a monitor cannot stop it.";
+    private static final String NO_CLOCK = "The watched server has its own clock; a monitor cannot stop it.";
 
     @TempDir
     private Path folder;

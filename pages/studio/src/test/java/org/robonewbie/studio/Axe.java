@@ -8,10 +8,10 @@ import java.nio.file.Files;
 import java.util.List;
 import java.util.stream.StreamSupport;
 
-/** axe-core, which looks for what keeps people with disabilities from using a page; {@code npm install} brings it. */
+/** axe-core, a checker for violations of accessibility rules; installed by {@code npm install}. */
 final class Axe {
 
-    /** What is wrong and where; one line for each place. */
+    /** Lists rules and elements; one line per element. */
     private static final String LOOK = """
             axe.run(document, {resultTypes: ['violations']}).then(({violations}) => violations.flatMap(({help, nodes}) =>
               nodes.map(({target, html}) => `${help}: ${target.join(' ')} ${html.slice(0, 200)}`)))""";
@@ -26,7 +26,7 @@ final class Axe {
         }
     }
 
-    /** Lists the violations in the page that is open. */
+    /** Lists the violations in the open page. */
     List<String> violations(Chromium browser) {
         browser.evaluate("window.axe || (() => {" + script + "})(); true");
         return StreamSupport.stream(browser.evaluate(LOOK).getAsJsonArray().spliterator(), false)

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.extension.ExtensionContext.Namespace;
 import org.junit.jupiter.api.extension.ParameterContext;
 import org.junit.jupiter.api.extension.ParameterResolver;
 
-/** Lends the browser of {@link InBrowser}: one for all classes, with a new page for each; JUnit closes it after the last. */
+/** JUnit extension of {@link InBrowser}: one browser for all classes with a new page for each, closed after the last class. */
 final class BrowserForTests implements BeforeAllCallback, AfterTestExecutionCallback, ParameterResolver {
 
     @Override

@@ -15,7 +15,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 
-/** The processes of a real browser without a window, with a profile of its own. */
+/** Process of a headless browser with its own profile. */
 final class BrowserProcess implements AutoCloseable {
 
     private final Process process;
@@ -28,7 +28,7 @@ final class BrowserProcess implements AutoCloseable {
         this.devTools = devTools;
     }
 
-    /** Starts the browser and waits until it can be steered. */
+    /** Starts the browser and waits until it accepts commands. */
     static BrowserProcess start() throws IOException {
         Path profile = Files.createTempDirectory("studio-chromium");
         List<String> command = new ArrayList<>();
@@ -37,7 +37,7 @@ final class BrowserProcess implements AutoCloseable {
                 "--headless=new",
                 "--no-sandbox",
                 "--disable-dev-shm-usage",
-                "--disable-gpu", // without a graphics card, pretending one takes most of the time
+                "--disable-gpu", // software emulation of a graphics card takes most of the time
                 "--enable-unsafe-swiftshader",
                 "--remote-debugging-port=0",
                 "--no-first-run",
@@ -79,12 +79,12 @@ final class BrowserProcess implements AutoCloseable {
         }
     }
 
-    /** Returns where the browser is steered. */
+    /** Returns the address of the DevTools endpoint. */
     URI devTools() {
         return devTools;
     }
 
-    /** Returns how long processors have worked for the browser with all its processes. */
+    /** Returns the CPU time of the browser with all its processes. */
     double processorSeconds() {
         return Stream.concat(Stream.of(process.toHandle()), process.descendants())
                 .flatMap(each -> each.info().totalCpuDuration().stream())
@@ -105,7 +105,7 @@ final class BrowserProcess implements AutoCloseable {
             files.sorted(Comparator.reverseOrder())
                     .forEach(file -> file.toFile().delete());
         } catch (IOException | UncheckedIOException e) {
-            // The system's folder for temporary files is emptied by the system.
+            // The operating system cleans up its temporary folder.
         }
     }
 }

@@ -15,12 +15,12 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Pattern;
 
-/** A real browser without a window, steered by the Chrome DevTools protocol. */
+/** A headless Chromium, controlled by the Chrome DevTools protocol. */
 final class Chromium implements AnyBrowser, AutoCloseable {
 
     private static final long PATIENCE_SECONDS = 120;
 
-    /** Pixels of the screen on one pixel of the page, in both directions. */
+    /** Device pixels per CSS pixel, in both directions. */
     private static final double COARSE = 0.25;
 
     private static final String NO_SHAPES = """
@@ -29,7 +29,7 @@ final class Chromium implements AnyBrowser, AutoCloseable {
             }
             """;
 
-    /** Keys with which the browser itself does something. */
+    /** Keys that the browser handles itself. */
     private static final Map<String, Integer> VIRTUAL_KEYS = Map.of("Tab", 9, "Enter", 13);
 
     private static final Pattern PAGE_IS_LEFT = Pattern.compile(
@@ -54,19 +54,19 @@ final class Chromium implements AnyBrowser, AutoCloseable {
         this.tools = new DevTools(process.devTools(), this::receiveEvent);
     }
 
-    /** Starts a browser with a page whose pictures are worth looking at. */
+    /** Starts a browser with a page that is drawn sharply. */
     static Chromium open(int width, int height) throws IOException {
         Chromium browser = start();
         browser.openPage(width, height);
         return browser;
     }
 
-    /** Starts a browser that has no page yet. */
+    /** Starts a browser without a page. */
     static Chromium start() throws IOException {
         return new Chromium(BrowserProcess.start());
     }
 
-    /** Opens a page that knows nothing of the page before it, which is closed. */
+    /** Opens a page with fresh state and closes the previous one. */
     void openPage(int width, int height) {
         closePage();
         context = call("Target.createBrowserContext", new JsonObject())
@@ -108,8 +108,8 @@ final class Chromium implements AnyBrowser, AutoCloseable {
     }
 
     /**
-     * Draws one pixel of the screen for 16 of the page, and no shape of the 3D pictures of the pages that are visited from now
-     * on: without a graphics card they take most of the time. Places and sizes stay as they are.
+     * Draws one device pixel for 16 CSS pixels, and no shapes of 3D scenes, in pages that are visited from now on: without a graphics card
+     * they take most of the time. Positions and sizes do not change.
      */
     void drawCoarsely() {
         sharpness = COARSE;
@@ -119,7 +119,7 @@ final class Chromium implements AnyBrowser, AutoCloseable {
         }
     }
 
-    /** Draws each pixel of the pages that are visited from now on, for pictures that are worth looking at. */
+    /** Draws every pixel of pages that are visited from now on, for screenshots. */
     void drawSharply() {
         sharpness = 1;
         resize(width, height);
@@ -129,7 +129,7 @@ final class Chromium implements AnyBrowser, AutoCloseable {
         }
     }
 
-    /** Opens an address and waits until the page before it has gone and this one is there. */
+    /** Opens an address and waits until the previous page is gone and this one has loaded. */
     @Override
     public void visit(String address) {
         JsonObject place = new JsonObject();
@@ -140,7 +140,7 @@ final class Chromium implements AnyBrowser, AutoCloseable {
         await((isOther ? "!window.isLeft && " : "") + "document.readyState === 'complete'");
     }
 
-    /** Computes a JavaScript expression in the page. */
+    /** Evaluates a JavaScript expression in the page. */
     @Override
     public JsonElement evaluate(String expression) {
         JsonObject parameters = new JsonObject();
@@ -155,7 +155,7 @@ final class Chromium implements AnyBrowser, AutoCloseable {
         return value == null ? JsonNull.INSTANCE : value;
     }
 
-    /** Waits until a JavaScript condition holds in the page, which looks by itself and answers when it does. */
+    /** Waits until a JavaScript condition holds in the page, which polls it and answers once it does. */
     @Override
     public void await(String condition) {
         String guarded = "(() => { try { return Boolean(" + condition + "); } catch { return false; } })()";
@@ -174,7 +174,7 @@ final class Chromium implements AnyBrowser, AutoCloseable {
         }
     }
 
-    /** In a page that is just being left nothing holds; the next page has to be asked again. */
+    /** Evaluates a promise; false while the page is being replaced, so that the next page is asked again. */
     private boolean holds(String promise) {
         try {
             return evaluate(promise).getAsBoolean();
@@ -186,7 +186,7 @@ final class Chromium implements AnyBrowser, AutoCloseable {
         }
     }
 
-    /** Does something that makes the page offer a file, and waits until the file is there. */
+    /** Runs a command that starts a download, and waits until the file is complete. */
     Path download(Path folder, Runnable command) {
         downloaded = new CompletableFuture<>();
         JsonObject behavior = new JsonObject();
@@ -202,18 +202,18 @@ final class Chromium implements AnyBrowser, AutoCloseable {
                 downloaded.orTimeout(PATIENCE_SECONDS, TimeUnit.SECONDS).join());
     }
 
-    /** Waits while the page goes on. */
+    /** Waits while the page continues to run. */
     void rest(int seconds) {
         evaluate("new Promise((answer) => setTimeout(answer, " + 1000 * seconds + "))");
     }
 
-    /** How much the scripts of the page keep: what is left after a collection of garbage. */
+    /** Size of the script heap after a garbage collection. */
     long heapBytes() {
         call("HeapProfiler.collectGarbage", new JsonObject());
         return evaluate("performance.memory.usedJSHeapSize").getAsLong();
     }
 
-    /** Runs a script in each page before its own scripts, and returns a name for it. */
+    /** Registers a script that runs in each page before its own scripts, and returns its identifier. */
     String runBeforePages(String source) {
         JsonObject script = new JsonObject();
         script.addProperty("source", source);
@@ -228,19 +228,19 @@ final class Chromium implements AnyBrowser, AutoCloseable {
         call("Page.removeScriptToEvaluateOnNewDocument", script);
     }
 
-    /** Clicks as soon as the element is there and can be used, as a person would; a disabled one swallows the click. */
+    /** Clicks as soon as the element exists and is enabled; a disabled one would swallow the click. */
     @Override
     public void click(String selector) {
         clickElement("document.querySelector(" + quoted(selector) + ")");
     }
 
-    /** Clicks what a JavaScript expression finds, as soon as it is there and can be used. */
+    /** Clicks the result of a JavaScript expression as soon as it exists and is enabled. */
     void clickElement(String expression) {
         await("(() => { const found = " + expression + "; const ready = found && !found.disabled;"
                 + " if (ready) { found.click(); } return ready; })()");
     }
 
-    /** Writes into a field or chooses from a list, as soon as it can be used; as a person does, who leaves the field then. */
+    /** Fills a field or selects from a list as soon as it is enabled, then moves the focus away. */
     void fill(String selector, String value) {
         await("(() => { const field = document.querySelector(" + quoted(selector) + ");"
                 + " const ready = field && !field.disabled;"
@@ -249,7 +249,7 @@ final class Chromium implements AnyBrowser, AutoCloseable {
                 + " field.dispatchEvent(new Event('change', {bubbles: true})); field.blur(); } return ready; })()");
     }
 
-    /** Stops all scripts of the page, as if it hung, and returns when they stand. */
+    /** Stops all scripts of the page, as if it hung, and returns when they have stopped. */
     void freeze() {
         frozen = new CompletableFuture<>();
         call("Debugger.enable", new JsonObject());
@@ -257,7 +257,7 @@ final class Chromium implements AnyBrowser, AutoCloseable {
         frozen.orTimeout(PATIENCE_SECONDS, TimeUnit.SECONDS).join();
     }
 
-    /** Lets the scripts of the page go on. */
+    /** Resumes the scripts of the page. */
     void thaw() {
         call("Debugger.resume", new JsonObject());
         call("Debugger.disable", new JsonObject());
@@ -267,7 +267,7 @@ final class Chromium implements AnyBrowser, AutoCloseable {
         press(key, 0);
     }
 
-    /** Presses a key while others are held: 1 is Alt, 2 Ctrl, 8 Shift. */
+    /** Presses a key with modifiers: 1 is Alt, 2 Ctrl, 8 Shift. */
     void press(String key, int modifiers) {
         for (String type : List.of("keyDown", "keyUp")) {
             JsonObject event = new JsonObject();
@@ -288,7 +288,7 @@ final class Chromium implements AnyBrowser, AutoCloseable {
         mouse(type, x, y, 0);
     }
 
-    /** Moves or presses the mouse while keys are held: 1 is Alt, 2 Ctrl, 8 Shift. */
+    /** Moves or presses the mouse with modifiers: 1 is Alt, 2 Ctrl, 8 Shift. */
     void mouse(String type, double x, double y, int modifiers) {
         JsonObject event = new JsonObject();
         event.addProperty("type", type);
@@ -311,7 +311,7 @@ final class Chromium implements AnyBrowser, AutoCloseable {
                 .decode(call("Page.captureScreenshot", form).get("data").getAsString());
     }
 
-    /** Lists errors and warnings of the page, and addresses outside of this computer that it asked for. */
+    /** Lists errors and warnings of the page, and requests to other computers. */
     List<String> complaints() {
         return List.copyOf(complaints);
     }
@@ -358,7 +358,7 @@ final class Chromium implements AnyBrowser, AutoCloseable {
         }
     }
 
-    /** A page may ask whether it is left with unsaved work; a test that goes to the next page means it. */
+    /** Confirms the question about unsaved work when a test leaves the page. */
     private void agree() {
         JsonObject parameters = new JsonObject();
         parameters.addProperty("accept", true);
@@ -388,7 +388,7 @@ final class Chromium implements AnyBrowser, AutoCloseable {
         }
     }
 
-    /** Returns how long processors have worked for the browser with all its processes. */
+    /** Returns the CPU time of the browser with all its processes. */
     double processorSeconds() {
         return process.processorSeconds();
     }

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.studio.course.Attempt;
 
-/** A student chooses an exercise, lets a program try it, and sees how it is judged. */
+/** A student selects an exercise, runs a program, and sees the result. */
 @InBrowser
 class CoursePageTest {
 
@@ -64,7 +64,7 @@ class CoursePageTest {
     }
 
     @Test
-    void listShowsTitleAndLevelAndWhatIsPassed() {
+    void listShowsTitleLevelAndPassedExercises() {
         visit();
 
         browser.await("document.querySelector('[data-exercise=kick]').innerText.replace(/\\s+/g, ' ') === "
@@ -99,7 +99,7 @@ class CoursePageTest {
 
     @Tag("slow")
     @Test
-    void programToBeginWithIsWrittenAndChosen() {
+    void starterProgramIsWrittenAndSelected() {
         visit();
         chooseKick();
 
@@ -112,7 +112,7 @@ class CoursePageTest {
     @Test
     void trialIsShownLiveAndItsVerdictBesideIt() {
         visit();
-        letAProgramTry();
+        startAttempt();
 
         browser.await(
                 "document.querySelector('#course-judged').innerText === '✗ Seed 1: 4 points, the ball went 1.00 m'");
@@ -128,7 +128,7 @@ class CoursePageTest {
     @Test
     void lastTrialIsAGhostBesideTheNextOne() {
         visit();
-        letAProgramTry();
+        startAttempt();
         browser.await("document.querySelector('#course-judged').innerText.startsWith('✗ Seed 1')");
         browser.await("!studio.field.ghosts.group.visible");
 
@@ -143,7 +143,7 @@ class CoursePageTest {
 
     @Tag("slow")
     @Test
-    void exercisesSpeakGermanToo() {
+    void exercisesAreTranslatedToGerman() {
         visit();
         chooseKick();
 
@@ -156,7 +156,7 @@ class CoursePageTest {
         assertThat(browser.complaints()).isEmpty();
     }
 
-    private void letAProgramTry() {
+    private void startAttempt() {
         chooseKick();
         browser.evaluate("document.querySelector('#course-program').value = 'Other.java'");
 
@@ -168,10 +168,10 @@ class CoursePageTest {
 
     @Tag("slow")
     @Test
-    void exercisesAreWorthAPicture() throws IOException {
+    void takesScreenshotOfTheExercises() throws IOException {
         browser.drawSharply();
         visit("high");
-        letAProgramTry();
+        startAttempt();
 
         browser.await("document.querySelector('#course-output pre').textContent === 'hello from the program'");
         Path pictures = Path.of(System.getProperty("studio.pictures", "target/pictures"));

@@ -20,7 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.simulator.file.RecordingRepository;
 
-/** Whatever lies in the folders of recordings and scenes, a page gets data or a sentence. */
+/** Whatever the folders of recordings and scenes contain, a page receives valid data or an error message. */
 class DamagedFilesTest {
 
     private static final int DAMAGED = 60;
@@ -54,7 +54,7 @@ class DamagedFilesTest {
 
     @Tag("slow")
     @Test
-    void aDamagedRecordingIsAnsweredWithWhatIsGoodOrASentence() throws IOException {
+    void damagedRecordingYieldsItsValidPartOrAnError() throws IOException {
         for (int seed = 0; seed < DAMAGED; seed++) {
             Files.write(runs.resolve("packed " + seed + ".rec"), damaged(whole, seed));
             Files.write(runs.resolve("content " + seed + ".rec"), packed(damaged(unpacked(whole), seed)));
@@ -85,7 +85,7 @@ class DamagedFilesTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"CON", "LPT1", "NUL.x", "COM%C2%B9", "goal.", "goal%20"})
-    void namesThatNotEverySystemKnowsAreRefused(String name) throws IOException {
+    void unportableNamesAreRefused(String name) throws IOException {
         assertThat(order("PUT", "scenes/" + name)).startsWith("HTTP/1.1 409").contains("A scene cannot be named");
         assertThat(order("PUT", "recordings/" + name + "?was=game"))
                 .startsWith("HTTP/1.1 409")

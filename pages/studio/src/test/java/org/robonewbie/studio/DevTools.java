@@ -12,7 +12,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 
-/** A conversation by the Chrome DevTools protocol: calls, their answers, and events. */
+/** Connection in the Chrome DevTools protocol: calls, responses and events. */
 final class DevTools implements WebSocket.Listener {
 
     private final WebSocket socket;
@@ -21,7 +21,7 @@ final class DevTools implements WebSocket.Listener {
     private final Map<Integer, CompletableFuture<JsonObject>> calls = new ConcurrentHashMap<>();
     private final StringBuilder text = new StringBuilder();
 
-    /** Connects; events come on a thread of the connection, which must not wait for an answer. */
+    /** Connects; events arrive on a thread of the connection, which must not block. */
     DevTools(URI address, Consumer<JsonObject> events) {
         this.events = events;
         this.socket = HttpClient.newHttpClient()
@@ -30,7 +30,7 @@ final class DevTools implements WebSocket.Listener {
                 .join();
     }
 
-    /** Calls a method of the browser, or of the page with this session. */
+    /** Calls a method of the browser, or of the page with the given session. */
     synchronized CompletableFuture<JsonObject> send(String session, String method, JsonObject parameters) {
         int id = lastCall.incrementAndGet();
         JsonObject message = new JsonObject();

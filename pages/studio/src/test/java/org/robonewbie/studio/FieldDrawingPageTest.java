@@ -21,7 +21,7 @@ import org.robonewbie.protocol.telemetry.Drawing;
 import org.robonewbie.protocol.telemetry.TelemetryItem.Picture;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 
-/** What robots draw is on the ground of the field, and its layers are switched. */
+/** Drawings of robots appear on the ground of the field, and their layers can be switched. */
 @Tag("slow")
 @InBrowser(width = 1440, height = 900)
 class FieldDrawingPageTest {
@@ -67,7 +67,7 @@ class FieldDrawingPageTest {
         studio.telemetry().accept(new TelemetryMessage(team, number, now, new Picture(List.of(drawings))));
     }
 
-    /** Both robots draw; the picture that is still on its way is asked for again. */
+    /** Both robots draw; repeated until the picture has arrived. */
     private void drawBoth() {
         simulation.awaitTrue(() -> {
             draw(
@@ -87,7 +87,7 @@ class FieldDrawingPageTest {
         visit();
         drawBoth();
         browser.press("3");
-        browser.await("studio.desk.isStill && studio.desk.mode !== 'follow' && !studio.session.stale");
+        browser.await("studio.camera.isStill && studio.camera.mode !== 'follow' && !studio.session.stale");
 
         JsonArray circle = browser.evaluate("(() => { const { view } = studio; const head ="
                         + " studio.state.scene.models.TYPE_0.links.findIndex(({name}) => name === 'head');"
@@ -125,7 +125,7 @@ class FieldDrawingPageTest {
     void layersAreSwitchedAndRemembered() {
         assertThat(browser.evaluate("document.querySelector('#drawings').hidden")
                         .getAsBoolean())
-                .as("before anybody draws")
+                .as("before any robot draws")
                 .isTrue();
         drawBoth();
         browser.click("#drawings summary");

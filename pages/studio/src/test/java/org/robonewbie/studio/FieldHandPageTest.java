@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
 
-/** Names and trail in the picture, and what the mouse does to robots and ball. */
+/** Names and trail in the 3D view, and mouse operations on robots and ball. */
 @Tag("slow")
 @InBrowser(width = 1440, height = 900)
 class FieldHandPageTest {
@@ -39,7 +39,7 @@ class FieldHandPageTest {
         browser.visit(studio.oneTimeAddress() + "&theme=light&quality=lowest");
         browser.await("studio.state.scene?.robots.length === 2 && studio.view.robots.poses[1]?.[2] > 0"
                 + " && studio.view.covered.bottom > 0");
-        browser.await("studio.desk.isStill && !document.querySelector('#scenes').hidden");
+        browser.await("studio.camera.isStill && !document.querySelector('#scenes').hidden");
     }
 
     @AfterEach
@@ -100,7 +100,8 @@ class FieldHandPageTest {
 
     private double ringOf(String kind) {
         String thing = kind.equals("ball") ? "{kind: 'ball'}" : "{kind: 'robot', robot: 0}";
-        return browser.evaluate("studio.hand.pointing.radiusOf(" + thing + ")").getAsDouble();
+        return browser.evaluate("studio.pointer.pointing.radiusOf(" + thing + ")")
+                .getAsDouble();
     }
 
     @Test
@@ -127,8 +128,8 @@ class FieldHandPageTest {
     void cameraFollowsTheBallAndAGoalIsShownAgain() {
         browser.press("5");
         browser.evaluate("studio.send({do: 'placeBall', x: 3, y: -2, z: 0.042})");
-        browser.await("studio.desk.mode === 'ball' && Math.abs(studio.desk.shown.target[0] - 3) < 0.1"
-                + " && Math.abs(studio.desk.shown.target[1] + 2) < 0.1");
+        browser.await("studio.camera.mode === 'ball' && Math.abs(studio.camera.shown.target[0] - 3) < 0.1"
+                + " && Math.abs(studio.camera.shown.target[1] + 2) < 0.1");
         browser.click("#goal-replays");
         browser.await("document.querySelector('#goal-replays').checked");
 
@@ -140,7 +141,7 @@ class FieldHandPageTest {
     }
 
     @Test
-    void listOfKeysTellsWhatTheRingsDo() {
+    void keyboardHelpExplainsTheRings() {
         browser.press("?");
 
         browser.await("document.querySelector('#help').open && /Pull the ball’s ring.*throw the ball/s"

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What the picture of the field shows: all that matters, beside the panels, in all its pixels. */
+/** The 3D view of the field shows the whole pitch beside the panels, at full resolution. */
 @Tag("slow")
 @InBrowser(width = 1440, height = 900)
 class FieldPicturePageTest {
@@ -49,7 +49,7 @@ class FieldPicturePageTest {
 
     private void open(String options) {
         browser.visit(studio.oneTimeAddress() + "&theme=light" + options);
-        browser.await("studio.state.frame && studio.desk.scene && studio.view.drawCalls > 0");
+        browser.await("studio.state.frame && studio.camera.scene && studio.view.drawCalls > 0");
     }
 
     private void openWithRobot(String options) {
@@ -69,7 +69,7 @@ class FieldPicturePageTest {
         openWithRobot(CHEAP);
 
         browser.press(key);
-        browser.await("studio.desk.isStill && studio.desk.mode !== 'follow'");
+        browser.await("studio.camera.isStill && studio.camera.mode !== 'follow'");
 
         assertThat(seesFreely("[[-6, -4, 0], [6, -4, 0], [-6, 4, 0], [6, 4, 0], [6.6, 1, 0], [-6.6, -1, 0]]"))
                 .isTrue();
@@ -79,7 +79,7 @@ class FieldPicturePageTest {
     void firstPictureHoldsRobotBallAndGoal() {
         openWithRobot(CHEAP);
 
-        browser.await("studio.desk.isStill && !studio.desk.opens");
+        browser.await("studio.camera.isStill && !studio.camera.isOpeningShot");
 
         assertThat(seesFreely("[[...studio.view.robots.poses[0]].slice(0, 3), [0, 0, 0.04], [6, 0, 0.4]]"))
                 .isTrue();
@@ -123,9 +123,9 @@ class FieldPicturePageTest {
     void groundReachesTheHorizonBelowRobotsThatHaveLeftThePitch() throws IOException {
         browser.drawSharply();
         open(CHEAP);
-        browser.evaluate("studio.desk.jumpTo({target: [30, 0, 1.4], azimuthDegrees: 180, elevationDegrees: 2,"
+        browser.evaluate("studio.camera.jumpTo({target: [30, 0, 1.4], azimuthDegrees: 180, elevationDegrees: 2,"
                 + " distance: 8}); studio.touch()");
-        browser.await("studio.desk.isStill && !studio.session.stale");
+        browser.await("studio.camera.isStill && !studio.session.stale");
         double horizon = browser.evaluate("((" + SEEN + ")(10000, 0, 0))[1]").getAsDouble();
 
         BufferedImage picture = ImageIO.read(new ByteArrayInputStream(browser.screenshot()));
@@ -139,22 +139,23 @@ class FieldPicturePageTest {
     @Test
     void robotCamerasAreNotChosenWithoutARobot() {
         open(CHEAP);
-        browser.await("studio.desk.mode === 'orbit' && studio.desk.isStill && studio.view.covered.bottom > 0");
-        browser.evaluate("studio.desk.zoom(0.8)");
-        double distance = browser.evaluate("studio.desk.view.distance").getAsDouble();
+        browser.await("studio.camera.mode === 'orbit' && studio.camera.isStill && studio.view.covered.bottom > 0");
+        browser.evaluate("studio.camera.zoom(0.8)");
+        double distance = browser.evaluate("studio.camera.view.distance").getAsDouble();
 
         browser.press("2");
 
         browser.await("document.querySelector('[data-camera=orbit]').ariaPressed === 'true'");
-        assertThat(browser.evaluate("studio.desk.view.distance").getAsDouble()).isEqualTo(distance);
+        assertThat(browser.evaluate("studio.camera.view.distance").getAsDouble())
+                .isEqualTo(distance);
     }
 
     @Test
     void ballIsNeverSmallerThanFourPixels() {
         open(CHEAP);
 
-        browser.evaluate("studio.desk.jumpTo({...studio.desk.view, distance: 60}); studio.touch()");
-        browser.await("studio.desk.isStill && !studio.session.stale");
+        browser.evaluate("studio.camera.jumpTo({...studio.camera.view, distance: 60}); studio.touch()");
+        browser.await("studio.camera.isStill && !studio.session.stale");
 
         double pixels = browser.evaluate("(() => { const see = " + SEEN + "; const { x, y, z } ="
                         + " studio.view.ball.position; const r = 0.042 * studio.view.ball.scale.x;"
@@ -164,15 +165,15 @@ class FieldPicturePageTest {
     }
 
     @Test
-    void wheelGoesNearerToWhatIsUnderThePointer() {
+    void wheelZoomsToThePointer() {
         openWithRobot(CHEAP);
         browser.press("1");
-        browser.await("studio.desk.mode === 'orbit' && studio.desk.isStill");
+        browser.await("studio.camera.mode === 'orbit' && studio.camera.isStill");
         browser.evaluate("window.spot = (" + SEEN + ")(3, 1, 0)");
 
         browser.evaluate("studio.view.stage.dispatchEvent(new WheelEvent('wheel', {deltaY: -500, clientX: spot[0],"
                 + " clientY: spot[1], cancelable: true}))");
-        browser.await("studio.desk.isStill && studio.desk.shown.distance < 10");
+        browser.await("studio.camera.isStill && studio.camera.shown.distance < 10");
 
         assertThat(browser.evaluate("Math.hypot(...(" + SEEN + ")(3, 1, 0).map((value, i) => value - spot[i]))")
                         .getAsDouble())

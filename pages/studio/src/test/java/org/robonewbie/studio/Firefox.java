@@ -17,12 +17,12 @@ import java.util.List;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.TimeUnit;
 
-/** A real Firefox without a window, steered by WebDriver BiDi. A profile can be used again by the next one. */
+/** A headless Firefox, controlled by WebDriver BiDi. A later browser can use the same profile. */
 final class Firefox implements AnyBrowser, AutoCloseable {
 
     static final Tool TOOL = new Tool("Firefox", List.of("firefox-esr", "firefox"));
 
-    /** Draws into nothing: without a screen this browser has no WebGL. All else is as in any window. */
+    /** Stub for WebGL, which this browser lacks without a screen. Everything else works as in a window. */
     private static final String DRAWS_NOTHING = """
             () => {
               const answers = {
@@ -53,7 +53,7 @@ final class Firefox implements AnyBrowser, AutoCloseable {
     private static final String ANNOUNCEMENT = "WebDriver BiDi listening on ";
     private static final int PATIENCE_SECONDS = 120;
 
-    /** The Control key, as WebDriver calls it. */
+    /** The Control key in WebDriver's encoding. */
     private static final String CONTROL = "\uE009";
 
     private final Process process;
@@ -77,7 +77,7 @@ final class Firefox implements AnyBrowser, AutoCloseable {
     /**
      * Starts the browser.
      *
-     * @param profile an empty folder, or that of a browser that was closed
+     * @param profile an empty folder, or that of a closed browser
      * @param preferences lines of its file {@code user.js}
      */
     static Firefox start(Path profile, String... preferences) throws IOException {
@@ -117,7 +117,7 @@ final class Firefox implements AnyBrowser, AutoCloseable {
         reader.start();
     }
 
-    /** Opens an address and waits until the page is there. */
+    /** Opens an address and waits until the page has loaded. */
     @Override
     public void visit(String address) {
         JsonObject place = new JsonObject();
@@ -127,7 +127,7 @@ final class Firefox implements AnyBrowser, AutoCloseable {
         call("browsingContext.navigate", place);
     }
 
-    /** Computes a JavaScript expression in the page. */
+    /** Evaluates a JavaScript expression in the page. */
     @Override
     public JsonElement evaluate(String expression) {
         JsonObject target = new JsonObject();
@@ -145,7 +145,7 @@ final class Firefox implements AnyBrowser, AutoCloseable {
                 answer.getAsJsonObject("result").get("value").getAsString());
     }
 
-    /** Waits until a JavaScript condition holds in the page, which looks by itself and answers when it does. */
+    /** Waits until a JavaScript condition holds in the page, which polls it and answers once it does. */
     @Override
     public void await(String condition) {
         try {
@@ -160,14 +160,14 @@ final class Firefox implements AnyBrowser, AutoCloseable {
         }
     }
 
-    /** Clicks as soon as the element is there and can be used. */
+    /** Clicks as soon as the element exists and is enabled. */
     @Override
     public void click(String selector) {
         await("(() => { const found = document.querySelector(" + new JsonPrimitive(selector)
                 + "); const ready = found && !found.disabled; if (ready) { found.click(); } return ready; })()");
     }
 
-    /** Types into what has the focus, key by key. */
+    /** Types into the focused element, key by key. */
     void type(String text) {
         JsonArray keys = new JsonArray();
         for (int i = 0; i < text.length(); i++) {
@@ -177,7 +177,7 @@ final class Firefox implements AnyBrowser, AutoCloseable {
         perform(keys);
     }
 
-    /** Presses a key while Control is held. */
+    /** Presses a key with Control. */
     void typeWithControl(String letter) {
         JsonArray keys = new JsonArray();
         keys.add(key("keyDown", CONTROL));
@@ -213,7 +213,7 @@ final class Firefox implements AnyBrowser, AutoCloseable {
                 .join();
     }
 
-    /** Ends the browser as its user does, so that it keeps what pages have stored. */
+    /** Quits the browser regularly, so that it stores the data of pages. */
     @Override
     public void close() {
         call("browser.close", new JsonObject());

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 
-/** Somebody opens the studio for the first time: three things to try, a gamepad in the hand, a program with mistakes. */
+/** First visit of the studio: the three first steps, a gamepad, and a program with errors. */
 @Tag("slow")
 @InBrowser(width = 1366, height = 768)
 class FirstMinutesPageTest {
@@ -56,7 +56,7 @@ class FirstMinutesPageTest {
     }
 
     @Test
-    void stepsAreTakenAwayForGood() {
+    void stepsAreDismissedPermanently() {
         browser.clickElement(STEPS + ".querySelector('button')");
 
         browser.await(STEPS + ".hidden");

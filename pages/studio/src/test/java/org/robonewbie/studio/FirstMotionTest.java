@@ -25,7 +25,7 @@ import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
-/** Somebody who has read nothing but {@code docs/first-motion.md} and presses what is printed bold there. */
+/** Follows the bold words of {@code docs/first-motion.md} literally. */
 @Tag("slow")
 @InBrowser
 class FirstMotionTest {
@@ -88,7 +88,7 @@ class FirstMotionTest {
         }
     }
 
-    /** Lets an agent play the motion by its name, and gives how near its robot's arm came to an angle, in degrees. */
+    /** Plays the motion by name in an agent, and returns the smallest distance of the arm from an angle, in degrees. */
     private double nearestToWhenPlayed(double degrees) throws Exception {
         int hinge = NaoModel.of(RobotType.TYPE_0).hingeIndex(ARM);
         DoubleAccumulator nearest = new DoubleAccumulator(Math::min, Double.MAX_VALUE);
@@ -127,7 +127,7 @@ class FirstMotionTest {
                 .toList();
     }
 
-    /** Presses the button or link that has this text. */
+    /** Clicks the button or link with this text. */
     private void press(String text) {
         browser.clickElement("[...document.querySelectorAll('button, a')].find(each => each.offsetParent"
                 + " && each.textContent.trim() === " + Chromium.quoted(text) + ")");

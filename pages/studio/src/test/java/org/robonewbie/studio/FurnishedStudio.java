@@ -7,7 +7,7 @@ import java.util.Optional;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.file.RecordingRepository;
 
-/** A studio in which each room has something to do: a robot on the pitch, a motion, a recording, a course of exercises, a place for programs. */
+/** A studio with content in each room: a robot on the pitch, a motion, a recording, a course, and programs. */
 final class FurnishedStudio implements AutoCloseable {
 
     private static final int SHELF_BYTES = 10_000_000;
@@ -18,7 +18,7 @@ final class FurnishedStudio implements AutoCloseable {
     private final SmallCourse course = new SmallCourse(simulation, pitchOfTrial, shown);
     private final StudioServer studio;
 
-    /** Starts it with its files in a folder: the recording is called game, the motion mine. */
+    /** Starts the studio with its files in a folder: a recording named game and a motion named mine. */
     FurnishedStudio(Path folder) throws IOException {
         RecordedRun.write(folder.resolve("game.rec"));
         Files.writeString(folder.resolve("mine.txt"), "200" + " 0".repeat(22) + "\n400" + " 0".repeat(22) + "\n");
@@ -28,13 +28,13 @@ final class FurnishedStudio implements AutoCloseable {
         pitchOfTrial.start();
     }
 
-    /** Stops the time of the world, in which else always something moves a little. */
+    /** Pauses the world, in which otherwise something always moves. */
     FurnishedStudio paused() {
         simulation.order(new Order.Pause());
         return this;
     }
 
-    /** A new address of the page, to which options and the room can be added. */
+    /** A new address of the page, to which options and the room can be appended. */
     String oneTimeAddress() {
         return studio.oneTimeAddress().toString();
     }

@@ -19,19 +19,19 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.nao.motion.file.MotionFiles;
 
-/** Clicks, keys and drags without sense, drawn from a seed, in each room: nothing fails, and no file is lost or spoiled. */
+/** Monkey test with random clicks, keys and drags in each room: no errors occur, and no file is lost or corrupted. */
 @Tag("slow")
 @InBrowser
 class FuzzPageTest {
 
     private static final long SEED = 20261122;
     private static final int STEPS_PER_CALL = 500;
-    private static final int MOST_HEAP_BYTES = 300_000_000;
+    private static final int MAX_HEAP_BYTES = 300_000_000;
 
-    /** Steps with mouse and keys of the browser itself, which focus and scroll as a person's do, but take longer. */
+    /** Steps with native mouse and key events, which change focus and scroll as a user's do, but are slow. */
     private static final int REAL_STEPS = 25;
 
-    /** What refuses a wish in words is no error: a name that is none (400), a recording that is gone (404), a name that is taken (409). */
+    /** Expected refusals, which are not errors: invalid name (400), missing recording (404), name in use (409). */
     private static final Pattern REFUSED = Pattern.compile("the server responded with a status of 4(00|04|09)");
 
     @TempDir
@@ -116,12 +116,12 @@ class FuzzPageTest {
         assertThat(errors).as(when).isEmpty();
         assertThat(browser.evaluate("performance.memory.usedJSHeapSize").getAsLong())
                 .as("bytes of the heap " + when)
-                .isLessThan(MOST_HEAP_BYTES);
+                .isLessThan(MAX_HEAP_BYTES);
     }
 
     /**
-     * Recordings may have another name now or lie among the deleted ones; motions may be changed, but can be read; what was typed into a
-     * program may have been saved.
+     * Recordings may have been renamed or deleted; motions may have changed but must be readable; typed text may have been saved to a
+     * program.
      */
     private void assertFilesAreSafe() throws IOException {
         assertThat(folder.resolve("Student.java")).isNotEmptyFile();

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Three real pages, of which one hangs and one vanishes with its browser: the third and the simulation go on. */
+/** Three real pages, one of which hangs and one of which vanishes with its browser: the third and the simulation are not affected. */
 @InBrowser(width = 640, height = 360)
 @Timeout(600)
 @Tag("slow")
@@ -24,7 +24,7 @@ class HangingBrowserTest {
     }
 
     @Test
-    void othersDoNotNoticeAndItCatchesUp() throws Exception {
+    void hangingPageAffectsNoOtherPageAndCatchesUp() throws Exception {
         try (SmallSimulation simulation = new SmallSimulation().withRobot().start();
                 StudioServer studio = StudioServer.start(simulation, 0, AccessToken.random());
                 TestPage third = new TestPage(studio.oneTimeAddress())) {

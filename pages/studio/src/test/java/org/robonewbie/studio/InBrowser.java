@@ -7,9 +7,9 @@ import java.lang.annotation.Target;
 import org.junit.jupiter.api.extension.ExtendWith;
 
 /**
- * Opens a page for the tests of a class in a browser that all classes share, and gives it to the constructor; without a browser
- * on this computer the tests are skipped. The page is drawn coarsely until {@link Chromium#drawSharply()}. After each test it is
- * left, before the test closes its studio.
+ * Opens a page for the tests of a class in a browser that all classes share, and passes it to the constructor. Tests are skipped without
+ * a browser on this computer. The page is drawn coarsely until {@link Chromium#drawSharply()}. It is left after each test, before the
+ * test closes its studio.
  */
 @Target(ElementType.TYPE)
 @Retention(RetentionPolicy.RUNTIME)

@@ -39,7 +39,7 @@ import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.recording.RecordedCycle;
 import org.robonewbie.simulator.recording.RecordingReader;
 
-/** Runs the tests of the page's scripts, which live in {@code src/test/javascript}. */
+/** Runs the tests of the page's scripts in {@code src/test/javascript}. */
 class JavaScriptTest {
 
     @Test
@@ -57,7 +57,7 @@ class JavaScriptTest {
     }
 
     @Test
-    void scriptsHaveTheTypesThatTheySay(@TempDir Path folder) throws Exception {
+    void scriptsPassTheTypeCheck(@TempDir Path folder) throws Exception {
         run(folder, nodeTool("typescript/bin/tsc", "--project", "jsconfig.json"));
     }
 
@@ -77,7 +77,7 @@ class JavaScriptTest {
         run(folder, List.of(Tool.NODE.orSkip().toString(), "src/test/tools/function-lengths.js"));
     }
 
-    /** The command line of a tool that {@code npm install} brings, or skips the test where it is not installed. */
+    /** The command line of a tool that {@code npm install} installs; skips the test if it is missing. */
     private static List<String> nodeTool(String script, String... arguments) {
         Path node = Tool.NODE.orSkip();
         Path path = NodeTool.require(script);
@@ -104,7 +104,7 @@ class JavaScriptTest {
         }
     }
 
-    /** Writes a scene and its frame as the server does, and the truth to compare with. */
+    /** Writes a scene and its frame as the server does, and the expected values. */
     private static void writeFrame(Path folder) throws IOException {
         try (SmallSimulation simulation = new SmallSimulation()) {
             simulation
@@ -158,7 +158,7 @@ class JavaScriptTest {
         }
     }
 
-    /** A link's position and quaternion with SimSpark's axes, as the page has them. */
+    /** Position and quaternion of a link in SimSpark's axes, as in the page. */
     private static Stream<Double> numbers(Pose link) {
         return numbers(link.position(), SimSparkFrame.linkFromBody(link).rotation());
     }
@@ -167,7 +167,7 @@ class JavaScriptTest {
         return Stream.of(place.x(), place.y(), place.z(), turn.w(), turn.x(), turn.y(), turn.z());
     }
 
-    /** Writes the robot's description as the server gives it to pages. */
+    /** Writes the robot's description as the server sends it to pages. */
     private static void writeRobot(Path folder) throws IOException {
         try (SmallSimulation simulation = new SmallSimulation();
                 StudioServer studio = StudioServer.start(
@@ -184,7 +184,7 @@ class JavaScriptTest {
         }
     }
 
-    /** Writes a recording, and what Java reads from it. */
+    /** Writes a recording, and its content as read by Java. */
     private static void writeRecording(Path folder) throws IOException {
         Path file = folder.resolve("run.rec");
         RecordedRun.write(file);
@@ -211,7 +211,7 @@ class JavaScriptTest {
         Files.writeString(folder.resolve("run.json"), new Gson().toJson(truth));
     }
 
-    /** Writes motion files of all kinds, and what the robot's own reader makes of them. */
+    /** Writes various motion files, and how the agent's parser reads them. */
     private static void writeMotions(Path folder) throws IOException {
         Random random = new Random(5);
         for (int i = 0; i < 60; i++) {
@@ -238,7 +238,7 @@ class JavaScriptTest {
         }
     }
 
-    /** Writes bytes of all kinds, and what the robot's own reader says of them. */
+    /** Writes various byte sequences, and how the agent's decoder reads them. */
     private static void writeTexts(Path file) throws IOException {
         Random random = new Random(7);
         List<Map<String, String>> texts = new ArrayList<>();

@@ -17,14 +17,14 @@ import org.robonewbie.studio.search.SearchFeed;
 import org.robonewbie.studio.search.SearchTask;
 
 /**
- * Somebody without a mouse walks through each room with the Tab key: every control is reached, shows that it is, and
- * lies on the page also on a small projector.
+ * Keyboard navigation with the Tab key in each room: every control is reachable, shows its focus, and is on the page even on a small
+ * projector.
  */
 @InBrowser(width = 1024)
 @Tag("slow")
 class KeyboardPageTest {
 
-    /** Notes which controls there are, what has had the focus, and what of it did not show a ring. */
+    /** Records the controls, which of them have had the focus, and which of those showed no focus ring. */
     private static final String WALK = """
             window.walk = (() => {
               const controls = 'button, a[href], input, select, textarea, summary,'
@@ -149,7 +149,7 @@ class KeyboardPageTest {
         browser.await(isThere);
     }
 
-    /** Presses Tab until every control has had the focus, twice as often as there are controls at most. */
+    /** Presses Tab until every control has had the focus, at most twice as often as there are controls. */
     private void walkThrough() {
         browser.evaluate(WALK + "; true");
         int most = 30 + 2 * browser.evaluate("walk.count()").getAsInt();

@@ -18,7 +18,7 @@ import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.landscape.Landscape;
 
 /**
- * Takes a picture of each world without football and looks whether its things are on it. The pictures are written to {@code
+ * Takes a screenshot of each world without soccer and checks that its objects are visible. Screenshots are written to {@code
  * target/pictures}; {@code -Dstudio.pictures=../../docs/images} writes them to the documentation.
  */
 @Tag("slow")
@@ -52,7 +52,7 @@ class LandscapePictureTest {
         assertThat(share(picture, LandscapePictureTest::isCardboard)).isGreaterThan(0.02);
     }
 
-    /** A robot at x and one y, and if the other y differs a second one there. */
+    /** Places a robot at x and the first y, and a second one at the other y if it differs. */
     private BufferedImage take(Landscape landscape, double y, double x, double otherY) throws IOException {
         browser.drawSharply();
         try (SmallSimulation simulation = new SmallSimulation(landscape)
@@ -69,9 +69,9 @@ class LandscapePictureTest {
                         + landscape.things().size() + " && studio.state.frame");
                 browser.press("1");
                 browser.evaluate(
-                        "studio.desk.jumpTo({target: [-2.9, 0, 0.1], azimuthDegrees: -65, elevationDegrees: 24,"
+                        "studio.camera.jumpTo({target: [-2.9, 0, 0.1], azimuthDegrees: -65, elevationDegrees: 24,"
                                 + " distance: 4.6}); studio.touch()");
-                browser.await("studio.desk.isStill");
+                browser.await("studio.camera.isStill");
                 byte[] png = browser.screenshot();
                 Path folder = Path.of(System.getProperty("studio.pictures", "target/pictures"));
                 Files.write(Files.createDirectories(folder).resolve("scene-" + landscape.name() + ".png"), png);

@@ -6,8 +6,6 @@ import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.lang.management.ManagementFactory;
-import java.lang.management.ThreadMXBean;
 import java.nio.ByteBuffer;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
@@ -22,7 +20,6 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.SimulationControl;
-import org.robonewbie.simulator.WorldSnapshot;
 
 class LiveFeedTest {
 
@@ -94,15 +91,6 @@ class LiveFeedTest {
     }
 
     @Test
-    void pageThatDoesNotAnswerGetsNoSecondFrame() throws InterruptedException {
-        try (TestPage frozen = new TestPage(studio.oneTimeAddress())) {
-            frozen.nextFrame();
-
-            assertThat(frozen.framesWithin(1500)).isFalse();
-        }
-    }
-
-    @Test
     void pageThatAnswersLateGetsTheNewestFrame() throws InterruptedException {
         try (TestPage slow = new TestPage(studio.oneTimeAddress())) {
             slow.nextFrame();
@@ -130,24 +118,6 @@ class LiveFeedTest {
 
             assertThat(frozen.framesWithin(1)).isFalse();
             assertThat(studio.spectators()).isEqualTo(2);
-        }
-    }
-
-    @Test
-    void reportingACycleCostsTheSimulationNextToNothing() {
-        try (LiveFeed feed = new LiveFeed(simulation)) {
-            WorldSnapshot snapshot = simulation.latest();
-            ThreadMXBean work = ManagementFactory.getThreadMXBean();
-            for (int i = 0; i < 100_000; i++) {
-                feed.cycleEnded(snapshot);
-            }
-            long start = work.getCurrentThreadCpuTime();
-            for (int i = 0; i < 100_000; i++) {
-                feed.cycleEnded(snapshot);
-            }
-            double microseconds = (work.getCurrentThreadCpuTime() - start) / 1e3 / 100_000;
-
-            assertThat(microseconds).isLessThan(20);
         }
     }
 
@@ -282,7 +252,7 @@ class LiveFeedTest {
     }
 
     @Test
-    void nonsenseIsAnsweredAndDoesNoHarm() throws InterruptedException {
+    void invalidCommandsAreRefused() throws InterruptedException {
         try (TestPage page = new TestPage(studio.oneTimeAddress())) {
             page.nextFrame();
             page.nextMessage();
@@ -312,7 +282,7 @@ class LiveFeedTest {
     }
 
     @Test
-    void pagesAreToldWhenTheSimulatorEnds() throws Exception {
+    void pagesAreClosedWhenTheSimulatorEnds() throws Exception {
         try (TestPage page = new TestPage(studio.oneTimeAddress())) {
             page.nextFrame();
 

@@ -37,7 +37,7 @@ class ModuleGraphTest {
     private final ModuleGraph graph = new ModuleGraph(name -> Optional.ofNullable(SCRIPTS.get(name)));
 
     @Test
-    void allScriptsAreFoundLayerByLayerAndLaterOnesAreLeftOut() {
+    void findsTransitiveImportsInBreadthFirstOrder() {
         assertThat(graph.scriptsOf("start.js")).containsExactly("main.js", "parts/one.js", "parts/two.js", "other.js");
     }
 
@@ -52,7 +52,7 @@ class ModuleGraphTest {
     }
 
     @Test
-    void pageWithoutScriptsStaysAsItIs() {
+    void pageWithoutScriptsIsUnchanged() {
         assertThat(graph.withPreloads("<p>Hello</p>")).isEqualTo("<p>Hello</p>");
     }
 }

@@ -115,9 +115,9 @@ class MotionAccessTest {
 
         assertThat(asPage("GET /api/motions/link", ""))
                 .startsWith("HTTP/1.1 403")
-                .contains("outside of");
+                .contains("outside");
         assertThat(asPage("PUT /api/motions/link", "evil")).startsWith("HTTP/1.1 403");
-        assertThat(asPage("GET /api/motions", "")).contains("\"own\":[]", "\"link\\\" is a link to a place outside of");
+        assertThat(asPage("GET /api/motions", "")).contains("\"own\":[]", "\"link\\\" is a link to a place outside");
         assertThat(place.resolve("secret.txt")).hasContent("secret");
     }
 
@@ -169,7 +169,7 @@ class MotionAccessTest {
     }
 
     @Test
-    void fileThatIsNoMotionIsLeftOutAlone() throws IOException, InterruptedException {
+    void invalidMotionFileIsSkipped() throws IOException, InterruptedException {
         Files.writeString(folder.resolve("good.txt"), "// good\n");
         Files.createDirectory(folder.resolve("folder.txt"));
         Files.createSymbolicLink(folder.resolve("dead.txt"), place.resolve("nowhere"));
@@ -216,7 +216,7 @@ class MotionAccessTest {
         assertThat(send(put, "x", cookie))
                 .startsWith("HTTP/1.1 403")
                 .contains("Only a page of the studio may change files; this request names no origin.");
-        assertThat(send(put, "x", own)).startsWith("HTTP/1.1 403").contains("not been let in yet");
+        assertThat(send(put, "x", own)).startsWith("HTTP/1.1 403").contains("is not signed in");
         assertThat(send(
                         put,
                         "x",
@@ -234,10 +234,10 @@ class MotionAccessTest {
 
         assertThat(asPage("PUT /api/motions/mine", "c", "Known-Version: " + version))
                 .startsWith("HTTP/1.1 409")
-                .contains("\"mine\" was changed by another program since it was opened here.");
+                .contains("\"mine\" was changed by another program after it was opened here.");
         assertThat(asPage("PUT /api/motions/mine", "c"))
                 .startsWith("HTTP/1.1 409")
-                .contains("There is a motion \"mine\" already. Choose another name.");
+                .contains("There is already a motion named \"mine\". Choose another name.");
         assertThat(folder.resolve("mine.txt")).hasContent("b");
     }
 
@@ -262,7 +262,7 @@ class MotionAccessTest {
 
         assertThat(asPage("GET /api/drafts/mine", ""))
                 .startsWith("HTTP/1.1 404")
-                .contains("There is no motion \"mine\".");
+                .contains("There is no motion named \"mine\".");
     }
 
     @Test
@@ -281,7 +281,7 @@ class MotionAccessTest {
                 .contains("2 angles, expected 22");
         assertThat(asPage("POST /api/trial", "", "Start: flying"))
                 .startsWith("HTTP/1.1 400")
-                .contains("A robot cannot start \"flying\".");
+                .contains("Unknown start \"flying\". Choose standing, back or front.");
     }
 
     private static String header(String answer, String name) {

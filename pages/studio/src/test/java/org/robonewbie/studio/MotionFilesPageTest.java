@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.simulator.file.RecordingRepository;
 
-/** How motions come into the editor and out of it: files of Webots, a recorded run, and a browser that was killed. */
+/** Import and export of motions: files of Webots, a recorded run, and recovery after the browser was killed. */
 @Tag("slow")
 @InBrowser
 class MotionFilesPageTest {
@@ -64,7 +64,7 @@ class MotionFilesPageTest {
     }
 
     @Test
-    void motionGoesToWebotsAndComesBack() {
+    void motionIsExportedToWebotsAndImported() {
         visitMotion(browser);
         String before = text("JSON.stringify(" + FRAMES + ")");
         browser.evaluate("(() => { const make = URL.createObjectURL;"
@@ -89,7 +89,7 @@ class MotionFilesPageTest {
     }
 
     @Test
-    void workIsThereAgainAfterTheBrowserWasKilled() throws IOException {
+    void workIsRecoveredAfterTheBrowserWasKilled() throws IOException {
         try (Chromium killed = Chromium.open(1366, 768)) {
             visitMotion(killed);
             killed.fill("[data-joint='NECK_PITCH']", "7.5");

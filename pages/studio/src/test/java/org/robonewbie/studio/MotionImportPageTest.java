@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What the room Motion says of names, of files that it cannot read, and of motions that were made for RoboNewbie 1.1. */
+/** Messages of the motion editor about names, unreadable files, and motions made for RoboNewbie 1.1. */
 @Tag("slow")
 @InBrowser
 class MotionImportPageTest {
@@ -59,7 +59,7 @@ class MotionImportPageTest {
     }
 
     @Test
-    void nameMayHaveLettersOfAnyLanguageAndAWrongOneIsSaid() throws IOException {
+    void nameMayHaveLettersOfAnyLanguageAndAnInvalidOneIsReported() throws IOException {
         visit("mine");
         browser.click("#new-motion");
         browser.await(STATE + ".name === ''");
@@ -80,7 +80,7 @@ class MotionImportPageTest {
     }
 
     @Test
-    void fileThatNoAgentCanPlayIsNamedWithItsReason() throws IOException {
+    void unplayableFileIsListedWithTheReason() throws IOException {
         Files.writeString(folder.resolve("what?.txt"), SKIPPED);
 
         visit("mine");
@@ -134,7 +134,7 @@ class MotionImportPageTest {
     }
 
     @Test
-    void importThatWouldDoNothingIsRefusedInASentence() {
+    void importWithoutEffectIsRefused() {
         visit("mine");
         importFile("theirs.motion", "#WEBOTS_MOTION,V1.0,l_knee\n00:01:000,Pose1,1.2\n");
 

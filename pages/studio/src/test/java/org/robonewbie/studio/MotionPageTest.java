@@ -19,7 +19,7 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.file.MotionFiles;
 import org.robonewbie.protocol.order.Order;
 
-/** The motion editor as people have it: in a real browser, with files in a real folder. */
+/** The motion editor in a real browser with files in a real folder. */
 @InBrowser
 class MotionPageTest {
 
@@ -73,7 +73,7 @@ class MotionPageTest {
         return (int) number(FRAMES + ".length");
     }
 
-    /** Drags from one place of the page to another, in some steps as a hand does. */
+    /** Drags between two points of the page in small steps. */
     private void drag(double fromX, double fromY, double toX, double toY) {
         browser.mouse("mousePressed", fromX, fromY);
         for (int i = 1; i <= 4; i++) {
@@ -314,7 +314,7 @@ class MotionPageTest {
 
     @Tag("slow")
     @Test
-    void changeOnBothSidesIsDecidedByThePerson() throws IOException {
+    void conflictIsResolvedByTheUser() throws IOException {
         openFile(WITH_COMMENTS);
         browser.fill("[data-joint='NECK_PITCH']", "12.5");
         Files.writeString(folder.resolve("mine.txt"), "700 " + STANDING + "\n");

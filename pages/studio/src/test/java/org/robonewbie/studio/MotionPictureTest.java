@@ -12,8 +12,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Walks the way of {@code docs/first-motion.md} and takes its pictures: to {@code target/pictures}, or where {@code
- * -Dstudio.pictures=../../docs/images} says.
+ * Follows {@code docs/first-motion.md} and takes its screenshots: to {@code target/pictures}, or to the folder of {@code
+ * -Dstudio.pictures=../../docs/images}.
  */
 @Tag("slow")
 class MotionPictureTest {

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What one has shaped or typed in the motion editor is never lost, and undo takes back what one sees. */
+/** Edits in the motion editor are never lost, and undo reverts what is visible. */
 @Tag("slow")
 @InBrowser
 class MotionSafetyPageTest {
@@ -58,7 +58,7 @@ class MotionSafetyPageTest {
         return folder.resolve(".studio").resolve("drafts").resolve(name + ".txt");
     }
 
-    /** Types into the field of the neck's yaw as a person does, and stays in it. */
+    /** Types into the field of the neck's yaw and keeps the focus there. */
     private void typeYaw(String text) {
         browser.evaluate("(() => { const field = " + YAW + "; field.focus(); field.value = " + Chromium.quoted(text)
                 + "; field.dispatchEvent(new Event('input', {bubbles: true})); })()");
@@ -109,7 +109,7 @@ class MotionSafetyPageTest {
     }
 
     @Test
-    void arrowsGoOnFromWhatIsTypedAndStayWithWhatIsNoAngle() {
+    void arrowKeysContinueFromTypedAngles() {
         typeYaw("12,5");
         press("ArrowUp", false);
         browser.await(FRAMES + "[0].degrees[0] === 13.5");
@@ -191,18 +191,18 @@ class MotionSafetyPageTest {
     }
 
     @Test
-    void wordInAFieldForNumbersIsRefusedInWords() {
+    void wordInANumberFieldIsRefusedWithAMessage() {
         typeYaw("abc");
 
         press("Enter", false);
 
         browser.await(
-                "document.querySelector('#toast').textContent === '“abc” is not an angle in degrees; neck yaw stays as it is.'");
+                "document.querySelector('#toast').textContent === '“abc” is not an angle in degrees: neck yaw stays as it is.'");
         browser.await(YAW + ".value === '0'");
     }
 
     @Test
-    void lineThatNoRobotCanReadIsTold() throws IOException {
+    void unreadableLineIsReported() throws IOException {
         Files.writeString(folder.resolve("broken.txt"), "500 " + STANDING + "\nthis line is nonsense\n");
 
         browser.click("#own-motions [data-motion='broken']");
@@ -211,7 +211,7 @@ class MotionSafetyPageTest {
     }
 
     @Test
-    void fileThatHidesAMotionOfTheLibrarySaysSo() throws IOException {
+    void fileThatShadowsALibraryMotionShowsAWarning() throws IOException {
         Files.writeString(folder.resolve("wave.txt"), "500 " + STANDING + "\n");
         browser.click("#own-motions [data-motion='wave']");
         browser.await(EDITOR + ".state.version !== '' && " + EDITOR + ".state.name === 'wave'");
@@ -219,7 +219,7 @@ class MotionSafetyPageTest {
 
         browser.click("#save");
 
-        browser.await("document.querySelector('#toast').textContent.endsWith('instead of the library’s.')");
+        browser.await("document.querySelector('#toast').textContent.endsWith('replaces the library’s.')");
     }
 
     @Test
@@ -282,7 +282,7 @@ class MotionSafetyPageTest {
         for (int i = 0; i <= 12; i++) {
             double turn = Math.PI * i / 6;
             browser.mouse("mouseMoved", x + 170 * Math.cos(turn), y + 170 * Math.sin(turn));
-            browser.await("performance.now() - studio.motion.hand.lastKnead < 1000");
+            browser.await("performance.now() - studio.motion.pointer.lastDrag < 1000");
         }
 
         browser.await("/The left .* is at its limit/.test(window.signs)");
@@ -310,18 +310,18 @@ class MotionSafetyPageTest {
     }
 
     @Test
-    void roomSaysThatTheSimulatorIsGoneAndThePageIsNotClosedWithUnkeptWork() {
+    void lostSimulatorIsReportedAndUnsavedWorkBlocksClosing() {
         studio.close();
         browser.await("!document.querySelector('#gone').hidden");
         browser.fill("[data-joint='NECK_YAW']", "44");
-        browser.await("document.querySelector('#toast').textContent.includes('cannot be kept just now')");
+        browser.await("document.querySelector('#toast').textContent.includes('The draft could not be saved')");
 
         assertThat(isAskedBeforeClosing()).isTrue();
         browser.forgetComplaints();
     }
 
     @Test
-    void pageClosesWithoutAQuestionWhenNothingWouldBeLost() {
+    void pageClosesWithoutAQuestionIfNothingIsUnsaved() {
         browser.fill("[data-joint='NECK_YAW']", "44");
         simulation.awaitTrue(() -> Files.exists(draft("mine")));
 

@@ -15,7 +15,7 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.file.MotionFiles;
 
-/** The timeline of the motion editor under mouse and keys: rows and curves of joints, several keyframes at once, marks. */
+/** Timeline of the motion editor with mouse and keys: rows and curves of joints, selection of several keyframes, warning marks. */
 @Tag("slow")
 @InBrowser(width = 1024)
 class MotionTimelinePageTest {
@@ -158,7 +158,7 @@ class MotionTimelinePageTest {
     }
 
     @Test
-    void wheelZoomsAtTheMouseAndTheWholeMotionComesBack() {
+    void wheelZoomsAtTheMouseAndResetShowsTheWholeMotion() {
         double before = x(1200);
         browser.evaluate("document.querySelector('.timeline-head').dispatchEvent(new WheelEvent('wheel', {deltaY: -500,"
                 + " clientX: " + before + ", clientY: innerHeight - 200, bubbles: true, cancelable: true}))");
@@ -174,7 +174,7 @@ class MotionTimelinePageTest {
     }
 
     @Test
-    void clickOnAMarkGoesToItsPlaceAndSaysWhatIsWrong() {
+    void clickOnAMarkJumpsToItAndShowsTheProblem() {
         focusTimeline();
         browser.press("End");
         browser.fill("[data-joint='LEFT_KNEE_PITCH']", "-140");
@@ -241,7 +241,7 @@ class MotionTimelinePageTest {
         browser.click("#trial");
 
         browser.await(
-                "document.querySelector('#toast').textContent.includes('Most behind the plan: left shoulder pitch')");
+                "document.querySelector('#toast').textContent.includes('Largest lag behind the plan: left shoulder pitch')");
         browser.await("document.querySelectorAll('.late').length > 0");
         browser.click("#timeline-curves");
         browser.evaluate("document.querySelector('[data-row=\"2\"]').click()");

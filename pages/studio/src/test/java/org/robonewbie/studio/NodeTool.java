@@ -4,12 +4,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Assumptions;
 
-/** What {@code npm install} brings into the folder of the studio. */
+/** Tools that {@code npm install} installs in the folder of the studio. */
 final class NodeTool {
 
     private NodeTool() {}
 
-    /** Returns the path of a script of a tool from the folder of any module, or skips the test where it is not installed. */
+    /** Returns the path of a tool's script, relative to the folder of any module; skips the test if it is missing. */
     static Path require(String script) {
         Path path = Path.of("..", "studio", "node_modules").resolve(script);
         boolean isRequired = System.getenv("ROBONEWBIE_REQUIRE_TOOLS") != null;

@@ -44,7 +44,7 @@ class PageFeedTest {
     private final PageFeed feed = new PageFeed(new ShownWorld(), new PageFeed.Page() {
 
         @Override
-        public void tell(String json) {
+        public void send(String json) {
             told.add(JsonParser.parseString(json).getAsJsonObject());
         }
 
@@ -59,7 +59,7 @@ class PageFeedTest {
         }
     });
 
-    /** The world with a clock that only notes what it is told. */
+    /** A world whose clock only records its orders. */
     private final class ShownWorld implements PageFeed.World {
 
         @Override
@@ -98,7 +98,7 @@ class PageFeedTest {
 
         @Override
         public Puppet start(AgentLink link, String team, int number, int type) {
-            throw new IllegalStateException("Nobody enters this world.");
+            throw new IllegalStateException("No puppet can join this world.");
         }
     }
 
@@ -157,19 +157,19 @@ class PageFeedTest {
     }
 
     @Test
-    void whatCannotBeDoneIsSaid() {
+    void refusedCommandsAreReported() {
         feed.ask("{\"do\":\"walk\",\"side\":\"left\",\"number\":1,\"forward\":1,\"left\":0,\"turn\":0}");
         feed.ask("{\"do\":\"fly\"}");
         show();
 
         assertThat(sentences())
                 .containsExactly(
-                        "This robot has a program of its own. Only puppets can be steered by hand.",
-                        "The studio does not know the command \"fly\". Load the page again.");
+                        "This robot is controlled by a program. Only puppets can be steered by hand.",
+                        "Unknown command \"fly\". Load the page again.");
     }
 
     @Test
-    void whatWasDoneIsTakenBackToTheBitAndDoneAgain() {
+    void changeIsUndoneExactlyAndRedone() {
         feed.ask("{\"do\":\"placeBall\",\"gesture\":7,\"x\":1,\"y\":2,\"z\":0.1}");
         feed.ask("{\"do\":\"placeBall\",\"gesture\":7,\"x\":2,\"y\":2,\"z\":0.1}");
         show();
@@ -184,11 +184,11 @@ class PageFeedTest {
 
         assertThat(ball().x()).isEqualTo(2);
         assertThat(sentences())
-                .containsExactly("Undone: ball moved.", "Done again: ball moved.", "There is nothing to redo.");
+                .containsExactly("Undone: ball moved.", "Redone: ball moved.", "There is nothing to redo.");
     }
 
     @Test
-    void nothingIsTakenBackInATrialThatCounts() {
+    void nothingIsUndoneInATrialThatCounts() {
         feed.judge(new TrialLabel("walk", 1, 1));
         feed.ask("{\"do\":\"placeBall\",\"x\":1,\"y\":2,\"z\":0.1}");
         show();
@@ -216,7 +216,7 @@ class PageFeedTest {
     }
 
     @Test
-    void watchedRobotIsHeardFromTheBeginningAndWithItsMessages() throws IOException {
+    void watchedRobotIsSentWithItsHistoryAndMessages() throws IOException {
         feed.accept(new TelemetryMessage("Blue", 1, 0.5, new TelemetryItem.LogEntry("INFO", "hello")));
         feed.ask("{\"do\":\"watch\",\"team\":\"Blue\",\"number\":1}");
         turn("(he1 2)(syn)");
@@ -232,7 +232,7 @@ class PageFeedTest {
     }
 
     @Test
-    void mistakeOfAProgramIsToldOnce() {
+    void programErrorIsSentOnce() {
         for (int i = 0; i < 2; i++) {
             feed.accept(new TelemetryMessage("Blue", 1, i, new TelemetryItem.LogEntry("ERROR", "think() failed")));
         }

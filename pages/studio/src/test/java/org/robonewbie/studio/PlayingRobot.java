@@ -8,7 +8,7 @@ import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
-/** The real simulator in real time with a robot that nods, lifts an arm too fast and calls; its program is in this process. */
+/** The real simulator in real time with a robot that nods, raises an arm too fast and shouts; its program runs in this process. */
 final class PlayingRobot implements AutoCloseable {
 
     private final Simulator simulator;
@@ -25,7 +25,7 @@ final class PlayingRobot implements AutoCloseable {
         return start(OptionalInt.empty());
     }
 
-    /** Starts it on a server that can be watched from outside too. */
+    /** Starts it with an optional monitor port. */
     static PlayingRobot start(OptionalInt monitorPort) throws IOException {
         SimulatorSettings settings = SimulatorSettings.beginner()
                 .agentPort(0)
@@ -52,7 +52,7 @@ final class PlayingRobot implements AutoCloseable {
                 say(link, start + "(syn)");
             }
         } catch (IOException simulatorHasEnded) {
-            // Nobody is left to play with.
+            // The simulator has ended.
         }
     }
 

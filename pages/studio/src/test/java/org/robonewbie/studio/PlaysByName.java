@@ -2,12 +2,12 @@ package org.robonewbie.studio;
 
 import org.robonewbie.agent.Nao;
 
-/** An agent as a beginner writes it: plays the motion of a name, as found in the folder in which it runs. */
+/** A beginner's agent that plays a motion by name from its working directory. */
 final class PlaysByName {
 
     private PlaysByName() {}
 
-    /** Takes the name of the motion and where the simulator is. */
+    /** Takes the name of the motion and the address of the simulator. */
     public static void main(String[] args) {
         Nao nao = Nao.connect("--host", "127.0.0.1", "--port", args[1]);
         boolean played = nao.perform(args[0]);

@@ -4,13 +4,13 @@ import java.util.EnumMap;
 import java.util.Map;
 import org.robonewbie.nao.Joint;
 
-/** Postures in which the robots of the tests stand without falling. */
+/** Stable postures for the robots of the tests. */
 final class Posture {
 
-    /** Knees a little bent, arms hanging. */
+    /** Slightly bent knees, arms hanging. */
     static final Map<Joint, Double> STANDING = standing();
 
-    /** Standing and greeting with the right hand. */
+    /** Standing with the right hand raised in greeting. */
     static final Map<Joint, Double> GREETING = greeting();
 
     private Posture() {}

@@ -16,14 +16,14 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Takes a picture of each preset in light and dark at the sizes of usual screens, to be looked at in {@code target/pictures}, and
- * looks itself that nothing is cut off: each control lies in the window, or in something that scrolls and shows so.
+ * Takes a screenshot of each preset in both themes at common screen sizes, written to {@code target/pictures}, and checks that nothing is
+ * cut off: each control is inside the window or inside a container that visibly scrolls.
  */
 @InBrowser
 @Tag("slow")
 class PresetPictureTest {
 
-    /** Controls that lie beyond the window although nothing that scrolls holds them. */
+    /** Controls beyond the window that are not inside a scroll container. */
     private static final String CUT_OFF = """
             (() => {
               const scrolls = (each) => each && each !== document.body

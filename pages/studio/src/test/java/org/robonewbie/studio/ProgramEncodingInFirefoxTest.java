@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The same as {@link ProgramEncodingPageTest} in a real Firefox. */
+/** {@link ProgramEncodingPageTest} in a real Firefox. */
 @Timeout(300)
 class ProgramEncodingInFirefoxTest {
 

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Saving in the room for programs changes no byte that was not typed, in whatever encoding a file is. */
+/** Saving in the program editor changes only the edited bytes, in any encoding. */
 @InBrowser
 @Timeout(300)
 class ProgramEncodingPageTest {
@@ -71,7 +71,7 @@ class ProgramEncodingPageTest {
 
     @ParameterizedTest
     @CsvSource({"windows-1252,''", "ISO-8859-1,''", "UTF-8,''", "UTF-8,EFBBBF", "UTF-16LE,FFFE", "UTF-16BE,FEFF"})
-    void onlyWhatIsTypedChanges(String charset, String mark) throws IOException {
+    void onlyTypedTextChanges(String charset, String mark) throws IOException {
         Path file = visit(bytes(mark, charset, PROGRAM));
 
         assertThat(browser.evaluate("studio.rooms.program.editor.text").getAsString())
@@ -83,7 +83,7 @@ class ProgramEncodingPageTest {
     }
 
     @Test
-    void encodingThatWasInferredIsSaidAndCanBeChanged() throws IOException {
+    void inferredEncodingIsShownAndCanBeChanged() throws IOException {
         Path file = visit(bytes("", "windows-1252", PROGRAM));
 
         browser.await(NOTE + ".includes('line 1 is not UTF-8 and was read as Windows-1252: \"// Grüße\"')");
@@ -104,13 +104,14 @@ class ProgramEncodingPageTest {
     }
 
     @Test
-    void letterThatTheEncodingLacksMakesItUtf8AndTheRoomSaysSo() throws IOException {
+    void unencodableCharacterConvertsTheFileToUtf8() throws IOException {
         Path file = visit(bytes("", "windows-1252", PROGRAM));
 
         typeAndSave("// Привет");
 
-        browser.await(NOTE
-                + ".includes('Lat.java is saved as UTF-8 now, since Windows-1252 cannot hold all of its letters')");
+        browser.await(
+                NOTE
+                        + ".includes('Lat.java is saved as UTF-8 now, because Windows-1252 cannot represent all of its characters')");
         assertThat(file).hasBinaryContent((PROGRAM + "// Привет").getBytes(StandardCharsets.UTF_8));
     }
 
@@ -121,7 +122,7 @@ class ProgramEncodingPageTest {
         "61006200,zero byte",
         "FFFE610A00,cut within a character"
     })
-    void whatCannotBeDecodedIsOnlyShown(String hex, String problem) throws IOException {
+    void undecodableFileIsReadOnly(String hex, String problem) throws IOException {
         byte[] bytes = HexFormat.of().parseHex(hex);
         Path file = visit(bytes);
 

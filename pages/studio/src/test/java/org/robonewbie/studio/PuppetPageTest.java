@@ -17,7 +17,7 @@ import org.robonewbie.protocol.monitor.FoulType;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.soccer.MatchEvent;
 
-/** Somebody without any code: steers a robot by keys and sliders, keeps a scene and goes back to it. */
+/** Use without programming: steer a robot with keys and sliders, save a scene and restore it. */
 @Tag("slow")
 @InBrowser
 class PuppetPageTest {
@@ -101,7 +101,7 @@ class PuppetPageTest {
                         + field.simulator().agentPort() + "')");
     }
 
-    /** A robot of somebody else, which stays until the simulator ends. */
+    /** A foreign robot that stays until the simulator ends. */
     private static final class Stranger {
 
         private final AgentLink link;
@@ -140,7 +140,7 @@ class PuppetPageTest {
     }
 
     @Test
-    void sceneIsRenamedDeletedAndBroughtBack() {
+    void sceneIsRenamedDeletedAndRestored() {
         field.addPuppet();
         browser.fill("#scene-name", "Before the kick");
         browser.click("#scene-save");
@@ -187,7 +187,7 @@ class PuppetPageTest {
     }
 
     @Test
-    void puppetIsWorthAPicture() throws IOException {
+    void takesScreenshotOfAPuppet() throws IOException {
         browser.drawSharply();
         field.visit();
         field.addPuppet();
@@ -199,7 +199,7 @@ class PuppetPageTest {
     }
 
     @Test
-    void recordedRunGoesOnFromTheShownMoment() {
+    void recordingContinuesFromTheShownCycle() {
         browser.evaluate("location.hash = '#replay/game'");
         browser.await("studio.replay?.file?.isWhole");
         browser.evaluate("studio.replay.actions.find(action => action.shown === 'End').act()");
@@ -213,7 +213,7 @@ class PuppetPageTest {
     }
 
     @Test
-    void foulIsToldBesideTheScore() {
+    void foulIsShownBesideTheScore() {
         field.addPuppet();
         browser.evaluate("new MutationObserver(() => { window.happenings = (window.happenings ?? '')"
                 + " + document.querySelector('.happenings').innerText; })"

@@ -12,7 +12,7 @@ import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
-/** A short run of the real simulator that is recorded: a robot bends until it falls, and the ball is put into a goal. */
+/** A short recorded run of the real simulator: a robot bends until it falls, and the ball is placed into a goal. */
 final class RecordedRun implements AutoCloseable {
 
     private final Simulator simulator;
@@ -36,7 +36,6 @@ final class RecordedRun implements AutoCloseable {
         say("(syn)");
     }
 
-    /** Lets some cycles pass. */
     RecordedRun cycles(int count, String effectors) throws IOException {
         for (int i = 0; i < count; i++) {
             say(effectors + "(syn)");

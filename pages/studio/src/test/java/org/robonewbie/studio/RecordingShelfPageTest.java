@@ -16,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.simulator.file.RecordingAbout;
 import org.robonewbie.simulator.file.RecordingRepository;
 
-/** What people do with their recordings, in a real browser. */
+/** Management of recordings in a real browser. */
 @Tag("slow")
 @InBrowser
 class RecordingShelfPageTest {
@@ -78,7 +78,7 @@ class RecordingShelfPageTest {
     }
 
     @Test
-    void cardNamesTheAgentAndTheFilterKnowsTheProject() {
+    void cardShowsTheAgentAndTheFilterSelectsTheProject() {
         browser.await("document.querySelector('" + GAME + "').innerText.includes('Agent_Wave')");
 
         browser.fill("#recording-filter", "project");
@@ -115,7 +115,7 @@ class RecordingShelfPageTest {
     }
 
     @Test
-    void deletedRecordingIsBroughtBackByUndo() throws IOException {
+    void deletedRecordingIsRestoredByUndo() throws IOException {
         byte[] before = Files.readAllBytes(place.resolve("runs").resolve("game.rec"));
         browser.clickElement(
                 "[...document.querySelectorAll('" + GAME + " button')].find(each => each.textContent === 'Delete')");
@@ -162,13 +162,13 @@ class RecordingShelfPageTest {
     }
 
     @Test
-    void nameThatIsTakenIsRefusedInWords() throws IOException {
+    void usedNameIsRefusedWithAMessage() throws IOException {
         browser.await("document.querySelector('#recordings [data-recording=mine]')");
 
         browser.evaluate("import('./replay/recording-api.js').then(({ renameRecording }) =>"
                 + " renameRecording('game', 'mine')).catch((error) => studio.note(error.message))");
 
         browser.await("document.querySelector('#toast').textContent"
-                + " === 'There is a recording \"mine\" already. Choose another name.'");
+                + " === 'There is already a recording named \"mine\". Choose another name.'");
     }
 }

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.simulator.file.RecordingRepository;
 
-/** The replay as people have it: in a real browser, with a recording of the real simulator. */
+/** The replay in a real browser with a recording of the real simulator. */
 @InBrowser
 class ReplayPageTest {
 
@@ -71,7 +71,7 @@ class ReplayPageTest {
         browser.await("studio.replay?.file?.isWhole && studio.cursor.recorded && !studio.replay.stale");
     }
 
-    /** Presses a button that offers a file, and reads the file. */
+    /** Clicks a button that starts a download, and reads the file. */
     private String given(String button, String name, String reading) {
         browser.evaluate("(() => { const make = URL.createObjectURL; window.givenName = '';"
                 + " URL.createObjectURL = blob => { window.given = blob; return make(blob); };"
@@ -238,7 +238,7 @@ class ReplayPageTest {
         assertThat(browser.complaints()).allMatch(text -> text.contains("file:"));
     }
 
-    /** The share of a picture that is green. */
+    /** The fraction of green pixels in a screenshot. */
     private static double grassIn(byte[] png) throws IOException {
         BufferedImage picture = ImageIO.read(new ByteArrayInputStream(png));
         int[] pixels = picture.getRGB(0, 0, picture.getWidth(), picture.getHeight(), null, 0, picture.getWidth());
@@ -255,7 +255,7 @@ class ReplayPageTest {
 
     @Tag("slow")
     @Test
-    void whatARobotDrewIsOnTheGroundUntilASecondLater() {
+    void drawingsOfARobotStayOnTheGroundForASecond() {
         visit();
         browser.evaluate("studio.replay.actions.find(action => action.shown === 'Home').act()");
         browser.await(STATE + ".index === 0 && !studio.view.drawings.group.visible");
@@ -274,7 +274,7 @@ class ReplayPageTest {
 
     @Tag("slow")
     @Test
-    void openingTheRoomTakesNothingOverUntilARecordingIsChosen() {
+    void openingTheReplayKeepsTheLiveViewUntilARecordingIsChosen() {
         browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light#replay");
         browser.await("document.querySelector('#recordings [data-recording=game]')");
 
@@ -311,7 +311,7 @@ class ReplayPageTest {
 
     @Tag("slow")
     @Test
-    void barStaysAsHighWhileTwoRunsAreCompared() throws IOException {
+    void barKeepsItsHeightWhileTwoRunsAreCompared() throws IOException {
         Files.copy(place.resolve("game.rec"), place.resolve("other.rec"));
         visit();
         browser.await("document.querySelector('#compare-with').options.length === 2");
@@ -338,7 +338,7 @@ class ReplayPageTest {
     }
 
     @Test
-    void roomWithoutRecordingsSaysSo() throws IOException {
+    void replayWithoutRecordingsShowsAMessage() throws IOException {
         try (StudioServer empty =
                 StudioServer.start(simulation, 0, AccessToken.random(), new StudioFolders(place, Optional.empty()))) {
             browser.visit(empty.oneTimeAddress() + "&quality=lowest#replay");
@@ -349,12 +349,12 @@ class ReplayPageTest {
 
     @Tag("slow")
     @Test
-    void replayIsWorthAPicture() throws IOException {
+    void takesScreenshotOfTheReplay() throws IOException {
         browser.drawSharply();
         browser.visit(studio.oneTimeAddress() + "&quality=high&theme=light#replay/game");
         browser.await("studio.replay?.file?.isWhole");
         browser.evaluate("studio.replay.actions.find(action => action.shown === 'End').act()");
-        browser.await("studio.desk.isStill && " + STATE + ".index === " + STATE + ".count - 1"
+        browser.await("studio.camera.isStill && " + STATE + ".index === " + STATE + ".count - 1"
                 + " && document.querySelector('#toast').hidden");
         Path pictures = Path.of(System.getProperty("studio.pictures", "target/pictures"));
         Files.write(Files.createDirectories(pictures).resolve("studio-replay.png"), browser.screenshot());

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.simulator.file.RecordingRepository;
 
-/** Videos of recordings, made and played by a real browser. */
+/** Videos of recordings, encoded and played by a real browser. */
 @Tag("slow")
 @InBrowser
 class ReplayVideoTest {
@@ -105,7 +105,7 @@ class ReplayVideoTest {
 
         browser.click("#export-progress button");
 
-        browser.await("document.querySelector('#toast').textContent === 'No file was made.'");
+        browser.await("document.querySelector('#toast').textContent === 'The export was cancelled.'");
         assertThat(browser.evaluate("document.querySelector('#export-progress').hidden"
                                 + " && !document.querySelector('.video-stage') && window.givenName === ''")
                         .getAsBoolean())
@@ -114,12 +114,12 @@ class ReplayVideoTest {
     }
 
     @Test
-    void browserWithoutAnEncoderSaysSo() {
+    void browserWithoutAnEncoderShowsAMessage() {
         browser.evaluate("delete window.VideoEncoder");
 
         browser.click("#export-video");
 
         browser.await("document.querySelector('#toast').textContent"
-                + ".startsWith('The file cannot be made: this browser cannot encode videos.')");
+                + ".startsWith('The export failed: this browser cannot encode videos.')");
     }
 }

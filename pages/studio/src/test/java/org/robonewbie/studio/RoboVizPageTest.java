@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.robonewbie.studio.roboviz.Datagram;
 import org.robonewbie.studio.roboviz.RoboVizPort;
 
-/** What teams draw for RoboViz comes as real datagrams and appears in the picture. */
+/** Drawings for RoboViz arrive as real datagrams and appear in the 3D view. */
 @Tag("slow")
 @InBrowser
 class RoboVizPageTest {

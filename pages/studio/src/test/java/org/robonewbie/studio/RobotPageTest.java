@@ -21,7 +21,7 @@ import org.robonewbie.protocol.telemetry.Drawing;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 
-/** The room of one robot as people have it: in a real browser, with what robots tell. */
+/** The room of one robot in a real browser with telemetry. */
 @InBrowser
 class RobotPageTest {
 
@@ -55,7 +55,7 @@ class RobotPageTest {
         studio.telemetry().accept(new TelemetryMessage(TEAM, number, seconds, item));
     }
 
-    /** Says something again and again until the page shows it: what is no log is not kept for pages that come later. */
+    /** Repeats a message until the page shows it, since only log entries are kept for pages that subscribe later. */
     private void tellUntil(String condition, TelemetryItem item) {
         double now = now();
         simulation.awaitTrue(() -> {
@@ -64,7 +64,7 @@ class RobotPageTest {
         });
     }
 
-    /** Stops the world, and returns when the page shows that it stands. */
+    /** Pauses the world and returns when the page shows it. */
     private void pause() {
         simulation.order(new Order.Pause());
         browser.await("studio.state.frame.paused");
@@ -85,7 +85,7 @@ class RobotPageTest {
     }
 
     @Test
-    void robotTellsWhatItThinks() {
+    void robotShowsItsTelemetry() {
         pause();
         double now = now();
 
@@ -109,7 +109,7 @@ class RobotPageTest {
 
     @Tag("slow")
     @Test
-    void onlyTheChosenRobotIsHeard() {
+    void onlyTheWatchedRobotIsSent() {
         browser.press("n");
         browser.await("studio.robot.watch.watched.endsWith('2')");
         browser.await("document.querySelectorAll('.joint-row').length === 24");
@@ -161,7 +161,7 @@ class RobotPageTest {
         }
         browser.await("studio.robot.plots.rows[3]?.plot?.series.length === 3");
         browser.await("studio.robot.plots.rows[3].plot.data[2].length > 10");
-        browser.await("studio.robot.plots.moment.seconds > 1"); // no curve shows less than a second
+        browser.await("studio.robot.plots.moment.seconds > 1"); // curves show at least one second
 
         browser.click("#hold-curves");
         browser.await("studio.robot.plots.rows[3].plot.scales.x.max === studio.robot.plots.heldAt");
@@ -180,7 +180,7 @@ class RobotPageTest {
 
     @Tag("slow")
     @Test
-    void allRoomsFollowOneMomentWhileTheSimulationGoesOn() {
+    void allRoomsFollowTheCursorWhileTheSimulationRuns() {
         double then = now();
         tell(1, then, new TelemetryItem.LogEntry("INFO", "here I was"));
         browser.await("studio.cursor.history.last * 0.02 > " + (then + 1));
@@ -202,7 +202,7 @@ class RobotPageTest {
 
     @Tag("slow")
     @Test
-    void roomIsWorthAPicture() throws IOException {
+    void takesScreenshotOfTheRoom() throws IOException {
         browser.drawSharply();
         try (PlayingRobot robot = PlayingRobot.start();
                 StudioServer other = StudioServer.start(robot.simulator().control(), 0, AccessToken.random())) {

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Programs and motions are saved as a whole or not at all, and no window takes away what another one has not saved. */
+/** Programs and motions are saved atomically, and no window overwrites unsaved changes of another one. */
 @Timeout(60)
 class SavingTest {
 
@@ -68,7 +68,7 @@ class SavingTest {
     }
 
     @Test
-    void whatAKilledStudioHasLeftIsNotListedAndDoesNotDisturb() throws IOException {
+    void leftoversOfAKilledStudioAreIgnored() throws IOException {
         Files.writeString(folder.resolve("MyAgent.java.part"), "half a prog");
         Files.writeString(folder.resolve("mine.txt.part"), "half a mot");
 
@@ -79,7 +79,7 @@ class SavingTest {
     }
 
     @Test
-    void whatCannotBeWrittenIsToldAndTheFormerFileStays() throws IOException {
+    void writeErrorIsReportedAndTheOldFileIsKept() throws IOException {
         Files.writeString(folder.resolve("src"), "mine");
 
         assertThat(send("PUT", "programs/own/src/main/java/A.java", "// second"))
@@ -122,7 +122,7 @@ class SavingTest {
     }
 
     @Test
-    void fileThatWasDeletedMeanwhileIsToldAndWrittenAgainWhenOneWantsThat() throws IOException {
+    void deletedFileIsReportedAndCanBeWrittenAgain() throws IOException {
         String version = versionIn(send("PUT", PROGRAM, "// first"));
         Files.delete(folder.resolve("MyAgent.java"));
 

@@ -18,7 +18,7 @@ import org.robonewbie.studio.search.SearchNumber;
 import org.robonewbie.studio.search.SearchRound;
 import org.robonewbie.studio.search.SearchTask;
 
-/** The page of a search as people have it: in a real browser. */
+/** The page of an optimisation in a real browser. */
 @Tag("slow")
 @InBrowser
 class SearchPageTest {
@@ -103,7 +103,7 @@ class SearchPageTest {
     }
 
     @Test
-    void resultStaysOnThePageWhenTheProgramEnds() {
+    void resultRemainsOnThePageWhenTheProgramEnds() {
         visit("");
         reach(1, ROUNDS);
         board.ends(6.087, "It is better. Written to kick.txt.", "#motion/kick");
@@ -119,7 +119,7 @@ class SearchPageTest {
 
     @Test
     @Timeout(120)
-    void programWaitsForThoseWhoLook() throws Exception {
+    void programWaitsForOpenPages() throws Exception {
         visit("");
         browser.await("search.state.task !== undefined");
         assertThat(board.isWatched()).isTrue();
@@ -131,17 +131,16 @@ class SearchPageTest {
     }
 
     @Test
-    void strangersSeeNothing() {
+    void unknownBrowsersSeeNothing() {
         browser.visit("http://localhost:" + studio.address().getPort() + "/optimise.html");
 
-        browser.await(
-                "document.querySelector('#outcome').textContent.includes('This browser has not been let in yet')");
+        browser.await("document.querySelector('#outcome').textContent.includes('This browser is not signed in')");
         assertThat(browser.evaluate("search.state.rounds.length").getAsInt()).isZero();
         browser.forgetComplaints();
     }
 
     @Test
-    void pageIsWorthAPicture() throws IOException {
+    void takesScreenshotOfThePage() throws IOException {
         browser.drawSharply();
         reach(1, 22);
         for (String theme : List.of("dark", "light")) {
@@ -161,7 +160,7 @@ class SearchPageTest {
         browser.visit(board.page(studio.oneTimeAddress()) + options);
     }
 
-    /** A search that climbs and settles. */
+    /** An optimisation that improves and converges. */
     private void reach(int from, int to) {
         for (int i = from; i <= to; i++) {
             double settled = 1 - Math.exp(-i / 8.0);

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.simulator.embedded.RedirectPage;
 
-/** A browser is let in by an address that works once, and stays in. */
+/** A browser signs in with an address that works once, and stays signed in. */
 @InBrowser
 class SignInPageTest {
 
@@ -37,8 +37,8 @@ class SignInPageTest {
     }
 
     @Test
-    void browserThatIsNotLetInIsToldWhatToDoAndComesInByItself() {
-        String elsewhere = "http://localhost:" + studio.address().getPort() + "/"; // which has no cookie of 127.0.0.1
+    void unknownBrowserShowsHowToSignInAndThenReconnects() {
+        String elsewhere = "http://localhost:" + studio.address().getPort() + "/"; // without the cookie of 127.0.0.1
         browser.visit(elsewhere + "?quality=lowest");
 
         browser.await("document.querySelector('#banner').innerText.includes('Press Enter in the terminal')");
@@ -81,7 +81,7 @@ class SignInPageTest {
 
         browser.visit(used);
 
-        browser.await("document.querySelector('h1').innerText === 'This address has been used'");
+        browser.await("document.querySelector('h1').innerText === 'This address has already been used'");
         browser.forgetComplaints();
     }
 }

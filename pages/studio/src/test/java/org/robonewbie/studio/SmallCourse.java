@@ -12,7 +12,7 @@ import org.robonewbie.studio.course.Help;
 import org.robonewbie.studio.course.Lesson;
 import org.robonewbie.studio.course.Standings;
 
-/** A course of two exercises on a pitch of its own, in which the test says how a trial ends. */
+/** A course of two exercises on its own pitch; the test determines the results of trials. */
 final class SmallCourse implements Course {
 
     private final SimulationControl freePitch;
@@ -90,7 +90,7 @@ final class SmallCourse implements Course {
         shown.show(pitchOfTrial);
     }
 
-    /** Ends the only trial. */
+    /** Ends the current trial. */
     void judge(Attempt.Judged trial, String output) {
         attempt = new Attempt(
                 attempt.id(),

@@ -30,7 +30,7 @@ import org.robonewbie.simulator.world.BallProperties;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
-/** A simulation of the real world with robots that hold a posture instead of being steered by agents. */
+/** A simulation of the real world with robots that hold a posture instead of being controlled by agents. */
 final class SmallSimulation implements SimulationControl, AutoCloseable {
 
     private static final long PATIENCE_SECONDS = 120;
@@ -96,7 +96,7 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
         return withRobot(RobotType.TYPE_0, TeamSide.LEFT, 1, -0.8, 0.3, 0, Posture.STANDING);
     }
 
-    /** Runs some cycles at once, without the clock's thread. */
+    /** Runs some cycles synchronously, without the clock's thread. */
     WorldSnapshot afterCycles(int cycles) {
         obey();
         for (int i = 0; i < cycles; i++) {
@@ -110,12 +110,12 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
         return this;
     }
 
-    /** The newest state that all observers have been told. */
+    /** The latest state that all observers have received. */
     WorldSnapshot latest() {
         return latest;
     }
 
-    /** Waits until something has happened, and looks for it after each turn of the simulation. */
+    /** Waits until a condition holds, which is evaluated after each turn of the simulation. */
     void awaitTrue(BooleanSupplier condition) {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
         turns.drainPermits();
@@ -231,12 +231,12 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
         return robots;
     }
 
-    /** Whether all steps that were asked for are done. */
+    /** Returns whether all requested steps are done. */
     boolean standsStill() {
         return cyclesToStep.get() == 0;
     }
 
-    /** Names the trial that is judged here from now on. */
+    /** Sets the label of the trial that runs from now on. */
     void judging(TrialLabel label) {
         trial = Optional.of(label);
     }

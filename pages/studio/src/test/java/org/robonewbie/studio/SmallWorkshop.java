@@ -3,12 +3,12 @@ package org.robonewbie.studio;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.robonewbie.studio.completion.Proposal;
+import org.robonewbie.programs.Remark;
+import org.robonewbie.programs.completion.Proposal;
 import org.robonewbie.studio.program.CompilerService;
-import org.robonewbie.studio.program.Remark;
 import org.robonewbie.studio.program.RunningProgram;
 
-/** A room for programs without a compiler: it knows one mistake, and no program runs. */
+/** A compiler service without a compiler: it reports one fixed error, and no program runs. */
 record SmallWorkshop(Path folder) implements CompilerService {
 
     static final String MISTAKE = "degres";

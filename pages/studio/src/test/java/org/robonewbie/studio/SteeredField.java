@@ -8,7 +8,7 @@ import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
-/** A beginner's field in the browser, at twice the clock's speed, whose world waits for its first robot. */
+/** A beginners' field in the browser at double speed, whose world waits for its first robot. */
 final class SteeredField implements AutoCloseable {
 
     private final Chromium browser;
@@ -45,7 +45,7 @@ final class SteeredField implements AutoCloseable {
         browser.await("studio.state.frame && studio.view.drawCalls > 0");
     }
 
-    /** Adds the first puppet and waits until it stands behind the ball and can be steered. */
+    /** Adds the first puppet and waits until it stands behind the ball and accepts commands. */
     void addPuppet() {
         browser.await("!document.querySelector('#puppet').hidden");
         browser.click("#add-puppet");

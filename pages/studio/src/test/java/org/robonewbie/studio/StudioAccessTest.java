@@ -62,7 +62,7 @@ class StudioAccessTest {
                 .contains("Referrer-Policy: no-referrer");
         assertThat(get(address, host()))
                 .startsWith("HTTP/1.1 403")
-                .contains("This address has been used", "Press <kbd>Enter</kbd>", "Cache-Control: no-store")
+                .contains("This address has already been used", "Press <kbd>Enter</kbd>", "Cache-Control: no-store")
                 .doesNotContain("Set-Cookie", studio.oneTimeAddress().getQuery());
     }
 
@@ -106,7 +106,7 @@ class StudioAccessTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"//evil.example/", "/%5cevil.example/", "/%0d%0aSet-Cookie:%20a=b"})
-    void exchangeLeadsNowhereElse(String path) throws IOException {
+    void redirectStaysOnThisServer(String path) throws IOException {
         String answer = get(path + "?" + studio.oneTimeAddress().getQuery(), host());
 
         assertThat(answer.lines())
@@ -227,9 +227,7 @@ class StudioAccessTest {
     void foreignPagesMayNotReadFiles(String origin) throws IOException {
         String answer = RawHttp.send(studio.address(), "GET / HTTP/1.1", "Host: " + host(), "Origin: " + origin);
 
-        assertThat(answer)
-                .startsWith("HTTP/1.1 403")
-                .contains("Pages of \"" + origin + "\" may not talk to the studio.");
+        assertThat(answer).startsWith("HTTP/1.1 403").contains("Pages of \"" + origin + "\" may not use the studio.");
     }
 
     @ParameterizedTest
@@ -245,7 +243,7 @@ class StudioAccessTest {
     void liveFeedIsRefusedWithoutCookie() throws IOException {
         assertThat(upgrade("/live", "http://" + host(), ""))
                 .startsWith("HTTP/1.1 403")
-                .contains("This browser has not been let in yet", "Press Enter in the terminal");
+                .contains("This browser is not signed in", "Press Enter in the terminal");
     }
 
     @Test
@@ -264,7 +262,7 @@ class StudioAccessTest {
 
         assertThat(upgrade("/live", "http://evil.example", cookie))
                 .startsWith("HTTP/1.1 403")
-                .contains("Pages of \"http://evil.example\" may not talk to the studio.");
+                .contains("Pages of \"http://evil.example\" may not use the studio.");
     }
 
     @Test
@@ -290,7 +288,7 @@ class StudioAccessTest {
     }
 
     @Test
-    void takenPortIsToldWithWhatToDo() {
+    void usedPortIsReportedWithAdvice() {
         int port = studio.address().getPort();
 
         assertThatThrownBy(() -> StudioServer.start(simulation, port, TOKEN))

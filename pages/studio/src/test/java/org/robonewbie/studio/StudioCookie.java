@@ -6,16 +6,16 @@ import java.net.HttpURLConnection;
 import java.net.Proxy;
 import java.net.URI;
 
-/** Gets the cookie of a studio as a browser gets it: in exchange for the code of an address. */
+/** Obtains the cookie of a studio as a browser does, in exchange for a one-time code. */
 public final class StudioCookie {
 
     private StudioCookie() {}
 
     /**
-     * Opens an address once.
+     * Opens a one-time address.
      *
      * @param oneTimeAddress an address with a code
-     * @return the value of the header Cookie
+     * @return the value of the Cookie header
      */
     public static String of(URI oneTimeAddress) {
         try {

@@ -19,7 +19,7 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.SimulationControl;
 
-/** The studio as people have it: in a real browser, drawn by software. */
+/** The studio in a real browser with software rendering. */
 @InBrowser(width = 640, height = 360)
 class StudioPageTest {
 
@@ -58,18 +58,18 @@ class StudioPageTest {
     private void openStudioWithRobot() {
         simulation.withRobot();
         openStudio();
-        browser.await("studio.desk.scene?.robots.length === 1 && studio.state.frame"
+        browser.await("studio.camera.scene?.robots.length === 1 && studio.state.frame"
                 + " && !document.querySelector('#toggle').disabled");
     }
 
     @Test
-    void robotAppearsAndNothingIsComplained() {
+    void robotAppearsWithoutConsoleErrors() {
         openStudioWithRobot();
         browser.await("studio.view.robots.meshes.some(mesh => mesh.visible)");
 
         browser.await("document.querySelector('#banner').hidden");
         browser.await("document.querySelector('.team.left').textContent === 'Blue Newbies'");
-        browser.await("studio.desk.mode === 'follow'");
+        browser.await("studio.camera.mode === 'follow'");
         assertThat(browser.complaints()).isEmpty();
     }
 
@@ -83,7 +83,7 @@ class StudioPageTest {
     }
 
     @Test
-    void browserWithoutThreeDimensionsIsToldWhatToDo() {
+    void browserWithoutWebGlShowsWhatToDo() {
         String script = browser.runBeforePages("HTMLCanvasElement.prototype.getContext = () => null");
         try {
             browser.visit(studio.oneTimeAddress().toString());
@@ -99,11 +99,11 @@ class StudioPageTest {
     void keysFollowTheNextRobot() {
         simulation.withRobot().withRobot(RobotType.TYPE_0, TeamSide.RIGHT, 5, 1, 0, 180, Posture.STANDING);
         openStudio();
-        browser.await("studio.desk.scene?.robots.length === 2");
+        browser.await("studio.camera.scene?.robots.length === 2");
 
         browser.press("n");
 
-        browser.await("studio.desk.mode === 'follow' && studio.desk.chosen === 1");
+        browser.await("studio.camera.mode === 'follow' && studio.camera.chosen === 1");
     }
 
     @Tag("slow")
@@ -161,7 +161,7 @@ class StudioPageTest {
     }
 
     @Test
-    void refereeIsToldByButtonAndList() {
+    void refereeIsControlledByButtonAndList() {
         openStudioWithRobot();
 
         browser.click("#drop-ball");
@@ -176,7 +176,7 @@ class StudioPageTest {
     void ballIsDraggedWithTheMouse() {
         openStudioWithRobot();
         browser.press("3");
-        browser.await("studio.desk.mode === 'top' && studio.desk.isStill");
+        browser.await("studio.camera.mode === 'top' && studio.camera.isStill");
 
         drag(onScreen("studio.view.ball.position"), 0, 60);
 
@@ -186,10 +186,10 @@ class StudioPageTest {
 
     @Tag("slow")
     @Test
-    void robotIsDraggedWithTheMouseAndStaysUpright() {
+    void robotIsDraggedWithTheMouseAndRemainsUpright() {
         openStudioWithRobot();
         browser.press("3");
-        browser.await("studio.desk.mode === 'top' && studio.desk.isStill");
+        browser.await("studio.camera.mode === 'top' && studio.camera.isStill");
 
         drag(onScreen("new studio.view.camera.position.constructor(...studio.view.robots.poses[0])"), 60, 0);
 
@@ -222,7 +222,7 @@ class StudioPageTest {
 
         browser.press(key);
 
-        browser.await("studio.desk.mode === '" + mode + "'");
+        browser.await("studio.camera.mode === '" + mode + "'");
         browser.await("document.querySelector('[data-camera=" + mode + "]').ariaPressed === 'true'");
         assertThat(browser.complaints()).isEmpty();
     }
@@ -231,11 +231,11 @@ class StudioPageTest {
     @Test
     void arrowKeysTurnTheView() {
         openStudioWithRobot();
-        double before = browser.evaluate("studio.desk.view.azimuthDegrees").getAsDouble();
+        double before = browser.evaluate("studio.camera.view.azimuthDegrees").getAsDouble();
 
         browser.press("ArrowRight");
 
-        browser.await("studio.desk.view.azimuthDegrees > " + (before + 3));
+        browser.await("studio.camera.view.azimuthDegrees > " + (before + 3));
     }
 
     @Tag("slow")
@@ -262,7 +262,7 @@ class StudioPageTest {
     }
 
     @Test
-    void pageComesBackWhenTheSimulatorIsStartedAgain() {
+    void pageReconnectsWhenTheSimulatorIsRestarted() {
         openStudioWithRobot();
         int port = studio.address().getPort();
 
@@ -278,7 +278,7 @@ class StudioPageTest {
         browser.await("document.querySelector('#banner').hidden");
     }
 
-    /** The page that seeks its simulator may hold the port for a moment. */
+    /** Starts again; the page that tries to reconnect may hold the port for a moment. */
     private void serveAgain(int port) {
         await(() -> {
             try {
@@ -315,7 +315,7 @@ class StudioPageTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"1366x768", "1024x768", "1920x1080"})
-    void everythingHasItsPlaceOnUsualScreens(String size) {
+    void layoutFitsCommonScreens(String size) {
         openStudioWithRobot();
         String[] sides = size.split("x", 2);
         browser.resize(Integer.parseInt(sides[0]), Integer.parseInt(sides[1]));

@@ -17,7 +17,7 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.order.Order;
 
 /**
- * Takes the picture of the README and looks whether everything is on it. The picture is written to {@code target/pictures};
+ * Takes the screenshot of the README and checks its content. The screenshot is written to {@code target/pictures};
  * {@code -Dstudio.pictures=../../docs/images} writes it to the documentation.
  */
 @Tag("slow")
@@ -25,11 +25,11 @@ class StudioPictureTest {
 
     private static final int WIDTH = 1280;
     private static final int HEIGHT = 720;
-    private static final String VIEW = "studio.desk.jumpTo({target: [-3.3, 0.12, 0.27], azimuthDegrees: -29,"
+    private static final String VIEW = "studio.camera.jumpTo({target: [-3.3, 0.12, 0.27], azimuthDegrees: -29,"
             + " elevationDegrees: 9.5, distance: 1.68}); studio.touch()";
 
     @Test
-    void fieldIsWorthAPicture() throws IOException {
+    void takesScreenshotOfTheField() throws IOException {
         Tool.BROWSER.orSkip();
 
         byte[] png = takePicture();
@@ -59,7 +59,7 @@ class StudioPictureTest {
                 browser.await("studio.state.scene.robots.length === 2 && studio.state.frame");
                 browser.press("1");
                 browser.evaluate(VIEW);
-                browser.await("studio.desk.isStill");
+                browser.await("studio.camera.isStill");
                 return browser.screenshot();
             }
         }

@@ -65,7 +65,7 @@ class StudioRequestReaderTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"", "[]", "7", "{", "{'do':", "null", "'text'"})
-    void whatIsNoObjectIsRefused(String text) {
+    void invalidJsonIsRefused(String text) {
         assertThatThrownBy(() -> read(text))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("The studio cannot read \"" + text.replace('\'', '"') + "\". Load the page again.");
@@ -74,8 +74,7 @@ class StudioRequestReaderTest {
     @ParameterizedTest
     @CsvSource({"{'do':'fly'}, fly", "{}, ''", "{'do':7}, 7", "{'do':{}}, ''"})
     void unknownCommandsAreRefused(String text, String name) {
-        assertThatThrownBy(() -> read(text))
-                .hasMessage("The studio does not know the command \"" + name + "\". Load the page again.");
+        assertThatThrownBy(() -> read(text)).hasMessage("Unknown command \"" + name + "\". Load the page again.");
     }
 
     @ParameterizedTest

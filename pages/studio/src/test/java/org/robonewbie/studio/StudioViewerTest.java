@@ -20,7 +20,7 @@ import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
-/** The studio as the simulator finds and uses it. */
+/** The studio as found and used by the simulator. */
 class StudioViewerTest {
 
     @TempDir

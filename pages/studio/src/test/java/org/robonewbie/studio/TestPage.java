@@ -16,7 +16,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 
-/** A page without a browser: talks to the studio over a real WebSocket. */
+/** A page without a browser, connected to the studio by a real WebSocket. */
 final class TestPage implements AutoCloseable, WebSocket.Listener {
 
     private static final long PATIENCE_SECONDS = 120;
@@ -42,7 +42,7 @@ final class TestPage implements AutoCloseable, WebSocket.Listener {
                 messages.poll(PATIENCE_SECONDS, TimeUnit.SECONDS), "no message came from the studio");
     }
 
-    /** Looks on until the scene is as wanted. */
+    /** Receives messages until the scene matches. */
     JsonObject awaitScene(Predicate<JsonObject> wanted) throws InterruptedException {
         while (true) {
             JsonObject message = messages.poll();
@@ -56,7 +56,7 @@ final class TestPage implements AutoCloseable, WebSocket.Listener {
         }
     }
 
-    /** Looks on until the world is paused. */
+    /** Receives frames until the world is paused. */
     long nextPausedCycle() throws InterruptedException {
         ByteBuffer frame = nextFrame();
         while ((frame.get(1) & 1) == 0) {
@@ -67,7 +67,7 @@ final class TestPage implements AutoCloseable, WebSocket.Listener {
         return cycleOf(frame);
     }
 
-    /** Looks on until the world has reached a cycle; the page has not yet said that it has seen this frame. */
+    /** Receives frames until the world has reached a cycle; does not acknowledge the last one. */
     long nextCycleFrom(long cycle) throws InterruptedException {
         long now = cycleOf(nextFrame());
         while (now < cycle) {

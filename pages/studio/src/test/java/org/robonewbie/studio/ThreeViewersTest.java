@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Three people look: one page is frozen, one computer has closed its lid, and the third must not notice. */
+/** Three viewers: one page is frozen, one computer sleeps, and the third must not be affected. */
 @Tag("slow")
 @Timeout(600)
 class ThreeViewersTest {
@@ -57,7 +57,7 @@ class ThreeViewersTest {
         }
     }
 
-    /** Connects and then reads nothing any more, as a computer that sleeps: what is sent piles up in the network. */
+    /** Connects and then never reads again, as a sleeping computer does: data pile up in the network. */
     private static final class ClosedLid implements WebSocket.Listener, AutoCloseable {
 
         private final AtomicInteger frames = new AtomicInteger();
@@ -74,7 +74,7 @@ class ThreeViewersTest {
 
         @Override
         public void onOpen(WebSocket webSocket) {
-            // Nothing is asked for.
+            // Requests no data.
         }
 
         @Override

@@ -9,11 +9,11 @@ import java.util.Optional;
 import org.junit.jupiter.api.Assumptions;
 
 /**
- * A program that some tests need. Where it is missing they are skipped and say so, unless the environment variable
+ * An external program that some tests need. Without it they are skipped with a message, unless the environment variable
  * ROBONEWBIE_REQUIRE_TOOLS is set.
  *
- * @param name what people call it
- * @param programs its usual file names
+ * @param name display name
+ * @param programs possible file names
  */
 record Tool(String name, List<String> programs) {
 
@@ -28,7 +28,7 @@ record Tool(String name, List<String> programs) {
                 .findFirst();
     }
 
-    /** Takes the program, or skips the test that asks. */
+    /** Returns the program, or skips the calling test. */
     Path orSkip() {
         Optional<Path> program = find();
         if (program.isEmpty() && System.getenv("ROBONEWBIE_REQUIRE_TOOLS") != null) {

@@ -23,7 +23,7 @@ import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.simulator.physics.Collider;
 import org.robonewbie.simulator.physics.ode.OdeCollisions;
 
-/** Which limbs of a robot touch in a posture, and how deep, as the simulator's collision finds it. */
+/** The colliding limbs of a robot in a posture and their penetration depths, as the simulator computes them. */
 final class TouchingLimbs {
 
     private static final int POSTURES = 300;
@@ -40,7 +40,7 @@ final class TouchingLimbs {
         }
     }
 
-    /** Writes random postures, each with the pairs of links that touch and the depth in metres. */
+    /** Writes random postures, each with the colliding pairs of links and the depth in metres. */
     static void write(Path file) throws IOException {
         TouchingLimbs limbs = new TouchingLimbs();
         Random random = new Random(12);

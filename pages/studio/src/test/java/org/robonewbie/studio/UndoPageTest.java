@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Whatever people do to the world can be taken back, to the bit. */
+/** All changes of the world can be undone exactly. */
 @Tag("slow")
 @InBrowser
 class UndoPageTest {
@@ -71,7 +71,7 @@ class UndoPageTest {
         browser.await("[..." + BALL + "].join() === '" + before + "'");
         browser.await(NEXT + "'Undo: puppet added (Ctrl+Z)'");
         redoByKeys();
-        browser.await(SAYS + "'Done again: ball moved.' && Math.abs(" + BALL + "[0] - 5) < 0.01");
+        browser.await(SAYS + "'Redone: ball moved.' && Math.abs(" + BALL + "[0] - 5) < 0.01");
         assertThat(browser.complaints()).isEmpty();
     }
 
@@ -96,7 +96,7 @@ class UndoPageTest {
     }
 
     @Test
-    void clockThatWasGoingGoesOnAfterUndo() {
+    void runningClockKeepsRunningAfterUndo() {
         browser.click("#toggle");
         browser.await("!studio.state.frame.paused");
         send("{do: 'placeBall', gesture: 1, x: 3, y: 2, z: 0.042}");
@@ -108,15 +108,15 @@ class UndoPageTest {
     }
 
     @Test
-    void puppetThatWasTakenAwayComesBackToItsPlace() {
+    void removedPuppetReturnsToItsPosition() {
         browser.click("#toggle");
         browser.click("#add-puppet");
         browser.await("studio.state.scene.robots[1]?.side === 'left' && studio.state.frame.robots[1].torso[0] > -1.5");
-        browser.await("studio.desk.chosen === 1");
+        browser.await("studio.camera.chosen === 1");
 
         browser.click("#remove-puppet");
         browser.await("studio.state.scene.robots.length === 1");
-        browser.await(NEXT + "'Undo: puppet taken away (Ctrl+Z)'");
+        browser.await(NEXT + "'Undo: puppet removed (Ctrl+Z)'");
         browser.click("#world-undo");
 
         browser.await("studio.state.scene.robots.length === 2 && studio.state.frame.robots[1].torso[0] > -1.5");

@@ -21,7 +21,7 @@ import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.studio.wall.TrialWall;
 import org.robonewbie.studio.wall.WallTable;
 
-/** The wall of a contest as people have it: in a real browser. */
+/** The wall of a contest in a real browser. */
 @Tag("slow")
 @InBrowser
 class WallPageTest {
@@ -101,7 +101,7 @@ class WallPageTest {
     }
 
     @Test
-    void tableStaysOnThePageWhenTheProgramEnds() {
+    void tableRemainsOnThePageWhenTheProgramEnds() {
         visit("");
         wall.isOver("Table: table.html");
         browser.await("document.querySelector('#wall-state').textContent.includes('Table: table.html')");
@@ -115,11 +115,10 @@ class WallPageTest {
     }
 
     @Test
-    void strangersSeeNothing() {
+    void unknownBrowsersSeeNothing() {
         browser.visit("http://localhost:" + studio.address().getPort() + "/wall.html");
 
-        browser.await(
-                "document.querySelector('#wall-state').textContent.includes('This browser has not been let in yet')");
+        browser.await("document.querySelector('#wall-state').textContent.includes('This browser is not signed in')");
         assertThat(browser.evaluate("wall.state.tiles.length").getAsInt()).isZero();
         browser.forgetComplaints();
     }
@@ -136,7 +135,7 @@ class WallPageTest {
     }
 
     @Test
-    void pageIsWorthAPicture() throws IOException {
+    void takesScreenshotOfThePage() throws IOException {
         browser.drawSharply();
         wall.result("scoring-Green", "Green goal 8.46");
         wall.stands(table(1, "8.46 s"));

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
 
-/** Picture and panels beside each other: edges are moved by mouse and keys, panels are folded, and the browser remembers it. */
+/** Layout of 3D view and panels: edges are moved by mouse and keys, panels collapse, and the browser remembers it. */
 @Tag("slow")
 @InBrowser(width = 1440, height = 900)
 class WorkspacePageTest {
@@ -49,7 +49,7 @@ class WorkspacePageTest {
     }
 
     @Test
-    void edgeIsDraggedAndStaysWhereItWasLeft() {
+    void edgeIsDraggedAndKeepsItsPosition() {
         int before = pictureWidth();
         double x = browser.evaluate(EDGE + ".getBoundingClientRect().left").getAsDouble() + 4;
 
@@ -101,11 +101,11 @@ class WorkspacePageTest {
         simulation.withRobot(RobotType.TYPE_0, TeamSide.RIGHT, 4, 1, 1, 180, Posture.STANDING);
         browser.await("document.querySelector('#robot-choice').options.length === 2");
 
-        browser.evaluate("studio.desk.choose(1); studio.touch()");
+        browser.evaluate("studio.camera.choose(1); studio.touch()");
         browser.await("document.querySelector('#robot-choice').value === '1'");
         browser.press("n");
 
-        browser.await("document.querySelector('#robot-choice').value === '0' && studio.desk.chosen === 0");
+        browser.await("document.querySelector('#robot-choice').value === '0' && studio.camera.chosen === 0");
     }
 
     @Test

@@ -19,7 +19,7 @@ import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryLine;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 
-/** Telemetry of all kinds as Java writes it, beside what was meant, for the scripts that read it. */
+/** Telemetry of all kinds as written by Java, with the expected values, for the scripts that read it. */
 final class WrittenTelemetry {
 
     private static final int MESSAGES = 300;
@@ -30,7 +30,7 @@ final class WrittenTelemetry {
 
     private WrittenTelemetry() {}
 
-    /** Writes lines and what each of them means, as JSON. */
+    /** Writes lines and the expected value of each as JSON. */
     static void write(Path file) throws IOException {
         WrittenTelemetry telemetry = new WrittenTelemetry();
         List<Map<String, Object>> all = IntStream.range(0, MESSAGES)
@@ -149,7 +149,7 @@ final class WrittenTelemetry {
         return new Vector3(number(), number(), number());
     }
 
-    /** A number with few digits, so that it is the same after it was written. */
+    /** A number with few digits, which survives formatting. */
     private double number() {
         return Math.round(random.nextDouble() * 20_000 - 10_000) / 1000.0;
     }

@@ -7,28 +7,28 @@ import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.state.WorldState;
 
-/** A world in which people may do everything: go back to a moment, and let robots enter that they steer. */
+/** A world that the user may change freely: states can be restored, and puppets can join. */
 interface EditableWorld extends SteppedWorld, PuppetProvider {
 
-    /** {@return its state to the bit; empty while a robot has not answered} */
+    /** {@return the bit-exact state; empty while a robot has not answered} */
     Optional<WorldState> save();
 
     /**
-     * Goes on from a saved state.
+     * Restores a saved state.
      *
      * @param state the state
-     * @return how many agents have taken on their own states; empty if it does not fit this world, or while a robot has not answered
+     * @return number of agents that have restored their own states; empty if the state belongs to another world or a robot has not answered
      */
-    OptionalInt goOnFrom(WorldState state);
+    OptionalInt restore(WorldState state);
 
     /**
-     * Goes on nearly from a state that was seen before.
+     * Restores an observed state approximately.
      *
-     * @param before an earlier state, from which the velocities are taken
-     * @param state the state
+     * @param before an earlier state, used to estimate velocities
+     * @param moment the state
      */
-    void goOnFrom(WorldSnapshot before, WorldSnapshot moment);
+    void restore(WorldSnapshot before, WorldSnapshot moment);
 
-    /** {@return the connection of one more robot} */
+    /** {@return a connection for one more robot} */
     AgentLink connect();
 }

@@ -17,10 +17,10 @@ import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.studio.PageFeed;
 import org.robonewbie.pagejvm.Program;
 
-/** Trials of one exercise, one seed after the other, under the eyes of the student. */
+/** Trials of one exercise with consecutive seeds, shown to the student. */
 final class ExerciseAttempt {
 
-    private static final int MOST_CHARACTERS = 20_000;
+    private static final int MAX_CHARACTERS = 20_000;
     private static final long SEED_OF_EMPTY_PITCH = 1;
 
     private final Exercise exercise;
@@ -34,13 +34,13 @@ final class ExerciseAttempt {
     private ExerciseTrial trial;
 
     /**
-     * Begins with the first trial.
+     * Starts the first trial.
      *
-     * @param exercise what is tried
+     * @param exercise the exercise
      * @param classes class files of the program
      * @param id number of the attempt
-     * @param trials how many seeds are tried, at least 1
-     * @param page gets what happens
+     * @param trials number of seeds, at least 1
+     * @param page receives the messages
      */
     ExerciseAttempt(Exercise exercise, List<byte[]> classes, long id, int trials, PageFeed.Page page) {
         this.exercise = exercise;
@@ -52,11 +52,11 @@ final class ExerciseAttempt {
     }
 
     /**
-     * Judges one trial, as fast as possible.
+     * Judges one trial as fast as possible.
      *
-     * @param exercise what is tried
+     * @param exercise the exercise
      * @param classes class files of the program
-     * @param seed start of all that is left to chance
+     * @param seed random seed
      * @return the score
      */
     static Score score(Exercise exercise, List<byte[]> classes, long seed) {
@@ -75,26 +75,26 @@ final class ExerciseAttempt {
     private ExerciseTrial next() {
         long seed = judged.size() + 1L;
         world.feed().judge(new TrialLabel(exercise.name(), id, seed));
-        ExerciseTrial begun = new ExerciseTrial(
+        ExerciseTrial started = new ExerciseTrial(
                 exercise,
                 seed,
                 () -> new StudentPerformer(new Program(classes), output, world.feed()),
                 PageContext.record());
-        if (begun.hasBegun()) {
-            world.show(begun);
+        if (started.isStarted()) {
+            world.show(started);
         }
-        return begun;
+        return started;
     }
 
-    /** {@return what the page shows} */
+    /** {@return the displayed world} */
     PacedWorld world() {
         return world;
     }
 
     /**
-     * Goes on as far as the chosen speed and the processor allow, and tells the page.
+     * Advances the trial as far as the chosen speed and the processor allow, and updates the page.
      *
-     * @param seconds how long the last turn is ago
+     * @param seconds time since the last call
      */
     void turn(double seconds) {
         world.turn(seconds);
@@ -122,10 +122,10 @@ final class ExerciseAttempt {
     }
 
     /**
-     * Writes how far it is.
+     * Returns the state of the attempt.
      *
-     * @param language of findings and hints
-     * @return one JSON object: state, number of trials, those that are judged, and what the program has printed
+     * @param language language of findings and hints
+     * @return one JSON object: state, number of trials, results, and output of the program
      */
     String json(Language language) {
         JsonObject json = new JsonObject();
@@ -137,17 +137,11 @@ final class ExerciseAttempt {
         judged.forEach(each -> scores.add(json(each.seed(), each.score().in(language))));
         json.add("judged", scores);
         String said = bytes.toString(StandardCharsets.UTF_8);
-        json.addProperty("output", said.substring(Math.max(0, said.length() - MOST_CHARACTERS)));
+        json.addProperty("output", said.substring(Math.max(0, said.length() - MAX_CHARACTERS)));
         return json.toString();
     }
 
-    /**
-     * Writes a score.
-     *
-     * @param seed what the trial began with
-     * @param score what it earned
-     * @return seed, points, whether it passed, finding and hint
-     */
+    /** Writes a score as JSON. */
     static JsonObject json(long seed, Score score) {
         JsonObject json = new JsonObject();
         json.addProperty("seed", seed);

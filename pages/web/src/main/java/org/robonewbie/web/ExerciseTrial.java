@@ -8,33 +8,33 @@ import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Performance;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Task;
+import org.robonewbie.pagejvm.EndlessLoop;
+import org.robonewbie.pagejvm.ProgramEnd;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.recording.RecordingTarget;
-import org.robonewbie.trial.TrialListener;
 import org.robonewbie.trial.ChallengeTrial;
 import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.RobotStart;
-import org.robonewbie.pagejvm.EndlessLoop;
-import org.robonewbie.pagejvm.ProgramEnd;
+import org.robonewbie.trial.TrialListener;
 
-/** One trial of an exercise, which is judged as {@code robonewbie grade} does. Nobody can move robots or ball: it counts. */
+/** One trial of an exercise, judged as by {@code robonewbie grade}. Robots and ball cannot be moved by hand. */
 final class ExerciseTrial implements SteppedWorld {
 
     private final Task task;
     private Optional<ChallengeTrial> played = Optional.empty();
-    private Optional<Score> mistake = Optional.empty();
+    private Optional<Score> failure = Optional.empty();
     private boolean stuck;
     private long cycles;
 
     /**
-     * Sets the scene and lets the robots enter.
+     * Sets up the scene and lets the robots join.
      *
      * @param exercise the exercise
-     * @param seed start of all that is left to chance
-     * @param student makes a robot with the student's program; asked once for each robot
-     * @param recording where a recording goes
+     * @param seed random seed
+     * @param student creates a robot that runs the student's program; called once per robot
+     * @param recording destination of the recording
      */
     ExerciseTrial(Exercise exercise, long seed, Supplier<? extends Controller> student, RecordingTarget recording) {
         task = exercise.task().get();
@@ -47,27 +47,26 @@ final class ExerciseTrial implements SteppedWorld {
             command.run();
         } catch (EndlessLoop loop) {
             stuck = true;
-            mistake = Optional.of(Performance.ofEndlessStep("", Optional.of(loop.place())));
+            failure = Optional.of(Performance.ofEndlessStep("", Optional.of(loop.place())));
         } catch (ProgramEnd end) {
-            mistake = Optional.of(Performance.ofExit(end.exitCode()));
+            failure = Optional.of(Performance.ofExit(String.valueOf(end.exitCode())));
         } catch (RuntimeException | Error thrown) {
-            mistake = Optional.of(Performance.ofMistake(thrown));
+            failure = Optional.of(Performance.ofMistake(thrown));
         }
     }
 
-    /** {@return whether there is something to be seen; not if the program has failed before} */
-    boolean hasBegun() {
+    /** {@return whether the trial has started; false if the program failed before} */
+    boolean isStarted() {
         return played.isPresent();
     }
 
-    /** {@return whether the program does not come to the end of a step, so that further trials make no sense} */
+    /** {@return whether the program is stuck in an endless step, so that further trials are pointless} */
     boolean isStuck() {
         return stuck;
     }
 
-    /** {@return how the trial has ended} */
     Score score() {
-        return mistake.orElseGet(task::score);
+        return failure.orElseGet(task::score);
     }
 
     @Override
@@ -78,7 +77,7 @@ final class ExerciseTrial implements SteppedWorld {
 
     @Override
     public boolean isOver() {
-        return mistake.isPresent() || trial().isOver();
+        return failure.isPresent() || trial().isOver();
     }
 
     @Override
@@ -97,7 +96,7 @@ final class ExerciseTrial implements SteppedWorld {
 
     @Override
     public void order(Order order) {
-        // a trial counts, so it goes its way
+        // A trial that counts cannot be changed.
     }
 
     @Override

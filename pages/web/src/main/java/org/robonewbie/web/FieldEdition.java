@@ -5,27 +5,27 @@ import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
 
 /**
- * What the scripts of the page call as long as nobody programs: shipped agents play, and motions are tried. Each exported method
- * becomes a function of the compiled program, which is half as large as that of {@link WebEdition}.
+ * Functions that the page's scripts call while no program runs: shipped agents play, and motions are tried. Each exported method becomes
+ * a function of the WebAssembly module, which is half as large as that of {@link WebEdition}.
  */
 public final class FieldEdition {
 
     private FieldEdition() {}
 
     /**
-     * Does nothing: the page calls the functions.
+     * Does nothing; the page calls the exported functions.
      *
      * @param args none
      */
     public static void main(String[] args) {}
 
     /**
-     * Lets a shipped agent play alone.
+     * Runs a shipped agent alone without display.
      *
      * @param agent name of its class
-     * @param seed start of all random numbers
+     * @param seed random seed
      * @param seconds simulated seconds
-     * @return the checksum of the recording, SHA-256 in 64 hexadecimal digits
+     * @return checksum of the recording: SHA-256 in 64 hexadecimal digits
      */
     @JSExport
     public static String recordingSha256(String agent, int seed, double seconds) {
@@ -42,18 +42,18 @@ public final class FieldEdition {
         return String.join(" ", ShippedAgents.names());
     }
 
-    /** {@return the robot whose motions are edited, as a JSON object} */
+    /** {@return the robot of the motion editor, as a JSON object} */
     @JSExport
     public static String robot() {
         return PageMotions.robot();
     }
 
     /**
-     * Lets a robot with weight and motors play a motion.
+     * Plays a motion on a robot with weight and motors.
      *
-     * @param text the motion's file
-     * @param start how the robot is before
-     * @return what happened, as a JSON object; or why that cannot be, as a sentence
+     * @param text content of the motion file
+     * @param start initial posture
+     * @return the result as a JSON object, or a sentence if the motion is refused
      */
     @JSExport
     public static String motionTrial(String text, String start) {
@@ -66,16 +66,16 @@ public final class FieldEdition {
         return PageMotions.models();
     }
 
-    /** Forgets the scenes that the page has handed over, before it does so once more. */
+    /** Clears the scenes in memory, before the page passes them again. */
     @JSExport
     public static void forgetScenes() {
         PageContext.scenes().clear();
     }
 
     /**
-     * Takes a scene that the browser keeps.
+     * Loads a scene from the browser's storage.
      *
-     * @param name of the scene
+     * @param name name of the scene
      * @param bytes the scene
      */
     @JSExport
@@ -84,12 +84,12 @@ public final class FieldEdition {
     }
 
     /**
-     * Saves, renames, removes or lists scenes, or goes back to one.
+     * Saves, renames, deletes, restores or lists scenes.
      *
      * @param method PUT, DELETE, POST, or GET for the list
      * @param name the scene
-     * @param old the scene that is renamed; empty if none is
-     * @return one JSON object; or why that cannot be, as a sentence
+     * @param old previous name of a scene to be renamed; else empty
+     * @return one JSON object, or a sentence if the request is refused
      */
     @JSExport
     public static String scenes(String method, String name, String old) {
@@ -97,11 +97,11 @@ public final class FieldEdition {
     }
 
     /**
-     * Goes on from a moment of a recording.
+     * Continues from a cycle of a recording.
      *
-     * @param recording its bytes, not compressed
-     * @param state number of the moment, from 0
-     * @return one JSON object; or why that cannot be, as a sentence
+     * @param recording the uncompressed bytes of the recording
+     * @param moment index of the cycle, from 0
+     * @return one JSON object, or a sentence if the request is refused
      */
     @JSExport
     public static String startFrom(Int8Array recording, int moment) {
@@ -109,7 +109,7 @@ public final class FieldEdition {
     }
 
     /**
-     * Does what the page asks for.
+     * Executes a command of the page.
      *
      * @param command one JSON object
      */
@@ -119,10 +119,10 @@ public final class FieldEdition {
     }
 
     /**
-     * Begins a world with shipped agents, which is shown from now on.
+     * Starts a world with shipped agents and shows it.
      *
      * @param agents names of their classes, separated by blanks
-     * @param seed start of all random numbers
+     * @param seed random seed
      */
     @JSExport
     public static void begin(String agents, int seed) {
@@ -130,7 +130,7 @@ public final class FieldEdition {
     }
 
     /**
-     * Lets one more shipped agent enter the world that is shown.
+     * Adds a shipped agent to the displayed world.
      *
      * @param agent name of its class
      */
@@ -140,9 +140,9 @@ public final class FieldEdition {
     }
 
     /**
-     * Lets the shown world go on.
+     * Advances the displayed world.
      *
-     * @param seconds how long the last turn is ago
+     * @param seconds time since the last call
      */
     @JSExport
     public static void turn(double seconds) {

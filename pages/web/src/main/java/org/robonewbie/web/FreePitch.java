@@ -24,7 +24,7 @@ import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.studio.PageFeed;
 import org.robonewbie.pagejvm.Program;
 
-/** The beginners' world, in which everybody may do everything, with shipped agents and one program of a student. */
+/** The beginners' world with free play: shipped agents, puppets and one student's program. */
 final class FreePitch implements EditableWorld {
 
     private static final String GUESTS = "Guests";
@@ -32,8 +32,8 @@ final class FreePitch implements EditableWorld {
     private static final double COLUMN_METRES = -2.5;
     private static final double ROW_METRES = 1.5;
 
-    /** More than a robot needs to leave, or to enter and to stand. */
-    private static final int MOST_CYCLES = 100;
+    /** Longer than a robot needs to leave, or to join and stand. */
+    private static final int MAX_CYCLES = 100;
 
     private final SteppedSimulator simulator;
     private final PageFeed feed;
@@ -41,11 +41,11 @@ final class FreePitch implements EditableWorld {
     private Optional<Player> student = Optional.empty();
 
     /**
-     * Prepares a pitch without robots.
+     * Creates a pitch without robots.
      *
-     * @param seed start of all random numbers
-     * @param feed gets what happens
-     * @param recording where a recording goes
+     * @param seed random seed
+     * @param feed receives the messages
+     * @param recording destination of the recording
      */
     FreePitch(long seed, PageFeed feed, RecordingTarget recording) {
         this.feed = feed;
@@ -54,7 +54,7 @@ final class FreePitch implements EditableWorld {
     }
 
     /**
-     * Lets an agent enter; every second robot plays against the first one.
+     * Adds an agent; every second robot plays in the opponent team.
      *
      * @param agent the agent
      * @return this pitch
@@ -68,12 +68,12 @@ final class FreePitch implements EditableWorld {
         } catch (IOException impossible) {
             throw new UncheckedIOException("The world of the page has closed its connection.", impossible);
         }
-        link.beBusy();
+        link.stopWaiting();
         add(new Player(driver::goOn));
         return this;
     }
 
-    /** The first robot of each team stands where its program wants, the others stand behind. */
+    /** The first robot of each team starts at the pose that its program requests, the others behind it. */
     private static Options asNumber(int before, Options usual) {
         Options own = usual.withSeconds(StudentProgram.FOREVER_SECONDS);
         Options ofTeam = before % TEAMS == 0 ? own : own.withTeam(GUESTS).withNumber(0);
@@ -81,10 +81,10 @@ final class FreePitch implements EditableWorld {
     }
 
     /**
-     * Lets a program of a student enter.
+     * Adds a student's program.
      *
      * @param program its classes
-     * @param run gets how it goes
+     * @param run tracks the state of the program
      * @return this pitch
      */
     FreePitch with(Program program, StudentRun run) {
@@ -101,14 +101,14 @@ final class FreePitch implements EditableWorld {
     }
 
     /**
-     * Lets another program take the place of the student's. If it brings the same robots, the world goes on from where it was.
+     * Replaces the student's program. The state of the world is kept if the new program brings the same robots.
      *
-     * @param old the run of the program that leaves
-     * @param program the classes of the other one
-     * @param run gets how it goes
+     * @param old run of the old program
+     * @param program classes of the new program
+     * @param run tracks the state of the new program
      */
     void swap(StudentRun old, Program program, StudentRun run) {
-        simulator.isReady(); // reads what the robots have answered, which belongs to the moment
+        simulator.isReady(); // reads the robots' answers, which belong to the saved state
         WorldState moment = simulator.save();
         List<String> seats = seats();
         old.stop();
@@ -123,12 +123,12 @@ final class FreePitch implements EditableWorld {
     }
 
     private void cycleUntil(BooleanSupplier condition) {
-        for (int i = 0; i < MOST_CYCLES && !condition.getAsBoolean(); i++) {
+        for (int i = 0; i < MAX_CYCLES && !condition.getAsBoolean(); i++) {
             cycle();
         }
     }
 
-    /** Who plays, and in which body. */
+    /** Identities and body types of all robots. */
     private List<String> seats() {
         return simulator.snapshot(false, 1).robots().stream()
                 .map(robot -> robot.team() + " " + robot.number() + " " + robot.side() + " " + robot.type())
@@ -142,7 +142,7 @@ final class FreePitch implements EditableWorld {
     }
 
     @Override
-    public OptionalInt goOnFrom(WorldState state) {
+    public OptionalInt restore(WorldState state) {
         try {
             return simulator.isReady() ? OptionalInt.of(simulator.goOnFrom(state)) : OptionalInt.empty();
         } catch (IllegalArgumentException ofAnotherWorld) {
@@ -151,7 +151,7 @@ final class FreePitch implements EditableWorld {
     }
 
     @Override
-    public void goOnFrom(WorldSnapshot before, WorldSnapshot moment) {
+    public void restore(WorldSnapshot before, WorldSnapshot moment) {
         simulator.goOnFrom(before, moment);
     }
 
@@ -163,13 +163,13 @@ final class FreePitch implements EditableWorld {
     @Override
     public Puppet start(AgentLink link, String team, int number, int type) {
         PagePuppet puppet = new PagePuppet(new PatientLink(link), SteeredRobot.options(team, number, type));
-        Player player = new Player(puppet::goOn);
+        Player player = new Player(puppet::turn);
         puppet.whenLeft(() -> leave(player));
         add(player);
         return puppet;
     }
 
-    /** A robot leaves when its next message is due, so the world goes on until then, also a paused one. */
+    /** A robot leaves when its next message is due, so the world is advanced until then, even if it is paused. */
     private void leave(Player player) {
         int before = seats().size();
         players.remove(player);
@@ -185,7 +185,7 @@ final class FreePitch implements EditableWorld {
         players.forEach(Player::play);
     }
 
-    /** Somebody who has a turn in each cycle; one that waits for the world in the middle of it has no other. */
+    /** A participant with one turn per cycle; a nested cycle gives no second turn. */
     private static final class Player {
 
         private final Runnable turn;

@@ -14,7 +14,7 @@ import org.robonewbie.simulator.recording.RunReport;
 import org.robonewbie.pagejvm.Program;
 
 /**
- * A run that nobody watches, as fast as possible: what {@code robonewbie run --headless --fast} does, with the same results for the
+ * A run without display, as fast as possible: the counterpart of {@code robonewbie run --headless --fast}, with the same results for the
  * same seed.
  */
 final class HeadlessRun {
@@ -22,13 +22,13 @@ final class HeadlessRun {
     private HeadlessRun() {}
 
     /**
-     * Lets a student's program play alone in the beginners' world.
+     * Runs a student's program alone in the beginners' world.
      *
      * @param program its classes
-     * @param output gets what it prints
-     * @param seed start of all random numbers
-     * @param seconds simulated seconds after which it ends, if it does not end by itself
-     * @return the true results
+     * @param output receives its output
+     * @param seed random seed
+     * @param seconds time limit in simulated seconds
+     * @return the ground-truth results
      */
     static RunReport of(Program program, PrintStream output, long seed, double seconds) {
         WorldSettings settings = WorldSettings.beginner().withSeed(seed);
@@ -39,7 +39,7 @@ final class HeadlessRun {
                     new StudentProgram(program, output, simulator::connect, simulator::cycle, TelemetrySink.NONE);
             boolean isOver = false;
             while (!isOver && simulator.cycles() < cycles) {
-                isOver = played.goOn();
+                isOver = played.resume();
                 if (isOver) {
                     played.leave();
                 }
@@ -50,12 +50,12 @@ final class HeadlessRun {
     }
 
     /**
-     * Lets an agent play alone in the beginners' world.
+     * Runs an agent alone in the beginners' world.
      *
      * @param agent the agent
-     * @param seed start of all random numbers
+     * @param seed random seed
      * @param seconds simulated seconds
-     * @return the true results
+     * @return the ground-truth results
      */
     static RunReport of(Agent agent, long seed, double seconds) {
         WorldSettings settings = WorldSettings.beginner().withSeed(seed);

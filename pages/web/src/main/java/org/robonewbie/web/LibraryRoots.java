@@ -47,7 +47,7 @@ import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.world.WorldModel;
 
-/** Classes that programs of students may use and nothing else in the page does: what is named here gets into the compiled program. */
+/** Roots for TeaVM's dead-code elimination: classes that only students' programs use, and which it would otherwise remove. */
 final class LibraryRoots {
 
     private static final List<Class<?>> CLASSES = List.of(
@@ -104,7 +104,7 @@ final class LibraryRoots {
 
     private LibraryRoots() {}
 
-    /** {@return how many there are} */
+    /** {@return the number of these classes} */
     static int count() {
         return CLASSES.size();
     }

@@ -9,25 +9,25 @@ import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.team.tactics.Assignment;
 import org.robonewbie.pagejvm.SpecialCalls;
 
-/** Calls with arrays of numbers, which the compiled program cannot make by the names of methods. */
+/** Calls with arrays of primitives, which the compiled program cannot make by reflection. */
 final class NumberArrays {
 
-    /** The result of a method without one. */
+    /** Result of a void method. */
     private static final int NOTHING = 0;
 
     private NumberArrays() {}
 
     /**
-     * Carries out a method of {@link WalkStyle}.
+     * Calls a method of {@link WalkStyle}.
      *
-     * @param name of the method
+     * @param name name of the method
      * @param given its arguments
      * @return its result, or {@link SpecialCalls#UNKNOWN}
      */
     static Object walkStyle(String name, @Nullable Object[] given) {
         return name.equals("of")
                 ? WalkStyle.of(
-                        whole(given[0]),
+                        toInt(given[0]),
                         (WalkVelocity) Objects.requireNonNull(given[1]),
                         (WalkVelocity) Objects.requireNonNull(given[2]),
                         (double[]) Objects.requireNonNull(given[3]))
@@ -35,22 +35,22 @@ final class NumberArrays {
     }
 
     /**
-     * Carries out a method of {@link Gait}.
+     * Calls a method of {@link Gait}.
      *
-     * @param name of the method
+     * @param name name of the method
      * @param given its arguments
      * @return its result, or {@link SpecialCalls#UNKNOWN}
      */
     static Object gait(String name, @Nullable Object[] given) {
         return name.equals("of") && given.length == 3
-                ? Gait.of(whole(given[0]), whole(given[1]), (double[]) Objects.requireNonNull(given[2]))
+                ? Gait.of(toInt(given[0]), toInt(given[1]), (double[]) Objects.requireNonNull(given[2]))
                 : SpecialCalls.UNKNOWN;
     }
 
     /**
-     * Carries out a method of {@link Assignment}.
+     * Calls a method of {@link Assignment}.
      *
-     * @param name of the method
+     * @param name name of the method
      * @param given its arguments
      * @return its result, or {@link SpecialCalls#UNKNOWN}
      */
@@ -69,9 +69,9 @@ final class NumberArrays {
     }
 
     /**
-     * Carries out a method of {@link Arrays}.
+     * Calls a method of {@link Arrays}.
      *
-     * @param name of the method
+     * @param name name of the method
      * @param given its arguments
      * @return its result, or {@link SpecialCalls#UNKNOWN}
      */
@@ -86,8 +86,8 @@ final class NumberArrays {
         return switch (name + given.length) {
             case "toString1" -> Arrays.toString(numbers);
             case "stream1" -> Arrays.stream(numbers);
-            case "copyOf2" -> Arrays.copyOf(numbers, whole(given[1]));
-            case "copyOfRange3" -> Arrays.copyOfRange(numbers, whole(given[1]), whole(given[2]));
+            case "copyOf2" -> Arrays.copyOf(numbers, toInt(given[1]));
+            case "copyOfRange3" -> Arrays.copyOfRange(numbers, toInt(given[1]), toInt(given[2]));
             case "equals2" -> Arrays.equals(numbers, (double[]) given[1]) ? 1 : 0;
             case "fill2" -> {
                 Arrays.fill(numbers, (Double) Objects.requireNonNull(given[1]));
@@ -105,11 +105,11 @@ final class NumberArrays {
         return switch (name + given.length) {
             case "toString1" -> Arrays.toString(numbers);
             case "stream1" -> Arrays.stream(numbers);
-            case "copyOf2" -> Arrays.copyOf(numbers, whole(given[1]));
-            case "copyOfRange3" -> Arrays.copyOfRange(numbers, whole(given[1]), whole(given[2]));
+            case "copyOf2" -> Arrays.copyOf(numbers, toInt(given[1]));
+            case "copyOfRange3" -> Arrays.copyOfRange(numbers, toInt(given[1]), toInt(given[2]));
             case "equals2" -> Arrays.equals(numbers, (int[]) given[1]) ? 1 : 0;
             case "fill2" -> {
-                Arrays.fill(numbers, whole(given[1]));
+                Arrays.fill(numbers, toInt(given[1]));
                 yield NOTHING;
             }
             case "sort1" -> {
@@ -120,7 +120,7 @@ final class NumberArrays {
         };
     }
 
-    private static int whole(@Nullable Object value) {
+    private static int toInt(@Nullable Object value) {
         return (Integer) Objects.requireNonNull(value);
     }
 }

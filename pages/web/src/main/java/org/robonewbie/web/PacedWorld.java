@@ -16,11 +16,11 @@ import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.studio.PageFeed;
 
-/** A world that a page watches, and its clock; it goes on a little in each turn of the page's worker. */
+/** The displayed world and its clock, advanced a little in each turn of the page's worker. */
 final class PacedWorld implements PageFeed.World {
 
-    private static final long LONGEST_TURN_NANOS = 15_000_000;
-    private static final double MOST_BEHIND_SECONDS = 0.2;
+    private static final long MAX_TURN_NANOS = 15_000_000;
+    private static final double MAX_LAG_SECONDS = 0.2;
     private static final double SMOOTHING_SECONDS = 1;
     private static final OptionalInt NO_PORT = OptionalInt.of(0);
 
@@ -33,23 +33,22 @@ final class PacedWorld implements PageFeed.World {
     private double owedSeconds;
 
     /**
-     * Shows a world.
+     * Creates and shows a world.
      *
-     * @param page gets what happens
-     * @param maker makes the world, which tells what happens to the feed of the page
+     * @param page receives the messages
+     * @param maker creates the world, which reports events to the given feed
      */
     PacedWorld(PageFeed.Page page, Function<PageFeed, ? extends SteppedWorld> maker) {
         feed = new PageFeed(this, page);
         world = maker.apply(feed);
     }
 
-    /** {@return what the page is told} */
     PageFeed feed() {
         return feed;
     }
 
     /**
-     * Shows another world at the same pace.
+     * Shows another world at the same speed.
      *
      * @param next the world
      */
@@ -58,23 +57,23 @@ final class PacedWorld implements PageFeed.World {
         owedSeconds = 0;
     }
 
-    /** Does what the page asks for. */
+    /** Executes a command of the page. */
     void ask(String command) {
         feed.ask(command);
     }
 
     /**
-     * Goes on as far as the chosen speed and the processor allow, and tells the page.
+     * Advances the world as far as the chosen speed and the processor allow, and updates the page.
      *
-     * @param seconds how long the last turn is ago
+     * @param seconds time since the last call
      */
     void turn(double seconds) {
         long begin = System.nanoTime();
         long before = world.cycles();
-        owedSeconds = Math.min(owedSeconds, MOST_BEHIND_SECONDS) + seconds * speed;
+        owedSeconds = Math.min(owedSeconds, MAX_LAG_SECONDS) + seconds * speed;
         List<RobotSnapshot> watched =
                 now().robots().stream().filter(feed::watches).toList();
-        while (mayGoOn() && System.nanoTime() - begin < LONGEST_TURN_NANOS) {
+        while (isCycleDue() && System.nanoTime() - begin < MAX_TURN_NANOS) {
             cycle(watched);
         }
         double weight = Math.min(1, seconds / SMOOTHING_SECONDS);
@@ -85,7 +84,7 @@ final class PacedWorld implements PageFeed.World {
         }
     }
 
-    private boolean mayGoOn() {
+    private boolean isCycleDue() {
         return !world.isOver() && (stepsLeft > 0 || (!paused && owedSeconds >= Cycle.SECONDS));
     }
 
@@ -149,12 +148,12 @@ final class PacedWorld implements PageFeed.World {
 
     @Override
     public void restore(WorldState state, Consumer<OptionalInt> receiver) {
-        receiver.accept(open().map(free -> free.goOnFrom(state)).orElse(OptionalInt.empty()));
+        receiver.accept(open().map(free -> free.restore(state)).orElse(OptionalInt.empty()));
     }
 
     @Override
     public void restore(WorldSnapshot before, WorldSnapshot moment) {
-        open().ifPresent(free -> free.goOnFrom(before, moment));
+        open().ifPresent(free -> free.restore(before, moment));
     }
 
     @Override

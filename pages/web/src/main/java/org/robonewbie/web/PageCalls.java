@@ -5,18 +5,18 @@ import org.jspecify.annotations.Nullable;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.pagejvm.SpecialCalls;
 
-/** What some of Java's own classes are to a program in the page. */
+/** Replacements for methods of Java classes in students' programs. */
 final class PageCalls {
 
     private PageCalls() {}
 
     /**
-     * Carries out a static call.
+     * Executes a static call.
      *
      * @param owner the class, with slashes
-     * @param name of the method
+     * @param name name of the method
      * @param arguments its arguments
-     * @return its result, or {@link SpecialCalls#UNKNOWN} for one that is called as it is
+     * @return its result, or {@link SpecialCalls#UNKNOWN} if the method is not replaced
      */
     static @Nullable Object call(String owner, String name, @Nullable Object[] arguments) {
         return switch (owner) {
@@ -33,7 +33,7 @@ final class PageCalls {
         };
     }
 
-    /** Browsers calculate with functions of their own, which differ; these are the same everywhere. */
+    /** The functions of browsers differ; these are the same everywhere. */
     private static Object mathematics(String name, double x, @Nullable Object second) {
         return switch (name) {
             case "sin" -> PortableMath.sin(x);

@@ -17,15 +17,15 @@ import org.robonewbie.studio.scene.SceneRepository;
 import org.teavm.jso.JSBody;
 import org.teavm.jso.typedarrays.Int8Array;
 
-/** The world that the page shows, and what can be done with each. */
+/** The displayed world and its commands. */
 final class PageContext {
 
-    /** The page behind this worker. */
+    /** The page that owns this worker. */
     static final PageFeed.Page PAGE = new Page();
 
     private static final PageScenes SCENES = new PageScenes(new Browser());
 
-    /** The last one is that of the world that is shown; of others the page has not got all yet. */
+    /** The last one belongs to the displayed world; earlier ones have not been sent completely. */
     private static final Deque<PageRecording> RECORDINGS = new ArrayDeque<>();
 
     private static @Nullable PacedWorld world;
@@ -33,17 +33,17 @@ final class PageContext {
 
     private PageContext() {}
 
-    /** Shows shipped agents, whose names have blanks between them. */
+    /** Shows shipped agents, given as class names separated by blanks. */
     static void begin(String agents, int seed) {
         begin(agents, seed, empty -> {});
     }
 
-    /** Shows somebody and, after that, shipped agents whose names have blanks between them. */
+    /** Shows a world with a first participant and then shipped agents, given as class names separated by blanks. */
     static void begin(String agents, int seed, Consumer<FreePitch> first) {
         world = new PacedWorld(PAGE, feed -> {
-            FreePitch begun = new FreePitch(seed, feed, record());
-            pitch = Optional.of(begun);
-            return begun;
+            FreePitch started = new FreePitch(seed, feed, record());
+            pitch = Optional.of(started);
+            return started;
         });
         pitch.ifPresent(first);
         named(agents).forEach(PageContext::join);
@@ -55,51 +55,51 @@ final class PageContext {
                 .toList();
     }
 
-    /** Lets one more shipped agent enter the world that is shown. */
+    /** Adds a shipped agent to the displayed world. */
     static void join(String agent) {
         pitch.ifPresent(shown -> shown.with(ShippedAgents.make(agent)));
     }
 
-    /** {@return the pitch that is shown; empty while an exercise is} */
+    /** {@return the displayed pitch; empty during an exercise} */
     static Optional<FreePitch> pitch() {
         return pitch;
     }
 
-    /** Begins another recording, which takes the place of the last one. */
+    /** Starts another recording, which replaces the last one. */
     static RecordingTarget record() {
         RECORDINGS.add(new PageRecording());
         return RECORDINGS.getLast();
     }
 
-    private static void giveRecorded() {
-        RECORDINGS.forEach(each -> each.give(PageContext::postRecorded));
+    private static void sendRecordings() {
+        RECORDINGS.forEach(each -> each.sendTo(PageContext::postRecorded));
         while (RECORDINGS.size() > 1) {
             RECORDINGS.removeFirst();
         }
     }
 
-    /** Shows the trials of an exercise from now on. */
+    /** Shows the trials of an exercise. */
     static void show(PacedWorld trials) {
         world = trials;
         pitch = Optional.empty();
     }
 
-    /** Does what the page asks for with one JSON object. */
+    /** Executes a command of the page, one JSON object. */
     static void ask(String command) {
         if (world != null) {
             world.ask(command);
         }
     }
 
-    /** Lets the shown world go on; the last turn is some seconds ago. */
+    /** Advances the displayed world; the last turn was the given time ago. */
     static void turn(double seconds) {
         if (world != null) {
             world.turn(seconds);
-            giveRecorded();
+            sendRecordings();
         }
     }
 
-    /** Lets a robot with weight play a motion; returns what happened as JSON, or why that cannot be as a sentence. */
+    /** Plays a motion on a robot with weight; returns the result as JSON, or a sentence if the motion is refused. */
     static String motionTrial(String text, String start) {
         try {
             return PageMotions.trial(text, start);
@@ -108,24 +108,24 @@ final class PageContext {
         }
     }
 
-    /** The scenes, which the browser hands over before each request. */
+    /** The scenes, which the browser passes before each request. */
     static SceneRepository scenes() {
         return SCENES.repository();
     }
 
-    /** Saves, renames, removes or lists scenes, or goes back to one; returns a JSON object, or why that cannot be as a sentence. */
+    /** Saves, renames, deletes, restores or lists scenes; returns a JSON object, or a sentence if the request is refused. */
     static String scenes(String method, String name, String old) {
         return answer(feed -> SCENES.answer(feed, method, name, old));
     }
 
-    /** Goes on from a moment of a recording; returns a JSON object, or why that cannot be as a sentence. */
+    /** Continues from a cycle of a recording; returns a JSON object, or a sentence if the request is refused. */
     static String startFrom(byte[] recorded, int moment) {
         return answer(feed -> SCENES.start(feed, recorded, moment));
     }
 
     private static String answer(Function<PageFeed, String> request) {
         try {
-            return world == null ? "The world has not begun yet." : request.apply(world.feed());
+            return world == null ? "The simulation has not started yet." : request.apply(world.feed());
         } catch (RefusedException refused) {
             return String.valueOf(refused.getMessage());
         }
@@ -155,7 +155,7 @@ final class PageContext {
     private static final class Page implements PageFeed.Page {
 
         @Override
-        public void tell(String json) {
+        public void send(String json) {
             post(json);
         }
 
@@ -166,7 +166,7 @@ final class PageContext {
 
         @Override
         public void keep(String note) {
-            giveRecorded();
+            sendRecordings();
             postNote(note);
         }
     }

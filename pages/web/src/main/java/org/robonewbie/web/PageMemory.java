@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.function.Supplier;
 
 /**
- * What classes know that stand in the place of others in the page. They cannot keep it themselves: TeaVM compiles a copy of each under
- * the other name, with static fields of its own.
+ * State of the classes that replace others in the page. They cannot hold it themselves: TeaVM compiles a copy of each under the other
+ * name, with separate static fields.
  */
 public final class PageMemory {
 
@@ -18,20 +18,20 @@ public final class PageMemory {
     private PageMemory() {}
 
     /**
-     * Looks at a program from now on.
+     * Sets the running program.
      *
-     * @param calls tells its calls, the innermost first
+     * @param calls returns its call stack, the innermost call first
      */
-    static void lookAt(Supplier<StackTraceElement[]> calls) {
+    static void setProgram(Supplier<StackTraceElement[]> calls) {
         program = calls;
     }
 
-    /** {@return the calls of the program that is carried out, the innermost first} */
+    /** {@return the call stack of the running program, the innermost call first} */
     public static StackTraceElement[] calls() {
         return program.get();
     }
 
-    /** {@return the motions that somebody has made in the page: the bytes of each file by name} */
+    /** {@return the user's motions in the page: bytes of each file by name} */
     public static Map<String, byte[]> motions() {
         return MOTIONS;
     }

@@ -8,19 +8,19 @@ import org.robonewbie.agent.StartUpException;
 import org.robonewbie.agent.puppet.SteeredRobot;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 
-/** A robot that is steered by hand, in a world that somebody else turns. */
+/** A robot that is steered by hand in a world that is advanced elsewhere. */
 final class PagePuppet extends SteeredRobot {
 
     private final PatientLink link;
     private final NaoDriver driver;
-    private Runnable farewell = () -> {};
+    private Runnable onClosed = () -> {};
 
     /**
-     * Lets the robot enter, which turns the world until it stands.
+     * Lets the robot join, which advances the world until it stands.
      *
      * @param link the robot's end of the connection
-     * @param options who it is
-     * @throws IllegalStateException if the world does not let it in; the message says why
+     * @param options identity of the robot
+     * @throws IllegalStateException if the robot cannot join; the message gives the reason
      */
     PagePuppet(PatientLink link, Options options) {
         this.link = link;
@@ -32,21 +32,21 @@ final class PagePuppet extends SteeredRobot {
         } catch (IOException impossible) {
             throw new UncheckedIOException("The world of the page has closed its connection.", impossible);
         }
-        link.beBusy();
+        link.stopWaiting();
         begin(driver.nao());
     }
 
     /**
-     * Names a listener for the robot's leave-taking.
+     * Sets the listener for the end of the connection.
      *
-     * @param newListener called when it has closed its connection
+     * @param newListener called after the connection has been closed
      */
     void whenLeft(Runnable newListener) {
-        farewell = newListener;
+        onClosed = newListener;
     }
 
-    /** Answers the message that is there. */
-    void goOn() {
+    /** Answers the pending message, if any. */
+    void turn() {
         if (link.isMessageWaiting() && driver.nao().sense()) {
             move(driver.nao());
             driver.complete();
@@ -56,6 +56,6 @@ final class PagePuppet extends SteeredRobot {
     @Override
     public void close() {
         link.close();
-        farewell.run();
+        onClosed.run();
     }
 }

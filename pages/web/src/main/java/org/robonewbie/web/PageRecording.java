@@ -3,20 +3,20 @@ package org.robonewbie.web;
 import java.io.ByteArrayOutputStream;
 import org.robonewbie.simulator.recording.RecordingTarget;
 
-/** The recording of the world that the page shows, which the page gets piece by piece. */
+/** Recording of the displayed world, sent to the page in pieces. */
 final class PageRecording implements RecordingTarget {
 
     private final ByteArrayOutputStream waiting = new ByteArrayOutputStream();
-    private boolean begun;
+    private boolean started;
 
-    /** Takes pieces of a recording. */
+    /** Receiver of the pieces. */
     interface Taker {
 
         /**
-         * Takes the next piece.
+         * Receives the next piece.
          *
-         * @param bytes of the recording
-         * @param first whether the recording begins with them
+         * @param bytes bytes of the recording
+         * @param first whether they are the first ones
          */
         void take(byte[] bytes, boolean first);
     }
@@ -28,24 +28,24 @@ final class PageRecording implements RecordingTarget {
 
     @Override
     public void flush() {
-        // each turn of the worker gives away what there is
+        // Data are sent in each turn of the worker.
     }
 
     @Override
     public void close() {
-        // the same
+        // Data are sent in each turn of the worker.
     }
 
     /**
-     * Gives away what has come since the last time, if there is anything.
+     * Sends the bytes that were recorded since the last call, if any.
      *
-     * @param page gets it
+     * @param page the receiver
      */
-    void give(Taker page) {
+    void sendTo(Taker page) {
         if (waiting.size() > 0) {
-            page.take(waiting.toByteArray(), !begun);
+            page.take(waiting.toByteArray(), !started);
             waiting.reset();
-            begun = true;
+            started = true;
         }
     }
 }

@@ -6,17 +6,17 @@ import org.robonewbie.pagejvm.ArrayCopy;
 import org.robonewbie.pagejvm.ProgramEnd;
 import org.robonewbie.pagejvm.SpecialCalls;
 
-/** What {@code System} is to a program in the page. */
+/** Replacements for methods of {@code System}. */
 final class PageSystem {
 
     private PageSystem() {}
 
     /**
-     * Carries out a call.
+     * Executes a call.
      *
-     * @param name of the method
+     * @param name name of the method
      * @param arguments its arguments
-     * @return its result, or {@link SpecialCalls#UNKNOWN} for one that is called as it is
+     * @return its result, or {@link SpecialCalls#UNKNOWN} if the method is not replaced
      */
     static @Nullable Object call(String name, @Nullable Object[] arguments) {
         return switch (name) {

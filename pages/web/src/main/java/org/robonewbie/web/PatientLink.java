@@ -6,23 +6,23 @@ import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
-/** Turns the world until the robot is on its place; from then on a message is taken only if it is there. */
+/** Link that blocks while a robot joins, by advancing the world, and is non-blocking afterwards. */
 final class PatientLink implements AgentLink {
 
     private final AgentLink link;
     private boolean patient = true;
 
     /**
-     * Creates a link.
+     * Creates a blocking link.
      *
-     * @param link turns the world while it waits for a message
+     * @param link advances the world while it waits for a message
      */
     PatientLink(AgentLink link) {
         this.link = link;
     }
 
-    /** Waits for no message any more. */
-    void beBusy() {
+    /** Makes the link non-blocking. */
+    void stopWaiting() {
         patient = false;
     }
 

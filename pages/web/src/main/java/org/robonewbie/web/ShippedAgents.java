@@ -18,8 +18,8 @@ import org.robonewbie.examples.Agent_TestPerceptorInput;
 import org.robonewbie.examples.Agent_TestSelfLocalisation;
 
 /**
- * The agents that the page brings along: the examples in which the framework turns the cycle. An example with {@code Nao} would
- * have to be suspended in the middle, and one with threads needs threads.
+ * Agents that are shipped with the page: the examples in which the framework runs the cycle. An example with {@code Nao} would have to be
+ * suspended in the middle of a call, and one with threads needs threads.
  */
 final class ShippedAgents {
 
@@ -41,23 +41,23 @@ final class ShippedAgents {
 
     private ShippedAgents() {}
 
-    /** {@return the names of all, the most impressive one first} */
+    /** {@return their names, the most impressive one first} */
     static List<String> names() {
         return List.copyOf(MAKERS.keySet());
     }
 
     /**
-     * Makes an agent.
+     * Creates an agent.
      *
      * @param name one of {@link #names}
      * @return the agent, not yet connected
-     * @throws IllegalArgumentException if there is none of this name
+     * @throws IllegalArgumentException if there is no such agent
      */
     static Agent make(String name) {
         Supplier<Agent> maker = MAKERS.get(name);
         if (maker == null) {
             throw new IllegalArgumentException(
-                    "The page has no agent \"" + name + "\". Choose one of " + String.join(", ", names()) + ".");
+                    "Unknown agent \"" + name + "\". Choose one of " + String.join(", ", names()) + ".");
         }
         return maker.get();
     }

@@ -6,38 +6,38 @@ import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.simulator.WorldSnapshot;
 
-/** What a page watches: a world with its robots, which goes on cycle by cycle. */
+/** A world with its robots that is advanced cycle by cycle. */
 interface SteppedWorld {
 
-    /** Goes on for one cycle of 20 ms, in which all robots have their turn. */
+    /** Advances by one cycle of 20 ms, in which each robot has its turn. */
     void cycle();
 
-    /** {@return whether it does not go on any more} */
+    /** {@return whether the world has ended} */
     boolean isOver();
 
-    /** {@return how many cycles it has gone on} */
+    /** {@return the number of cycles so far} */
     long cycles();
 
     /**
-     * Looks at the world.
+     * Returns the current state.
      *
      * @param paused whether it is paused
      * @param speed simulated seconds per second
-     * @return its present state
+     * @return the current state
      */
     WorldSnapshot snapshot(boolean paused, double speed);
 
     /**
-     * Carries out an order of a person.
+     * Executes a command of the user.
      *
      * @param order the order
      */
     void order(Order order);
 
     /**
-     * Listens to what agents and simulator have told each other in the last cycle.
+     * Returns the messages that agents and simulator exchanged in the last cycle.
      *
-     * @param robots whose messages are wanted
+     * @param robots selects the robots
      * @return the messages
      */
     List<AgentMessages> messages(IntPredicate robots);

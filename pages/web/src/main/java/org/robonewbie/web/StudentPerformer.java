@@ -14,23 +14,23 @@ import org.robonewbie.trial.SensorReadings;
 import org.robonewbie.pagejvm.Machine;
 import org.robonewbie.pagejvm.Program;
 
-/** A robot of a trial that a student's agent moves, with static fields of its own. */
+/** A robot of a trial that runs a student's agent, with separate static fields. */
 final class StudentPerformer implements Controller {
 
     private final Machine machine;
     private final AgentDriver agent;
 
     /**
-     * Makes the agent.
+     * Creates the agent.
      *
-     * @param program its classes, which no other robot uses
-     * @param output what it prints
-     * @param viewer receives what the robot thinks
-     * @throws IllegalArgumentException if the program has no agent; the message is a sentence for the user
+     * @param program its classes, not shared with another robot
+     * @param output receives its output
+     * @param viewer receives its telemetry
+     * @throws IllegalArgumentException if the program has no agent; the message is shown to the user
      */
     StudentPerformer(Program program, PrintStream output, TelemetrySink viewer) {
         machine = new Machine(program, output, StudentPerformer::special);
-        PageMemory.lookAt(machine::trace);
+        PageMemory.setProgram(machine::trace);
         agent = new AgentDriver((Agent) machine.create(agentOf(program)));
         agent.publishTo(viewer);
     }
@@ -40,13 +40,13 @@ final class StudentPerformer implements Controller {
      *
      * @param program the program
      * @return the name of its class
-     * @throws IllegalArgumentException if the program has none; the message is a sentence for the user
+     * @throws IllegalArgumentException if the program has none; the message is shown to the user
      */
     static String agentOf(Program program) {
         return program.agents().stream()
                 .findFirst()
                 .orElseThrow(() -> new IllegalArgumentException(
-                        "An exercise wants a class that extends Agent and has a constructor without parameters; the program"
+                        "An exercise needs a class that extends Agent and has a constructor without parameters; this program"
                                 + " has none."));
     }
 
@@ -62,7 +62,7 @@ final class StudentPerformer implements Controller {
 
     @Override
     public List<EffectorCommand> respond(SensorReadings readings) {
-        PageMemory.lookAt(machine::trace);
+        PageMemory.setProgram(machine::trace);
         return agent.respond(readings.message());
     }
 }

@@ -23,12 +23,12 @@ import org.robonewbie.pagejvm.SpecialCalls;
 import org.robonewbie.pagejvm.Waiting;
 
 /**
- * A student's program in a world that somebody else turns. What would wait for a simulator, {@code run} of an agent and {@code sense}
- * and {@code perform} of a {@code Nao}, stops the program until the next message.
+ * A student's program in a world that is advanced elsewhere. Calls that would wait for a simulator suspend the program until the next
+ * message: {@code run} of an agent, and {@code sense} and {@code perform} of a {@code Nao}.
  */
 final class StudentProgram {
 
-    /** Who watches ends the game, not the program. */
+    /** Practically unlimited: the game is ended by the user, not by the program. */
     static final double FOREVER_SECONDS = 1e6;
 
     private final Machine machine;
@@ -44,10 +44,10 @@ final class StudentProgram {
      * Loads a program.
      *
      * @param program its classes
-     * @param output what it prints
-     * @param entrance connects one more robot with the world; what it is given turns the world while the robot enters
-     * @param nextCycle turns the world, while a robot enters or the program waits in the middle of compiled code
-     * @param viewer receives what the robots think
+     * @param output receives its output
+     * @param entrance connects another robot; the given action advances the other robots while it joins
+     * @param nextCycle advances the world while a robot joins or the program waits inside compiled code
+     * @param viewer receives the robots' telemetry
      */
     StudentProgram(
             Program program,
@@ -59,32 +59,32 @@ final class StudentProgram {
         this.nextCycle = nextCycle;
         this.viewer = viewer;
         machine = new Machine(program, output, this::special);
-        PageMemory.lookAt(machine::trace);
+        PageMemory.setProgram(machine::trace);
         List<String> mains = program.mainClasses();
         if (!mains.isEmpty()) {
             machine.begin(mains.get(0));
         } else if (!program.agents().isEmpty()) {
             join((Agent) machine.create(program.agents().get(0)));
         } else {
-            throw new IllegalArgumentException("The program has neither an agent nor a main method: begin with"
+            throw new IllegalArgumentException("The program has neither an agent nor a main method: start with"
                     + " \"public class MyAgent extends Agent\".");
         }
     }
 
     /**
-     * Goes on until the program waits for the next message.
+     * Runs the program until it waits for the next message.
      *
-     * @return whether it is over
+     * @return whether it has ended
      */
-    boolean goOn() {
-        if (machine.goOn()) {
+    boolean resume() {
+        if (machine.resume()) {
             drivers.forEach(AgentDriver::goOn);
             return drivers.isEmpty();
         }
         return false;
     }
 
-    /** Lets the robots of the program leave, whatever it is doing. */
+    /** Disconnects the robots of the program in any state. */
     void leave() {
         links.forEach(PatientLink::close);
     }
@@ -95,7 +95,7 @@ final class StudentProgram {
         return own;
     }
 
-    /** Lets the robots of the program that have entered already answer, while another one enters. */
+    /** Lets the robots that have already joined answer while another one joins. */
     private void turn() {
         nextCycle.run();
         drivers.forEach(AgentDriver::goOn);
@@ -115,7 +115,7 @@ final class StudentProgram {
         } catch (IOException impossible) {
             throw new UncheckedIOException("The world of the page has closed its connection.", impossible);
         }
-        own.beBusy();
+        own.stopWaiting();
         drivers.add(driver);
     }
 
@@ -157,7 +157,7 @@ final class StudentProgram {
         PatientLink own = enter();
         try {
             NaoDriver driver = NaoDriver.enter(own, options, viewer);
-            own.beBusy();
+            own.stopWaiting();
             link = own;
             held = driver;
             return driver.nao();
@@ -186,7 +186,7 @@ final class StudentProgram {
         return SpecialCalls.UNKNOWN;
     }
 
-    /** A result that comes with a message. */
+    /** A result that arrives with a message. */
     private record Later(BooleanSupplier ready, Supplier<@Nullable Object> outcome, Runnable nextCycle)
             implements Waiting {
 
@@ -206,7 +206,7 @@ final class StudentProgram {
         }
     }
 
-    /** A motion, from its beginning to its end. */
+    /** A motion that is performed to its end. */
     private final class Performance implements Waiting {
 
         private final Nao nao;
@@ -223,15 +223,15 @@ final class StudentProgram {
 
         @Override
         public boolean isReady() {
-            if (isGoingOn() && own.isMessageWaiting()) {
+            if (isRunning() && own.isMessageWaiting()) {
                 machine.newCycle();
                 performing = nao.sense();
                 driver.complete();
             }
-            return !isGoingOn();
+            return !isRunning();
         }
 
-        private boolean isGoingOn() {
+        private boolean isRunning() {
             return performing && !nao.motions().isFinished();
         }
 

@@ -7,21 +7,18 @@ import java.util.function.BooleanSupplier;
 import org.robonewbie.pagejvm.EndlessLoop;
 import org.robonewbie.pagejvm.ProgramEnd;
 
-/** How far a student's program is: what a page shows beside the editor. */
+/** State and output of a student's program, as shown beside the editor. */
 final class StudentRun {
 
-    /** The stages, with the names that the room for programs knows. */
+    /** The stages of a run; the program editor uses these names. */
     enum State {
-        /** It runs. */
         RUNNING,
-        /** It has ended by itself. */
         ENDED,
-        /** It was stopped. */
         STOPPED
     }
 
     private static final String NO_CLASS = "$FakeClass";
-    private static final int MOST_CHARACTERS = 20_000;
+    private static final int MAX_CHARACTERS = 20_000;
 
     private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     private final PrintStream output = new PrintStream(bytes, true, StandardCharsets.UTF_8);
@@ -29,20 +26,20 @@ final class StudentRun {
     private State state = State.RUNNING;
     private int exitCode;
 
-    /** {@return where the program prints} */
+    /** {@return the program's standard output} */
     PrintStream output() {
         return output;
     }
 
     /**
-     * Begins a program.
+     * Starts a program.
      *
      * @param program the program
-     * @return carries it out until it waits for the next message
+     * @return runs the program until it waits for the next message
      */
     Runnable begin(StudentProgram program) {
         leave = program::leave;
-        return () -> attempt(program::goOn);
+        return () -> attempt(program::resume);
     }
 
     private void attempt(BooleanSupplier program) {
@@ -60,7 +57,7 @@ final class StudentRun {
         }
     }
 
-    /** Ends the run with a mistake, which is shown with the calls that led to it. */
+    /** Ends the run with an exception, whose stack trace is shown. */
     void fail(Throwable mistake) {
         boolean isOurs = mistake instanceof EndlessLoop;
         output.println(isOurs ? mistake.getMessage() : "Exception in thread \"main\" " + mistake);
@@ -72,7 +69,7 @@ final class StudentRun {
         end(1);
     }
 
-    /** Calls of the compiled program itself have a placeholder for a name in a page. */
+    /** In a page, stack frames of the compiled program have a placeholder for the class name. */
     private static boolean isOfProgram(StackTraceElement call) {
         return !call.getClassName().endsWith(NO_CLASS);
     }
@@ -83,12 +80,11 @@ final class StudentRun {
         leave.run();
     }
 
-    /** {@return whether it has neither ended nor been stopped} */
+    /** {@return whether it has neither exited nor been stopped} */
     boolean isRunning() {
         return state == State.RUNNING;
     }
 
-    /** Stops the program. */
     void stop() {
         if (isRunning()) {
             state = State.STOPPED;
@@ -96,10 +92,10 @@ final class StudentRun {
         }
     }
 
-    /** {@return one line: the state, the exit code, and then what was printed} */
+    /** {@return one line: state, exit code and output, separated by tabs} */
     String text() {
         String said = bytes.toString(StandardCharsets.UTF_8);
-        String end = said.substring(Math.max(0, said.length() - MOST_CHARACTERS));
+        String end = said.substring(Math.max(0, said.length() - MAX_CHARACTERS));
         return state + "\t" + exitCode + "\t" + end;
     }
 }

@@ -19,8 +19,8 @@ import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
 
 /**
- * What the scripts of the page call when somebody programs: all that {@link FieldEdition} can do, students' programs and exercises.
- * Each exported method becomes a function of the compiled program.
+ * Functions that the page's scripts call while the user programs: those of {@link FieldEdition}, students' programs and exercises. Each
+ * exported method becomes a function of the WebAssembly module.
  */
 public final class WebEdition {
 
@@ -33,19 +33,19 @@ public final class WebEdition {
     private WebEdition() {}
 
     /**
-     * Does nothing: the page calls the functions.
+     * Does nothing; the page calls the exported functions.
      *
      * @param args none
      */
     public static void main(String[] args) {}
 
     /**
-     * Lets a shipped agent play alone.
+     * Runs a shipped agent alone without display.
      *
      * @param agent name of its class
-     * @param seed start of all random numbers
+     * @param seed random seed
      * @param seconds simulated seconds
-     * @return the checksum of the recording, SHA-256 in 64 hexadecimal digits
+     * @return checksum of the recording: SHA-256 in 64 hexadecimal digits
      */
     @JSExport
     public static String recordingSha256(String agent, int seed, double seconds) {
@@ -62,18 +62,18 @@ public final class WebEdition {
         return String.join(" ", ShippedAgents.names());
     }
 
-    /** {@return the robot whose motions are edited, as a JSON object} */
+    /** {@return the robot of the motion editor, as a JSON object} */
     @JSExport
     public static String robot() {
         return PageMotions.robot();
     }
 
     /**
-     * Lets a robot with weight and motors play a motion.
+     * Plays a motion on a robot with weight and motors.
      *
-     * @param text the motion's file
-     * @param start how the robot is before
-     * @return what happened, as a JSON object; or why that cannot be, as a sentence
+     * @param text content of the motion file
+     * @param start initial posture
+     * @return the result as a JSON object, or a sentence if the motion is refused
      */
     @JSExport
     public static String motionTrial(String text, String start) {
@@ -87,11 +87,11 @@ public final class WebEdition {
     }
 
     /**
-     * Turns a recording into the log of a SimSpark server.
+     * Converts a recording to a log of a SimSpark server.
      *
-     * @param recording the bytes of a recording's file
-     * @return those of the log
-     * @throws IOException if it is no recording; the message says so
+     * @param recording content of the recording's file
+     * @return content of the log
+     * @throws IOException if the file is not a recording
      */
     @JSExport
     public static Int8Array simSparkLog(Int8Array recording) throws IOException {
@@ -103,16 +103,16 @@ public final class WebEdition {
         return Int8Array.copyFromJavaArray(log.toByteArray());
     }
 
-    /** Forgets the scenes that the page has handed over, before it does so once more. */
+    /** Clears the scenes in memory, before the page passes them again. */
     @JSExport
     public static void forgetScenes() {
         PageContext.scenes().clear();
     }
 
     /**
-     * Takes a scene that the browser keeps.
+     * Loads a scene from the browser's storage.
      *
-     * @param name of the scene
+     * @param name name of the scene
      * @param bytes the scene
      */
     @JSExport
@@ -121,12 +121,12 @@ public final class WebEdition {
     }
 
     /**
-     * Saves, renames, removes or lists scenes, or goes back to one.
+     * Saves, renames, deletes, restores or lists scenes.
      *
      * @param method PUT, DELETE, POST, or GET for the list
      * @param name the scene
-     * @param old the scene that is renamed; empty if none is
-     * @return one JSON object; or why that cannot be, as a sentence
+     * @param old previous name of a scene to be renamed; else empty
+     * @return one JSON object, or a sentence if the request is refused
      */
     @JSExport
     public static String scenes(String method, String name, String old) {
@@ -134,11 +134,11 @@ public final class WebEdition {
     }
 
     /**
-     * Goes on from a moment of a recording.
+     * Continues from a cycle of a recording.
      *
-     * @param recording its bytes, not compressed
-     * @param state number of the moment, from 0
-     * @return one JSON object; or why that cannot be, as a sentence
+     * @param recording the uncompressed bytes of the recording
+     * @param moment index of the cycle, from 0
+     * @return one JSON object, or a sentence if the request is refused
      */
     @JSExport
     public static String startFrom(Int8Array recording, int moment) {
@@ -146,7 +146,7 @@ public final class WebEdition {
     }
 
     /**
-     * Does what the page asks for.
+     * Executes a command of the page.
      *
      * @param command one JSON object
      */
@@ -156,10 +156,10 @@ public final class WebEdition {
     }
 
     /**
-     * Begins a world with shipped agents, which is shown from now on.
+     * Starts a world with shipped agents and shows it.
      *
      * @param agents names of their classes, separated by blanks
-     * @param seed start of all random numbers
+     * @param seed random seed
      */
     @JSExport
     public static void begin(String agents, int seed) {
@@ -168,7 +168,7 @@ public final class WebEdition {
     }
 
     /**
-     * Lets one more shipped agent enter the world that is shown.
+     * Adds a shipped agent to the displayed world.
      *
      * @param agent name of its class
      */
@@ -178,9 +178,9 @@ public final class WebEdition {
     }
 
     /**
-     * Lets the shown world go on.
+     * Advances the displayed world.
      *
-     * @param seconds how long the last turn is ago
+     * @param seconds time since the last call
      */
     @JSExport
     public static void turn(double seconds) {
@@ -192,26 +192,26 @@ public final class WebEdition {
     }
 
     /**
-     * Takes a class of a student's program, which {@link #beginProgram} runs together with the others.
+     * Adds a class of a student's program for {@link #beginProgram}.
      *
-     * @param classFile what the compiler has made
+     * @param classFile content of the class file
      */
     @JSExport
     public static void takeClass(Int8Array classFile) {
         CLASSES.add(classFile.copyToJavaArray());
     }
 
-    /** Forgets the motions that the page has handed over, before it does so once more. */
+    /** Clears the user's motions in memory, before the page passes them again. */
     @JSExport
     public static void forgetMotions() {
         PageMemory.motions().clear();
     }
 
     /**
-     * Takes a motion of the page, which programs start by its name.
+     * Adds a motion of the user, which programs start by name.
      *
-     * @param name of the motion
-     * @param file the bytes of its file
+     * @param name name of the motion
+     * @param file content of its file
      */
     @JSExport
     public static void takeMotion(String name, Int8Array file) {
@@ -219,62 +219,62 @@ public final class WebEdition {
     }
 
     /**
-     * Begins a world with the program whose classes were taken.
+     * Starts a world with the program whose classes were added.
      *
-     * @param seed start of all random numbers
-     * @param others names of the shipped agents that play as well, separated by blanks
-     * @return why the program cannot run here; empty if it runs
+     * @param seed random seed
+     * @param others class names of shipped agents that play as well, separated by blanks
+     * @return why the program cannot run in the page; empty if it runs
      */
     @JSExport
     public static String beginProgram(int seed, String others) {
-        return change((program, begun) -> {
+        return change((program, started) -> {
             leave();
-            PageContext.begin(others, seed, pitch -> pitch.with(program, begun));
+            PageContext.begin(others, seed, pitch -> pitch.with(program, started));
         });
     }
 
-    /** {@return whether a program of a student runs on the pitch, so that another one can take its place} */
+    /** {@return whether a student's program runs on the pitch and can be replaced} */
     @JSExport
     public static boolean isProgramRunning() {
         return run != null && run.isRunning() && PageContext.pitch().isPresent();
     }
 
     /**
-     * Lets the program whose classes were taken take the place of the one that runs, while the world stays.
+     * Replaces the running program by the one whose classes were added; the state of the world is kept.
      *
-     * @return why the program cannot run here; empty if it runs
+     * @return why the program cannot run in the page; empty if it runs
      */
     @JSExport
     public static String swapProgram() {
         StudentRun old = Objects.requireNonNull(run, "no program runs");
-        return change((program, begun) -> PageContext.pitch().orElseThrow().swap(old, program, begun));
+        return change((program, started) -> PageContext.pitch().orElseThrow().swap(old, program, started));
     }
 
-    /** Loads the program whose classes were taken, and does what lets it play. */
+    /** Loads the program whose classes were added, and starts it. */
     private static String change(BiConsumer<Program, StudentRun> command) {
-        StudentRun begun = new StudentRun();
+        StudentRun started = new StudentRun();
         try {
             Program program = loaded(takenClasses());
-            command.accept(program, begun);
-            run = begun;
+            command.accept(program, started);
+            run = started;
             return "";
         } catch (IllegalArgumentException refused) {
             stopProgram();
             run = null;
             return String.valueOf(refused.getMessage());
         } catch (RuntimeException | Error mistake) {
-            begun.fail(mistake);
-            run = begun;
+            started.fail(mistake);
+            run = started;
             return "";
         }
     }
 
     /**
-     * Begins to try an exercise with the program whose classes were taken; its trials are shown.
+     * Starts an attempt at an exercise with the program whose classes were added, and shows its trials.
      *
      * @param exercise name of the exercise
-     * @param trials how many seeds are tried
-     * @return why that cannot be; empty if it has begun
+     * @param trials number of seeds
+     * @return why the attempt is refused; empty if it has started
      */
     @JSExport
     public static String beginExercise(String exercise, int trials) {
@@ -292,10 +292,10 @@ public final class WebEdition {
     }
 
     /**
-     * Writes how the exercise goes on.
+     * Returns the state of the attempt.
      *
-     * @param language of findings and hints, two letters
-     * @return one JSON object; empty if none is tried
+     * @param language two-letter language code of findings and hints
+     * @return one JSON object; empty without an attempt
      */
     @JSExport
     public static String attempt(String language) {
@@ -303,10 +303,10 @@ public final class WebEdition {
     }
 
     /**
-     * Judges one trial of the program whose classes were taken, as fast as possible and without a picture.
+     * Judges one trial of the program whose classes were added, as fast as possible and without display.
      *
      * @param exercise name of the exercise
-     * @param seed start of all that is left to chance
+     * @param seed random seed
      * @return the score as a JSON object
      */
     @JSExport
@@ -317,22 +317,22 @@ public final class WebEdition {
 
     private static Exercise find(String exercise) {
         return Exercises.find(exercise)
-                .orElseThrow(() -> new IllegalArgumentException("There is no exercise \"" + exercise + "\"."));
+                .orElseThrow(() -> new IllegalArgumentException("There is no exercise named \"" + exercise + "\"."));
     }
 
-    /** {@return how many classes are in the page for programs of students only} */
+    /** {@return the number of classes in the module that only students' programs use} */
     @JSExport
     public static int libraryClasses() {
         return LibraryRoots.count();
     }
 
-    /** {@return how the student's program runs: state, exit code and what it has printed, with tabs between them} */
+    /** {@return state, exit code and output of the student's program, separated by tabs} */
     @JSExport
     public static String programRun() {
         return run == null ? "NONE\t0\t" : run.text();
     }
 
-    /** Stops the student's program; its robot leaves. */
+    /** Stops the student's program and disconnects its robot. */
     @JSExport
     public static void stopProgram() {
         if (run != null) {
@@ -351,7 +351,7 @@ public final class WebEdition {
         return taken;
     }
 
-    /** Loads a program, so that it is known to run here. */
+    /** Loads a program and checks that it can run in the page. */
     private static Program loaded(List<byte[]> classes) {
         Program program = new Program(classes);
         List<String> missing = program.missing();

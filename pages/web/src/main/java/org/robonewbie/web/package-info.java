@@ -1,8 +1,8 @@
 /**
- * RoboNewbie in a page: simulator, framework and examples as a program of WebAssembly. Read {@link
- * org.robonewbie.web.WebEdition} first.
+ * RoboNewbie in a web page: simulator, framework and examples as a WebAssembly module. Start with {@link
+ * org.robonewbie.web.WebEdition}.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.web;

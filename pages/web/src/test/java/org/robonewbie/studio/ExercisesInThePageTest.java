@@ -27,7 +27,7 @@ import org.robonewbie.exercises.progress.Badge;
 import org.robonewbie.web.Solutions;
 import org.robonewbie.pagejvm.JavaSource;
 
-/** Exercises in the static page: its own javac, its own judge, and the verdicts of the command line. */
+/** Exercises in the static page: compiled and judged in the browser, with the same results as on the command line. */
 @InBrowser
 @Timeout(600)
 class ExercisesInThePageTest {
@@ -200,7 +200,7 @@ class ExercisesInThePageTest {
     }
 
     @Test
-    void programToBeginWithGetsAHint() {
+    void starterProgramGetsAHint() {
         open("#program/stop-at-30");
         browser.await("studio.rooms.program.files.file?.path === 'StopAt30.java'");
         browser.fill("#speed", "fastest");
@@ -211,7 +211,7 @@ class ExercisesInThePageTest {
     }
 
     @Test
-    void verdictIsGermanForWhoReadsGerman() {
+    void verdictIsTranslatedToGerman() {
         open("#program/stop-at-30");
         browser.await("studio.rooms.program.files.file?.path === 'StopAt30.java'");
         browser.evaluate("fetch('api/course/language?code=de', { method: 'POST' }).then(() => true)");

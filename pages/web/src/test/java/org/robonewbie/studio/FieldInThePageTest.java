@@ -9,7 +9,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The room Field of the static page: what people do to the world can be taken back, scenes are kept, and robots are steered by hand. */
+/** The field of the static page: changes of the world can be undone, scenes are stored, and robots are steered by hand. */
 @InBrowser
 @Timeout(300)
 class FieldInThePageTest {
@@ -67,12 +67,12 @@ class FieldInThePageTest {
 
         browser.await("(" + STATE + ") === '" + before + "'");
         browser.click("#world-redo");
-        browser.await(SAYS + "'Done again: ball moved.' && Math.abs(" + BALL + "[0] - 5) < 0.01");
+        browser.await(SAYS + "'Redone: ball moved.' && Math.abs(" + BALL + "[0] - 5) < 0.01");
         assertThat(browser.complaints()).isEmpty();
     }
 
     @Test
-    void sceneIsThereInThePageThatIsOpenedAgainAndComesBackToTheBit() {
+    void sceneSurvivesAReloadAndIsRestoredExactly() {
         pause();
         send("{do: 'placeBall', gesture: 7, x: 1, y: 1, z: 0.042}");
         browser.await("Math.abs(" + BALL + "[0] - 1) < 0.01");
@@ -94,7 +94,7 @@ class FieldInThePageTest {
     }
 
     @Test
-    void sceneIsRenamedDeletedAndBroughtBack() {
+    void sceneIsRenamedDeletedAndRestored() {
         browser.fill("#scene-name", "Before the kick");
         browser.click("#scene-save");
         browser.await("document.querySelector('#scene-list').value === 'Before the kick'");
@@ -113,7 +113,7 @@ class FieldInThePageTest {
     }
 
     @Test
-    void worldGoesOnFromTheShownMomentOfItsRecording() {
+    void worldContinuesFromTheShownCycleOfItsRecording() {
         send("{do: 'placeBall', gesture: 7, x: 3, y: 2, z: 0.042}");
         browser.await("Math.abs(" + BALL + "[0] - 3) < 0.01");
         browser.evaluate("fetch('api/recordings').then((answer) => answer.json()).then(({ recordings }) => {"
@@ -125,16 +125,16 @@ class FieldInThePageTest {
 
         browser.await("location.hash === '#field' && studio.state.frame.paused && Math.hypot(" + BALL + "[0], " + BALL
                 + "[1]) < 0.01");
-        browser.await("document.querySelector('#toast').textContent.includes('The world is nearly as it was')");
+        browser.await("document.querySelector('#toast').textContent.includes('The world is restored approximately')");
         browser.click("#world-undo");
         browser.await("Math.abs(" + BALL + "[0] - 3) < 0.3");
         assertThat(browser.complaints()).isEmpty();
     }
 
     @Test
-    void puppetIsSteeredBySlidersAndKeysAndTakenAway() {
+    void puppetIsSteeredBySlidersAndKeysAndRemoved() {
         browser.click("#add-puppet");
-        browser.await("studio.state.scene.robots[1]?.puppet && studio.desk.chosen === 1");
+        browser.await("studio.state.scene.robots[1]?.puppet && studio.camera.chosen === 1");
         browser.await(NEXT + "'Undo: puppet added (Ctrl+Z)'");
 
         browser.evaluate("document.querySelector('#puppet-joints').open = true");
@@ -148,7 +148,7 @@ class FieldInThePageTest {
         browser.await("studio.state.scene.robots.length === 1");
         browser.click("#world-undo");
 
-        browser.await(SAYS + "'Undone: puppet taken away.' && studio.state.scene.robots[1]?.puppet");
+        browser.await(SAYS + "'Undone: puppet removed.' && studio.state.scene.robots[1]?.puppet");
         assertThat(browser.complaints()).isEmpty();
     }
 

@@ -21,7 +21,7 @@ class FirefoxPageTest {
     private static final String SHOWN = "document.querySelector('#program-room').innerText";
     private static final String ROOM_IS_OPEN = "studio.rooms.program?.files?.file !== undefined";
 
-    /** Waits until the compiler is there for times without a network. */
+    /** Waits until the compiler is cached for offline use. */
     private static final String IS_KEPT = "new Promise((done) => { const look = async () => {"
             + " const kept = await Promise.all(['compiler/javac.wasm', 'compiler/library.bin',"
             + " 'programs/robonewbie.wasm', 'vendor/codemirror/codemirror.js'].map((name) => caches.match(name)));"
@@ -41,7 +41,7 @@ class FirefoxPageTest {
 
     @AfterEach
     void end() {
-        if (browser != null) { // it is null where there is no Firefox, and the test is skipped
+        if (browser != null) { // null without Firefox; the test is then skipped
             browser.close();
             server.close();
         }
@@ -95,7 +95,7 @@ class FirefoxPageTest {
     }
 
     @Test
-    void browserWithoutGarbageCollectionIsToldWhatToDo() throws IOException {
+    void browserWithoutGarbageCollectionShowsWhatToDo() throws IOException {
         browser.close();
         browser = Firefox.start(profile, "user_pref(\"javascript.options.wasm\", false);");
 

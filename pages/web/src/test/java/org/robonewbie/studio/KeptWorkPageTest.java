@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Whatever comes, no text of a person is lost in the static page: links, other windows, a full storage, other editions of the host. */
+/** No work of the user is lost in the static page: links, other windows, full storage, other editions on the same host. */
 @InBrowser
 @Timeout(300)
 class KeptWorkPageTest {
@@ -61,7 +61,7 @@ class KeptWorkPageTest {
         open(browser, linkTo(browser, "MyAgent.java", "// theirs"));
 
         browser.await(EDITOR + ".text === '// theirs'");
-        browser.await(NOTES + ".includes('A program that was shared with you.')");
+        browser.await(NOTES + ".includes('This program was shared with you.')");
         assertThat(all(browser)).contains("draft:MyAgent.java=// unsaved", "draft:MyAgent2.java=// theirs");
         clickNote(browser, "Back to mine");
         browser.await(EDITOR + ".text === '// unsaved'");
@@ -69,7 +69,7 @@ class KeptWorkPageTest {
     }
 
     @Test
-    void savedWorkStaysWhenASharedProgramIsRunOrKept() {
+    void savedWorkIsKeptWhenASharedProgramIsRunOrSaved() {
         open(chromium, "#program");
         String mine = chromium.evaluate(EDITOR + ".text").getAsString();
         chromium.click("#program-save");
@@ -100,7 +100,7 @@ class KeptWorkPageTest {
     }
 
     @Test
-    void damagedLinkIsToldAndChangesNothing() {
+    void damagedLinkIsReportedAndChangesNothing() {
         open(chromium, "#program");
         String before = all(chromium);
 
@@ -111,18 +111,18 @@ class KeptWorkPageTest {
     }
 
     @Test
-    void fullStorageIsToldAndTheTextStaysInChromium() {
-        fullStorageIsToldAndTheTextStays(chromium);
+    void fullStorageIsReportedAndTheTextIsKeptInChromium() {
+        fullStorageIsReportedAndTheTextIsKept(chromium);
     }
 
     @Test
-    void fullStorageIsToldAndTheTextStaysInFirefox() throws IOException {
+    void fullStorageIsReportedAndTheTextIsKeptInFirefox() throws IOException {
         try (Firefox firefox = Firefox.start(folder)) {
-            fullStorageIsToldAndTheTextStays(firefox);
+            fullStorageIsReportedAndTheTextIsKept(firefox);
         }
     }
 
-    private void fullStorageIsToldAndTheTextStays(AnyBrowser browser) {
+    private void fullStorageIsReportedAndTheTextIsKept(AnyBrowser browser) {
         open(browser, "#program");
         browser.evaluate(EDITOR + ".replace('// first')");
         browser.click("#program-save");
@@ -134,7 +134,7 @@ class KeptWorkPageTest {
         browser.evaluate(EDITOR + ".replace('// second, and longer than the first')");
         browser.click("#program-save");
 
-        browser.await(TOAST + ".includes('This browser has no room left for this page')");
+        browser.await(TOAST + ".includes('This browser has no space left for this page')");
         assertThat(browser.evaluate(EDITOR + ".text").getAsString()).isEqualTo("// second, and longer than the first");
         assertThat(browser.evaluate("studio.rooms.isAtRisk").getAsBoolean()).isTrue();
         assertThat(all(browser)).contains("file:MyAgent.java=// first");
@@ -163,7 +163,7 @@ class KeptWorkPageTest {
     }
 
     @Test
-    void editionsBesideEachOtherShareNothingAndFindWhatTheFirstOneKept() throws IOException {
+    void editionsOnOneHostHaveSeparateStoragesAndMigrateOldData() throws IOException {
         Path page = Path.of("target", "web").toAbsolutePath();
         for (String edition : new String[] {"2025", "2026"}) {
             Files.createSymbolicLink(folder.resolve(edition), page);
@@ -210,7 +210,7 @@ class KeptWorkPageTest {
                 + ".find((each) => each.innerText === '" + name + "').click()");
     }
 
-    /** An expression for all that is kept, each as KIND:NAME=TEXT. */
+    /** Expression for all stored texts, each as KIND:NAME=TEXT. */
     private static String texts() {
         return "Object.entries(localStorage).filter(([key]) => key.includes('robonewbie-page-'))"
                 + ".map(([key, text]) => key.replace(/.*robonewbie-page-/, '') + '=' + text).sort().join('\\n')";

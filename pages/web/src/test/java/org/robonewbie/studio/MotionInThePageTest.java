@@ -9,7 +9,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Motions in the static page: the browser keeps them, and a robot with weight plays them. */
+/** Motions in the static page: the browser stores them, and a robot with weight plays them. */
 @InBrowser
 @Timeout(300)
 class MotionInThePageTest {

@@ -7,18 +7,18 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 
-/** The scripts of the static page do what they say, and have the types that they say, together with those of the studio. */
+/** Unit tests and type checks of the static page's scripts, together with those of the studio. */
 class PageScriptsTest {
 
     @Test
-    void scriptsHaveTheTypesThatTheySay() throws IOException, InterruptedException {
+    void scriptsPassTheTypeCheck() throws IOException, InterruptedException {
         Path compiler = NodeTool.require("typescript/bin/tsc");
 
         run(Tool.NODE.orSkip().toString(), compiler.toString(), "--project", "jsconfig.json");
     }
 
     @Test
-    void scriptsDoWhatTheySay() throws IOException, InterruptedException {
+    void scriptsPassTheirTests() throws IOException, InterruptedException {
         run(Tool.NODE.orSkip().toString(), "--test", "src/test/javascript/");
     }
 

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.robonewbie.web.KnownPrograms;
 
-/** Somebody programs in the static page: javac and the machine for its classes are there. */
+/** Programming in the static page, with javac and the bytecode interpreter. */
 @InBrowser
 @Timeout(300)
 class ProgramInThePageTest {
@@ -89,7 +89,7 @@ class ProgramInThePageTest {
         "org.robonewbie.nao.motion.Posture.ZERO.zzz();, Posture has the methods",
         "int a = 1, Something is missing just before this place"
     })
-    void remarkSaysWhatToDo(String statement, String advice) {
+    void diagnosticHasAHint(String statement, String advice) {
         type(HEAD + "public class MyAgent extends Agent {\n    protected void think() {\n        " + statement
                 + "\n    }\n}\n");
 
@@ -97,7 +97,7 @@ class ProgramInThePageTest {
     }
 
     @Test
-    void robotInTheHandWaitsInTheMiddleOfItsProgram() {
+    void programWithNaoIsSuspendedInTheMiddle() {
         type("""
                 import org.robonewbie.agent.Nao;
                 public class MyAgent {
@@ -152,11 +152,11 @@ class ProgramInThePageTest {
                                 + ".then(({ state, exitCode, output }) => `${state} ${exitCode} ${output}`)")
                         .getAsString())
                 .matches("(?s)(RUNNING|ENDED) 0 .*")
-                .doesNotContain("Exception", "is not here");
+                .doesNotContain("Exception", "is not available");
     }
 
     @Test
-    void pageWithoutARobotSaysWhatToDoHere() {
+    void pageWithoutARobotShowsWhatToDo() {
         type("""
                 public class MyAgent {
                     public static void main(String[] args) {
@@ -168,7 +168,7 @@ class ProgramInThePageTest {
         browser.await("studio.state.scene?.robots.length === 0");
         browser.evaluate("location.hash = '#field'");
 
-        browser.await("document.querySelector('#banner').innerText.includes('Choose an agent in the bar')");
+        browser.await("document.querySelector('#banner').innerText.includes('Choose an agent in the toolbar')");
     }
 
     @Test
@@ -189,7 +189,7 @@ class ProgramInThePageTest {
     }
 
     @Test
-    void exceptionIsNamedWithItsLineAndTheRobotGoesOn() {
+    void exceptionIsReportedWithItsLineAndTheRobotContinues() {
         type(HEAD + "public class MyAgent extends Agent {\n    protected void think() {\n"
                 + "        int[] numbers = {1, 2};\n        log.info(\"\" + numbers[2]);\n    }\n}\n");
         browser.click("#program-run");
@@ -201,7 +201,7 @@ class ProgramInThePageTest {
     }
 
     @Test
-    void wrongValueIsNamedWithItsLine() {
+    void wrongValueIsReportedWithItsLine() {
         type(HEAD + "public class MyAgent extends Agent {\n    protected void think() {\n"
                 + "        nao.setJointAngle(Joint.LEFT_KNEE_PITCH, 500);\n    }\n}\n");
         browser.click("#program-run");
@@ -210,7 +210,7 @@ class ProgramInThePageTest {
     }
 
     @Test
-    void savingSwapsTheProgramWhileTheWorldStays() {
+    void savingSwapsTheProgramAndKeepsTheWorld() {
         browser.click("#program-run");
         browser.await(ROOM + ".includes('left shoulder 31.2 degrees')");
         browser.await("studio.state.frame.cycle > 300");
@@ -233,7 +233,7 @@ class ProgramInThePageTest {
     }
 
     @Test
-    void sliderActsOnTheRunningRobotWhichForgetsNothing() {
+    void sliderChangesTheRunningRobotAndKeepsItsState() {
         type("""
                 import org.robonewbie.agent.Agent;
                 import org.robonewbie.nao.Joint;

@@ -16,7 +16,7 @@ import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.simulator.monitor.RecordedLog;
 import org.robonewbie.simulator.recording.RecordingReader;
 
-/** The recordings of the static page, in its room Replay. */
+/** Recordings of the static page in its replay. */
 @InBrowser
 @Timeout(300)
 class ReplayInThePageTest {
@@ -78,7 +78,7 @@ class ReplayInThePageTest {
     }
 
     @Test
-    void recordingStaysWithItsBookmarkWhenThePageIsOpenedAgain() {
+    void recordingAndBookmarkSurviveAReload() {
         String name = name(0);
         show(name);
         browser.evaluate("studio.replay.actions.find((action) => action.shown === 'Home').act()");
@@ -102,7 +102,7 @@ class ReplayInThePageTest {
     }
 
     @Test
-    void deletedRecordingComesBack() {
+    void deletedRecordingIsRestored() {
         visit("?agent=Agent_Dance");
         browser.await("studio.state.frame?.cycle > 100");
         String old = name(1);
@@ -118,7 +118,7 @@ class ReplayInThePageTest {
     }
 
     @Test
-    void fileGoesToTheComputerAndComesBack() throws IOException {
+    void recordingIsDownloadedAndImported() throws IOException {
         show(name(0));
         Path file = browser.download(folder, () -> browser.click("#export-recording"));
         assertThat(cycles(file)).isGreaterThan(100);

@@ -18,7 +18,7 @@ import org.robonewbie.examples.Agent_BetterSoccer;
 import org.robonewbie.examples.Agent_SimpleSoccer;
 import org.robonewbie.examples.Agent_SimpleWalkToBall;
 
-/** The page and the JVM compute the same run to the last bit. */
+/** A run in the page and on the JVM is identical bit for bit. */
 @InBrowser
 @Timeout(300)
 class SameRunInThePageTest {

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.simulator.embedded.RedirectPage;
 
-/** A real Firefox is let into studios by the page file that openers name; its sibling for Chromium is in {@code StudioPageTest}. */
+/** Sign-in of a real Firefox by the page file that openers name; {@code SignInPageTest} is the counterpart for Chromium. */
 @Timeout(300)
 class SignInInFirefoxTest {
 

@@ -13,7 +13,7 @@ import java.util.Optional;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 
-/** Serves the files of folders at a place below its root, as any web space does, and knows nothing else. */
+/** Static file server below a path, like any web host. */
 final class StaticServer implements AutoCloseable {
 
     private static final String PLACE = "/some/where/";
@@ -30,7 +30,7 @@ final class StaticServer implements AutoCloseable {
     private final ExecutorService threads = Executors.newFixedThreadPool(THREADS);
     private final HttpServer server;
 
-    /** What lies in an earlier folder hides what lies in a later one. */
+    /** Files of an earlier folder take precedence over those of a later one. */
     StaticServer(Path... folders) throws IOException {
         this.folders = List.of(folders);
         server = HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0);

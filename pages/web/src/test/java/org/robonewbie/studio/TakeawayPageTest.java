@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Programs leave the static page: as a project in a zip, and in a link. */
+/** Export of programs from the static page: as a project in a zip file, and as a link. */
 @InBrowser
 @Timeout(300)
 class TakeawayPageTest {
@@ -86,7 +86,7 @@ class TakeawayPageTest {
                 .contains("hello");
     }
 
-    /** Compiles as the project's README says. */
+    /** Compiles as described in the project's README. */
     private static int compiled(Path project) throws IOException {
         try (Stream<Path> all = Files.walk(project)) {
             List<Path> files = all.toList();

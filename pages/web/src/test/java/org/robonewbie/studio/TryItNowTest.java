@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The folder that is published has the web edition as its front page, and the documentation inside of it leads there. */
+/** The published folder has the web edition as its front page, and its documentation links to it. */
 @InBrowser
 @Timeout(120)
 class TryItNowTest {
@@ -54,7 +54,7 @@ class TryItNowTest {
     }
 
     @Test
-    void whoReadsIsOneClickAwayFromARobot() {
+    void documentationIsOneClickAwayFromARobot() {
         browser.visit(server.address() + "docs/index.html");
         assertThat(browser.evaluate("document.querySelector('a.try').getBoundingClientRect().height > 10")
                         .getAsBoolean())

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** RoboNewbie as a static page, in a folder below the root of a server that only hands out files. */
+/** RoboNewbie as a static page, in a subfolder of a static file server. */
 @InBrowser
 @Timeout(300)
 class WebEditionPageTest {
@@ -46,7 +46,7 @@ class WebEditionPageTest {
     }
 
     @Test
-    void timeStopsGoesOnStepByStepAndFaster() {
+    void clockPausesStepsAndRunsFaster() {
         browser.await(CYCLE + " > 0");
         browser.click("#toggle");
         browser.await(IS_PAUSED);
@@ -131,7 +131,7 @@ class WebEditionPageTest {
     }
 
     @Test
-    void browserWithoutGarbageCollectionIsToldWhatToDo() {
+    void browserWithoutGarbageCollectionShowsWhatToDo() {
         String script = browser.runBeforePages("WebAssembly.validate = () => false;");
 
         browser.visit(server.address() + "index.html");

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What of Java does not work in the static page, and what people read then: the table of docs/web.md, row by row. */
+/** Java features that do not work in the static page, and the messages about them: the table of docs/web.md, row by row. */
 @Tag("slow")
 @InBrowser
 @Timeout(300)
@@ -56,15 +56,15 @@ class WhatThePageLacksTest {
                 "new org.robonewbie.exercises.Grader();           | Programs of this page cannot start trials themselves",
                 "org.robonewbie.trial.Trial.class.getName();      | Programs of this page cannot start trials themselves",
                 "org.robonewbie.simulator.server.Simulator.class.getName(); | Programs of this page cannot start trials",
-                "new javax.swing.JFrame();                        | This page opens no windows",
-                "new java.awt.Color(1);                           | This page opens no windows",
+                "new javax.swing.JFrame();                        | Programs of this page cannot open windows",
+                "new java.awt.Color(1);                           | Programs of this page cannot open windows",
                 "try { Thread.sleep(5); } catch (Exception e) {}   | This page has no threads: let think() do a little",
                 "java.util.concurrent.TimeUnit.SECONDS.sleep(1);  | This page has no threads: let think() do a little",
                 "java.util.EnumMap<?, ?> map = null;              | does not have java.util.EnumMap: use HashMap or TreeMap instead",
                 "java.math.BigDecimal one = null;                 | does not have java.math.BigDecimal: use double instead",
                 "java.util.UUID.randomUUID();                     | This page does not have java.util.UUID"
             })
-    void compilerNamesTheClassAndSaysWhatToDoInstead(String statement, String said) {
+    void compilerNamesTheMissingClassAndAnAlternative(String statement, String said) {
         think(statement);
 
         browser.await(ROOM + ".includes(" + Chromium.quoted(said) + ")");
@@ -76,15 +76,15 @@ class WhatThePageLacksTest {
             delimiter = '|',
             value = {
                 "\"a\".describeConstable();                     | The page does not have java.lang.String.describeConstable. RoboNewbie on your computer has it.",
-                "log.info(String.class.getPackageName());       | java.lang.Class.getPackageName is not here. The page cannot do this; RoboNewbie on your computer can.",
-                "log.info(getClass().getPackageName());         | Class.getPackageName() of a class of the program is not here. The page cannot do this",
-                "java.util.Arrays.hashCode(new int[] {1});      | hashCode with an array of numbers or letters is not here",
-                "String.valueOf(new char[] {'a'});              | with an array of numbers or letters is not here",
-                "new StringBuilder().append(new Letters());     | An object of the program cannot be a java.lang.CharSequence for Java's own classes",
+                "log.info(String.class.getPackageName());       | java.lang.Class.getPackageName is not available. The page cannot do this; RoboNewbie on your computer can.",
+                "log.info(getClass().getPackageName());         | Class.getPackageName() of a class of the program is not available. The page cannot do this",
+                "java.util.Arrays.hashCode(new int[] {1});      | hashCode with an array of numbers or characters is not available",
+                "String.valueOf(new char[] {'a'});              | with an array of numbers or characters is not available",
+                "new StringBuilder().append(new Letters());     | An object of the program cannot be passed to Java's classes as a java.lang.CharSequence",
                 "log.info(String.format(\"%tY\", 1L));          | Unknown format conversion: t",
-                "while (true) {}                                | Stopped at MyAgent.java:4: the program has gone 5000000 steps"
+                "while (true) {}                                | Stopped at MyAgent.java:4: the program has executed 5000000 instructions"
             })
-    void lineIsNamedAndWhatItWanted(String statement, String said) {
+    void missingFeatureIsReportedWithItsLine(String statement, String said) {
         think(statement);
         browser.click("#program-run");
 
@@ -115,7 +115,7 @@ class WhatThePageLacksTest {
     }
 
     @Test
-    void arraysOfNumbersWorkWhereTheTableSaysSo() {
+    void documentedArrayMethodsWork() {
         think("double[] a = {3, 1}; java.util.Arrays.sort(a); int[] b = new int[2]; java.util.Arrays.fill(b, 7);"
                 + " log.info(java.util.Arrays.toString(java.util.Arrays.copyOf(a, 1)) + java.util.Arrays.toString(b)"
                 + " + java.util.Arrays.stream(a).sum() + java.util.Arrays.equals(b, b.clone())"

@@ -24,7 +24,7 @@ class ExerciseAttemptTest {
     private final PageFeed.Page page = new PageFeed.Page() {
 
         @Override
-        public void tell(String json) {
+        public void send(String json) {
             told.add(json);
         }
 

@@ -71,7 +71,7 @@ class FreePitchTest {
     }
 
     @Test
-    void anotherProgramTakesThePlaceWhileTheWorldStays() {
+    void programIsReplacedWhileTheWorldIsKept() {
         FreePitch pitch =
                 played(pitch(recording).with(program(raising(30)), run).with(new Agent_SimpleSoccer()));
         WorldSnapshot before = snapshot(pitch);
@@ -91,7 +91,7 @@ class FreePitchTest {
     }
 
     @Test
-    void programInTheHandTakesThePlaceToo() {
+    void programWithNaoIsReplacedToo() {
         FreePitch pitch = played(pitch(recording).with(program(raising(30)), run));
         List<Pose> before = places(snapshot(pitch));
 

@@ -10,7 +10,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
-/** Programs that people read: the examples, and those of README and tutorial. */
+/** Published programs: the examples, and those of README and tutorial. */
 public final class KnownPrograms {
 
     private static final Path ROOT = Path.of("../..").toAbsolutePath().normalize();
@@ -23,8 +23,8 @@ public final class KnownPrograms {
     /**
      * A program.
      *
-     * @param name of its class
-     * @param text its text
+     * @param name name of its class
+     * @param text its source
      */
     public record Text(String name, String text) {
 

@@ -19,14 +19,14 @@ import org.robonewbie.pagejvm.JavaSource;
 import org.robonewbie.pagejvm.MemoryLoader;
 import org.robonewbie.pagejvm.Program;
 
-/** Programs do the same in the machine of the page as in Java: each recording is the same to the last bit. */
+/** Programs behave in the page's interpreter as in Java: their recordings are identical bit for bit. */
 class SameRunInTheMachineTest {
 
     private static final List<String> OTHERWISE = List.of(
             "Agent_TwoBehaviours", // needs threads
             "Agent_KeyframeDeveloper", // needs files
             "Agent_PenaltyAttacker", // extends another example
-            "Agent_TestSelfLocalisation", // wants a world that tells the truth
+            "Agent_TestSelfLocalisation", // needs ground truth
             "Agent_TestLocalFieldView", // the same
             "Agent_SoccerTeam"); // several robots
     private static final int SECONDS = 12;

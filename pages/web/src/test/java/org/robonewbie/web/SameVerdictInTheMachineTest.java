@@ -12,7 +12,7 @@ import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.pagejvm.JavaSource;
 
-/** Programs earn in the machine of the page what they earn in Java. */
+/** Programs get the same score in the page's interpreter as in Java. */
 class SameVerdictInTheMachineTest {
 
     private static final String HEAD = "import org.robonewbie.agent.Agent;\n";
@@ -35,7 +35,7 @@ class SameVerdictInTheMachineTest {
 
     @ParameterizedTest
     @MethodSource("exercises")
-    void programToBeginWithEarnsTheSameInTheMachineAndInJava(Exercise exercise) {
+    void starterProgramEarnsTheSameInTheMachineAndInJava(Exercise exercise) {
         Map<String, byte[]> classes = JavaSource.compile(exercise.className(), exercise.startCode());
 
         Score here = ExerciseAttempt.score(exercise, List.copyOf(classes.values()), 2);
@@ -45,7 +45,7 @@ class SameVerdictInTheMachineTest {
     }
 
     @Test
-    void endlessLoopIsNamedWithItsLine() {
+    void endlessLoopIsReportedWithItsLine() {
         Score score = score("protected void think() {\nwhile (true) {\n}\n}");
 
         assertThat(score.finding()).isEqualTo("think() has not returned; it is in RaiseArms.java:4.");
@@ -53,7 +53,7 @@ class SameVerdictInTheMachineTest {
     }
 
     @Test
-    void programThatEndsItselfIsTold() {
+    void programThatExitsIsReported() {
         Score score = score("protected void think() {\nSystem.exit(3);\n}");
 
         assertThat(score.finding())
@@ -61,7 +61,7 @@ class SameVerdictInTheMachineTest {
     }
 
     @Test
-    void constructorThatThrowsIsNamedWithItsLine() {
+    void exceptionInAConstructorIsReportedWithItsLine() {
         Score score = score("public RaiseArms() {\nint[] none = {};\nnone[0]++;\n}");
 
         assertThat(score.finding()).contains("ArrayIndexOutOfBoundsException").contains("RaiseArms.java:5");

@@ -2,21 +2,21 @@ package org.robonewbie.web;
 
 import org.robonewbie.studio.PageFeed;
 
-/** A page that nobody looks at. */
+/** A page that discards everything. */
 final class SilentPage implements PageFeed.Page {
 
     @Override
-    public void tell(String json) {
-        // nobody hears it
+    public void send(String json) {
+        // discarded
     }
 
     @Override
     public void show(byte[] frame) {
-        // nobody sees it
+        // discarded
     }
 
     @Override
     public void keep(String note) {
-        // nobody reads it
+        // discarded
     }
 }

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.robonewbie.pagejvm.JavaSource;
 import org.robonewbie.pagejvm.Program;
 
-/** What the page says about programs that do nothing or take long, where no other thread can look at them. */
+/** Messages of the page about idle or slow programs, which no other thread can watch there. */
 class SlowProgramTest {
 
     @Test
@@ -27,8 +27,8 @@ class SlowProgramTest {
                 """);
 
         assertThat(said)
-                .containsOnlyOnce("The program goes more than 500000 steps in a cycle")
-                .containsPattern("at Slow\\.java:[56], and there are 50 cycles per simulated second")
+                .containsOnlyOnce("The program executes more than 500000 instructions in a cycle")
+                .containsPattern("at Slow\\.java:[56]\\. There are 50 cycles per simulated second")
                 .contains("Compute less in a cycle");
     }
 

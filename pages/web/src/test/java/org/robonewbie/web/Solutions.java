@@ -14,7 +14,7 @@ import org.robonewbie.exercises.Grader;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.pagejvm.MemoryLoader;
 
-/** The reference solutions of the exercises as programs that somebody types. */
+/** The reference solutions of the exercises, as if typed by a student. */
 public final class Solutions {
 
     private static final Path FOLDER =
@@ -26,7 +26,7 @@ public final class Solutions {
      * Reads a solution.
      *
      * @param exercise the exercise
-     * @return its text, without a package
+     * @return its source, without a package declaration
      */
     public static String text(Exercise exercise) {
         try {
@@ -42,8 +42,8 @@ public final class Solutions {
      *
      * @param exercise the exercise
      * @param classes its class files by name
-     * @param seeds seeds to try
-     * @return the scores in their order
+     * @param seeds random seeds
+     * @return the scores in order
      */
     public static List<Score> judged(Exercise exercise, Map<String, byte[]> classes, List<Long> seeds) {
         return new Grader()

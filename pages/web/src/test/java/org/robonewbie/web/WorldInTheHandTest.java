@@ -19,7 +19,7 @@ import org.robonewbie.studio.PageFeed;
 import org.robonewbie.pagejvm.JavaSource;
 import org.robonewbie.pagejvm.Program;
 
-/** What people do to the world of the page: it is taken back, and robots are steered by hand. */
+/** Changes of the page's world by the user: undo, and robots steered by hand. */
 class WorldInTheHandTest {
 
     private static final double SECONDS = 0.02;
@@ -30,18 +30,18 @@ class WorldInTheHandTest {
             new PageFeed.Page() {
 
                 @Override
-                public void tell(String json) {
+                public void send(String json) {
                     told.add(JsonParser.parseString(json).getAsJsonObject());
                 }
 
                 @Override
                 public void show(byte[] frame) {
-                    // looked at by now()
+                    // polled by now()
                 }
 
                 @Override
                 public void keep(String note) {
-                    // nobody reads it
+                    // discarded
                 }
             },
             feed -> {
@@ -50,8 +50,8 @@ class WorldInTheHandTest {
             });
 
     @Test
-    void robotInTheMiddleOfItsWalkIsBackWhereItWasAndGoesOn() {
-        goOn(200);
+    void walkingRobotIsRestoredAndContinues() {
+        cycle(200);
         world.ask("{\"do\":\"pause\"}");
         Pose before = robot(1).body().torso();
         world.ask("{\"do\":\"placeRobot\",\"side\":\"left\",\"number\":1,\"x\":-3,\"y\":2,\"z\":0.4,"
@@ -64,24 +64,24 @@ class WorldInTheHandTest {
         assertThat(robot(1).body().torso()).isEqualTo(before);
         assertThat(world.now().paused()).isTrue();
         world.ask("{\"do\":\"resume\"}");
-        goOn(200);
+        cycle(200);
         assertThat(robot(1).body().isStanding()).isTrue();
         assertThat(sentences()).containsExactly("Undone: robot moved.");
     }
 
     @Test
-    void robotThatHasEnteredSinceStaysWhereItIs() {
+    void robotThatHasJoinedSinceKeepsItsPosition() {
         FreePitch pitch = pitches.get(0);
         world.ask("{\"do\":\"placeBall\",\"x\":2,\"y\":1,\"z\":0.042}");
         pitch.with(new Agent_SimpleSoccer());
 
         world.ask("{\"do\":\"undo\"}");
-        goOn(1);
+        cycle(1);
 
         assertThat(world.now().ballPosition().x()).isBetween(-0.1, 0.1);
         assertThat(world.now().robots()).hasSize(2);
         assertThat(sentences())
-                .containsExactly("Undone: ball moved. The world is nearly as it was: speeds are estimated.");
+                .containsExactly("Undone: ball moved. The world is restored approximately: speeds are estimated.");
     }
 
     @ParameterizedTest
@@ -107,10 +107,10 @@ class WorldInTheHandTest {
                 }
             }
             """})
-    void programOfAStudentSeesTheWorldJumpAndGoesOn(String text) {
+    void studentsProgramSurvivesAJumpOfTheWorld(String text) {
         StudentRun run = new StudentRun();
         pitches.get(0).with(new Program(JavaSource.compile("Raising", text).values()), run);
-        goOn(20);
+        cycle(20);
         world.ask("{\"do\":\"pause\"}");
         List<Pose> before = torsos();
         world.ask("{\"do\":\"placeRobot\",\"side\":\"left\",\"number\":2,\"x\":-3,\"y\":2,\"z\":0.4,"
@@ -121,7 +121,7 @@ class WorldInTheHandTest {
 
         assertThat(torsos()).isEqualTo(before);
         world.ask("{\"do\":\"resume\"}");
-        goOn(600);
+        cycle(600);
         assertThat(run.text()).isEqualTo("RUNNING\t0\t");
         assertThat(robot(2).body().degrees(Joint.LEFT_SHOULDER_PITCH)).isBetween(59.0, 61.0);
         assertThat(sentences()).containsExactly("Undone: robot moved.");
@@ -129,11 +129,11 @@ class WorldInTheHandTest {
 
     @Test
     void jointOfAPuppetGoesWhereTheSliderIs() {
-        goOn(10);
+        cycle(10);
         world.ask("{\"do\":\"addPuppet\",\"side\":\"left\"}");
         world.ask("{\"do\":\"hold\",\"side\":\"left\",\"number\":2,\"joint\":\"LEFT_SHOULDER_PITCH\",\"degrees\":80}");
 
-        goOn(200);
+        cycle(200);
 
         assertThat(robot(2).body().degrees(Joint.LEFT_SHOULDER_PITCH)).isBetween(78.0, 82.0);
         assertThat(robot(2).team()).isEqualTo("RoboNewbie");
@@ -155,9 +155,9 @@ class WorldInTheHandTest {
     }
 
     @Test
-    void puppetThatWasTakenAwayComesBackToItsPlace() {
+    void removedPuppetReturnsToItsPosition() {
         world.ask("{\"do\":\"addPuppet\",\"side\":\"left\"}");
-        goOn(50);
+        cycle(50);
         world.ask("{\"do\":\"pause\"}");
         Pose place = robot(2).body().torso();
 
@@ -171,23 +171,23 @@ class WorldInTheHandTest {
         world.ask("{\"do\":\"undo\"}");
         world.ask("{\"do\":\"undo\"}");
         assertThat(world.now().robots()).hasSize(1);
-        goOn(1);
+        cycle(1);
         assertThat(sentences())
                 .containsExactly(
-                        "Undone: puppet taken away.",
-                        "Done again: puppet taken away.",
-                        "Undone: puppet taken away.",
+                        "Undone: puppet removed.",
+                        "Redone: puppet removed.",
+                        "Undone: puppet removed.",
                         "Undone: puppet added.");
     }
 
     private void step(int cycles) {
         for (int i = 0; i < cycles; i++) {
             world.ask("{\"do\":\"step\",\"cycles\":1}");
-            goOn(1);
+            cycle(1);
         }
     }
 
-    private void goOn(int cycles) {
+    private void cycle(int cycles) {
         for (int i = 0; i < cycles; i++) {
             world.turn(SECONDS);
             world.ask("{\"do\":\"seen\"}");

@@ -1,5 +1,5 @@
 /**
- * Experiments on Apache Spark. Read {@link org.robonewbie.cluster.SparkEngine} first, then docs/cluster.md.
+ * Experiments on Apache Spark. Read {@link org.robonewbie.cluster.SparkRunner} first, then docs/cluster.md.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

@@ -14,7 +14,7 @@ public final class StudentCode {
             "org.robonewbie.simulator.",
             "org.robonewbie.learning.",
             "org.robonewbie.app.",
-            "org.robonewbie.competition.team.MainMethod",
+            "org.robonewbie.programs.",
             "picocli.",
             "org.junit.",
             "java.",

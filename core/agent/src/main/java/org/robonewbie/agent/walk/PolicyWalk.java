@@ -27,7 +27,9 @@ import org.robonewbie.agent.policy.Policy;
  */
 public record PolicyWalk(WalkStyle style, WalkReflex reflex) {
 
-    private static final String GAIT = "gait";
+    /** Name of a policy's numbers for {@link FastWalk#style}. */
+    public static final String GAIT = "gait";
+
     private static final String STEP = "step-millis";
     private static final String MAX = "most-forward-left-turn-backward";
 

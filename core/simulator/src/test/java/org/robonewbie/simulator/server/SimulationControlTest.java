@@ -121,18 +121,6 @@ class SimulationControlTest {
     }
 
     @Test
-    void speedIsKept() throws InterruptedException {
-        long beginning = System.nanoTime();
-        control.order(new Order.SetSpeed(5));
-        WorldSnapshot start = await(snapshot -> snapshot.speed() == 5);
-
-        await(snapshot -> snapshot.cycle() >= start.cycle() + 100);
-
-        double seconds = (System.nanoTime() - beginning) / 1e9;
-        assertThat(seconds).isGreaterThan(0.35);
-    }
-
-    @Test
     void ballAndRobotArePlaced() throws InterruptedException {
         await(snapshot -> snapshot.cycle() > 20);
         control.order(new Order.Pause());

@@ -1,34 +1,62 @@
 package org.robonewbie.trial.measure;
 
 import java.util.Random;
+import java.util.function.IntFunction;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.TrialHook;
 
-/** Pushes the first robot from changing directions, each time harder. The same seed pushes in the same way. */
+/** Pushes the first robot from changing directions, for a tenth of a second each. The same seed pushes in the same way. */
 public final class Pushes implements TrialHook {
 
-    private static final int CYCLES_OF_A_PUSH = 5;
+    private static final int CYCLES_PER_PUSH = 5;
+    private static final int CYCLES_PER_SECOND = 50;
 
-    private final Random random;
+    private final IntFunction<Vector3> forces;
     private final int cyclesBetween;
-    private final double stepNewtons;
     private int cycle;
     private int pushes;
     private Vector3 push = Vector3.ZERO;
 
+    private Pushes(IntFunction<Vector3> forces, int cyclesBetween, int firstCycle) {
+        this.forces = forces;
+        this.cyclesBetween = cyclesBetween;
+        this.cycle = cyclesBetween - firstCycle;
+    }
+
     /**
-     * Prepares pushes of a tenth of a second each.
+     * Prepares pushes that get harder each time.
      *
      * @param seed chooses their directions
      * @param cyclesBetween cycles from one push to the next
      * @param stepNewtons strength of the first push, and by how much each one is harder than the one before
+     * @return the pushes
      */
-    public Pushes(long seed, int cyclesBetween, double stepNewtons) {
-        this.random = new Random(seed);
-        this.cyclesBetween = cyclesBetween;
-        this.stepNewtons = stepNewtons;
+    public static Pushes growing(long seed, int cyclesBetween, double stepNewtons) {
+        Random random = new Random(seed);
+        return new Pushes(
+                number -> {
+                    double angle = 2 * Math.PI * random.nextDouble();
+                    return new Vector3(PortableMath.cos(angle), PortableMath.sin(angle), 0).times(number * stepNewtons);
+                },
+                cyclesBetween,
+                cyclesBetween);
+    }
+
+    /**
+     * Prepares pushes of any strength, one at the end of each second.
+     *
+     * @param random chooses their directions and strengths
+     * @param maxNewtons strength of the hardest push
+     * @return the pushes
+     */
+    public static Pushes random(Random random, double maxNewtons) {
+        return new Pushes(
+                number -> new Pose2d(0, 0, random.nextDouble() * 360).point(maxNewtons * random.nextDouble(), 0, 0),
+                CYCLES_PER_SECOND,
+                CYCLES_PER_SECOND - CYCLES_PER_PUSH);
     }
 
     @Override
@@ -36,10 +64,9 @@ public final class Pushes implements TrialHook {
         cycle++;
         if (cycle % cyclesBetween == 0) {
             pushes++;
-            double angle = 2 * Math.PI * random.nextDouble();
-            push = new Vector3(PortableMath.cos(angle), PortableMath.sin(angle), 0).times(pushes * stepNewtons);
+            push = forces.apply(pushes);
         }
-        if (pushes > 0 && cycle % cyclesBetween < CYCLES_OF_A_PUSH) {
+        if (pushes > 0 && cycle % cyclesBetween < CYCLES_PER_PUSH) {
             trial.robot(0).push(push);
         }
     }

@@ -144,7 +144,7 @@ public final class Contests {
     }
 
     private static SoloChallenge<Standing> pushed(StartPlace start, long seed) {
-        Pushes pushes = new Pushes(seed, CYCLES_BETWEEN_PUSHES, PUSH_STEP_NEWTONS);
+        Pushes pushes = Pushes.growing(seed, CYCLES_BETWEEN_PUSHES, PUSH_STEP_NEWTONS);
         return new SoloChallenge<>(
                 start,
                 new Standing(),

@@ -15,12 +15,12 @@ import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.competition.contest.Results;
 import org.robonewbie.competition.contest.TrialResult;
 import org.robonewbie.competition.team.Fingerprint;
-import org.robonewbie.competition.team.WrongEntryException;
 import org.robonewbie.competition.trial.TrialFiles;
 import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.file.FolderLock;
 import org.robonewbie.nao.file.RegularFile;
 import org.robonewbie.nao.file.UnreadableFileException;
+import org.robonewbie.programs.CalledWronglyException;
 
 /**
  * The folder in which a contest keeps everything: each finished trial in a file of its own, written atomically, so that an
@@ -47,14 +47,14 @@ public final class ResultFolder implements Results, AutoCloseable {
      * @param folder the folder; it is made if it does not exist
      * @return the open folder
      * @throws IOException if it cannot be written to
-     * @throws WrongEntryException if another program is using it
+     * @throws CalledWronglyException if another program is using it
      */
     public static ResultFolder open(Path folder) throws IOException {
         for (String part : new String[] {"trials", "recordings", "logs", "work", "certificates"}) {
             Files.createDirectories(folder.resolve(part));
         }
         FolderLock lock = FolderLock.take(folder.resolve(LOCK))
-                .orElseThrow(() -> new WrongEntryException("Another competition is using the folder " + folder
+                .orElseThrow(() -> new CalledWronglyException("Another competition is using the folder " + folder
                         + ". Wait for its end, or choose another folder with --results."));
         return new ResultFolder(folder, lock);
     }

@@ -24,6 +24,11 @@ public record Start(int port, String team, Role role, List<StartPlace> places) {
         places = List.copyOf(places);
     }
 
+    /** The same with another port. */
+    Start withPort(int other) {
+        return new Start(other, team, role, places);
+    }
+
     /** Writes the options that all agents of RoboNewbie understand. */
     List<String> options(boolean together) {
         List<String> basic = List.of("--host", HOST, "--port", String.valueOf(port), "--team", team);

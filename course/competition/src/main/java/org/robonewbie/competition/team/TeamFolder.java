@@ -1,13 +1,9 @@
 package org.robonewbie.competition.team;
 
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collection;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
-import java.util.stream.Stream;
 import org.robonewbie.nao.file.SubmittedFolder;
 import org.robonewbie.nao.file.UnreadableFileException;
 
@@ -42,23 +38,5 @@ public final class TeamFolder {
     private static boolean isMadeByTools(Path folder) {
         String name = String.valueOf(folder.getFileName());
         return name.startsWith(".") || MADE_BY_TOOLS.contains(name);
-    }
-
-    /**
-     * Deletes a folder with everything in it, where the system permits it.
-     *
-     * @param folder the folder; it need not exist
-     */
-    public static void delete(Path folder) {
-        if (!Files.exists(folder)) {
-            return;
-        }
-        try (Stream<Path> files = Files.walk(folder)) {
-            for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-                Files.deleteIfExists(file);
-            }
-        } catch (IOException inUse) {
-            // What is left does no harm; that of a contest is deleted before the next one.
-        }
     }
 }

@@ -14,6 +14,7 @@ import org.robonewbie.nao.file.TextFile;
 import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.nao.text.ConfusableCharacter;
 import org.robonewbie.nao.text.Spelling;
+import org.robonewbie.programs.CalledWronglyException;
 
 /**
  * Reads which teams take part, from a file or the command line: one team per line, in the order in which they stand there.
@@ -58,7 +59,7 @@ public final class TeamList {
      *
      * @param file the file
      * @return its teams
-     * @throws WrongEntryException if it cannot be read or has a mistake; the message says what to do
+     * @throws CalledWronglyException if it cannot be read or has a mistake; the message says what to do
      */
     public static List<TeamEntry> read(Path file) {
         TeamList list = new TeamList();
@@ -66,7 +67,7 @@ public final class TeamList {
         try {
             lines = TextFile.readAndNote(file).lines();
         } catch (UnreadableFileException unreadable) {
-            throw new WrongEntryException(String.valueOf(unreadable.getMessage()));
+            throw new CalledWronglyException(String.valueOf(unreadable.getMessage()));
         }
         for (int i = 0; i < lines.size(); i++) {
             list.add(lines.get(i).strip(), file + ", line " + (i + 1) + ": ");
@@ -79,7 +80,7 @@ public final class TeamList {
      *
      * @param lines {@code NAME = PROGRAM}, {@code NAME.SETTING = VALUE}, or only a program, which then names the team too
      * @return the teams in their order
-     * @throws WrongEntryException if there is a mistake; the message says what to do
+     * @throws CalledWronglyException if there is a mistake; the message says what to do
      */
     public static List<TeamEntry> parse(List<String> lines) {
         TeamList list = new TeamList();
@@ -92,8 +93,8 @@ public final class TeamList {
             if (!line.isEmpty() && !line.startsWith("#")) {
                 add(line);
             }
-        } catch (WrongEntryException wrong) {
-            throw new WrongEntryException(place + wrong.getMessage());
+        } catch (CalledWronglyException wrong) {
+            throw new CalledWronglyException(place + wrong.getMessage());
         }
     }
 
@@ -119,27 +120,27 @@ public final class TeamList {
 
     private static void refuseConfusable(String text) {
         ConfusableCharacter.firstIn(text).ifPresent(character -> {
-            throw new WrongEntryException("In \"" + text + "\" " + character + ".");
+            throw new CalledWronglyException("In \"" + text + "\" " + character + ".");
         });
     }
 
     private static TeamName name(String key, String program) {
         try {
             return TeamName.of(key);
-        } catch (WrongEntryException wrong) {
-            throw new WrongEntryException(
+        } catch (CalledWronglyException wrong) {
+            throw new CalledWronglyException(
                     wrong.getMessage() + " Write: " + TeamName.near(key).written() + " = " + program);
         }
     }
 
     private void addTeam(TeamName name, String program) {
         if (program.isEmpty()) {
-            throw new WrongEntryException("Team " + name.written() + " has no program. Write for example: "
+            throw new CalledWronglyException("Team " + name.written() + " has no program. Write for example: "
                     + name.written() + " = Agent_SimpleSoccer");
         }
         for (TeamName other : programs.keySet()) {
             if (other.collidesWith(name)) {
-                throw new WrongEntryException((other.written().equalsIgnoreCase(name.written())
+                throw new CalledWronglyException((other.written().equalsIgnoreCase(name.written())
                                 ? "Two teams are called " + name.written() + "."
                                 : "The teams " + other.written() + " and " + name.written() + " are both called "
                                         + name.ascii() + " in messages and files.")
@@ -151,20 +152,20 @@ public final class TeamList {
 
     private void addSetting(String name, String setting, String value) {
         if (!SETTINGS.contains(setting)) {
-            throw new WrongEntryException("\"" + name + "." + setting + "\" is unknown."
+            throw new CalledWronglyException("\"" + name + "." + setting + "\" is unknown."
                     + Spelling.question(setting, SETTINGS) + " After the name of a team may stand: "
                     + String.join(", ", SETTINGS.stream().sorted().toList()) + ".");
         }
         if (setting.equals(SEED) && !value.matches("-?\\d{1,18}")) {
-            throw new WrongEntryException(
+            throw new CalledWronglyException(
                     name + ".seed = " + value + " is no whole number. Write for example: " + name + ".seed = 7");
         }
         if (setting.equals(TOGETHER) && !Set.of("yes", "no").contains(value.toLowerCase(Locale.ROOT))) {
-            throw new WrongEntryException(name + ".together = " + value + " is not clear. Write yes or no.");
+            throw new CalledWronglyException(name + ".together = " + value + " is not clear. Write yes or no.");
         }
         Map<String, String> own = settings.computeIfAbsent(name, team -> new TreeMap<>());
         if (own.put(setting, value) != null) {
-            throw new WrongEntryException(
+            throw new CalledWronglyException(
                     "\"" + name + "." + setting + "\" stands twice. Delete one of the two lines.");
         }
     }
@@ -186,13 +187,13 @@ public final class TeamList {
                 .toList();
         for (String name : settings.keySet()) {
             if (!names.contains(name)) {
-                throw new WrongEntryException("Something is said of team " + name
+                throw new CalledWronglyException("Something is said of team " + name
                         + ", but no line says what its program is." + Spelling.question(name, names)
                         + " Write for example: " + name + " = teams/" + name);
             }
         }
         if (programs.size() > MOST_TEAMS) {
-            throw new WrongEntryException("A competition has at most " + MOST_TEAMS + " teams, and these are "
+            throw new CalledWronglyException("A competition has at most " + MOST_TEAMS + " teams, and these are "
                     + programs.size() + ". Hold two groups, each with a folder of results of its own.");
         }
         List<TeamEntry> teams = new ArrayList<>();

@@ -4,6 +4,7 @@ import java.text.Normalizer;
 import java.util.Locale;
 import java.util.regex.Pattern;
 import org.robonewbie.nao.text.ConfusableCharacter;
+import org.robonewbie.programs.CalledWronglyException;
 
 /**
  * The name of a team: letters of any language, digits and underscores. In SimSpark's messages, in names of files and in options
@@ -33,19 +34,19 @@ record TeamName(String written, String ascii) {
      * Takes a name.
      *
      * @param name what was written
-     * @throws WrongEntryException if it cannot be the name of a team; the message proposes another one
+     * @throws CalledWronglyException if it cannot be the name of a team; the message proposes another one
      */
     static TeamName of(String name) {
         String written = Normalizer.normalize(name, Normalizer.Form.NFC);
         ConfusableCharacter.firstIn(written).ifPresent(character -> {
-            throw new WrongEntryException("In the name \"" + name + "\" of a team " + character + ".");
+            throw new CalledWronglyException("In the name \"" + name + "\" of a team " + character + ".");
         });
         boolean tooLong = written.codePointCount(0, written.length()) > MAX_LETTERS;
         if (tooLong
                 || !POSSIBLE.matcher(written).matches()
                 || OF_WINDOWS.matcher(written).matches()) {
             String proposal = near(written).written();
-            throw new WrongEntryException("\"" + name + "\" cannot be the name of a team. Take up to " + MAX_LETTERS
+            throw new CalledWronglyException("\"" + name + "\" cannot be the name of a team. Take up to " + MAX_LETTERS
                     + " letters, digits and underscores, such as " + proposal + "; " + proposal
                     + ".title is for a longer one.");
         }

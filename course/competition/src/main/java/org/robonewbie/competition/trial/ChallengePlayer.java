@@ -11,13 +11,13 @@ import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.competition.contest.Ending;
 import org.robonewbie.competition.contest.TeamResult;
 import org.robonewbie.competition.contest.TrialResult;
-import org.robonewbie.competition.team.Fence;
-import org.robonewbie.competition.team.Limits;
 import org.robonewbie.competition.team.TeamProgram;
+import org.robonewbie.programs.process.AbsentProgramException;
+import org.robonewbie.programs.process.Limits;
+import org.robonewbie.programs.process.Sandbox;
 import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.trial.Challenge;
 import org.robonewbie.trial.TrialListener;
-import org.robonewbie.trial.guest.AbsentProgramException;
 import org.robonewbie.trial.watch.WatchedTrial;
 
 /** Plays the trials of a {@link ChallengeContest}, with the teams' programs as guests. */
@@ -26,7 +26,7 @@ public final class ChallengePlayer implements TrialPlayer {
     private final Supplier<? extends Challenge> challenge;
     private final Map<String, TeamProgram> programs;
     private final Limits limits;
-    private final Fence fence;
+    private final Sandbox sandbox;
     private final Spectators spectators;
 
     /**
@@ -35,19 +35,19 @@ public final class ChallengePlayer implements TrialPlayer {
      * @param challenge makes the challenge of each trial
      * @param programs of the teams, by name
      * @param limits of time and memory of a program
-     * @param fence what is around the programs
+     * @param sandbox where programs run, if there is a sandbox
      * @param spectators who watches
      */
     public ChallengePlayer(
             Supplier<? extends Challenge> challenge,
             Map<String, TeamProgram> programs,
             Limits limits,
-            Fence fence,
+            Sandbox sandbox,
             Spectators spectators) {
         this.challenge = challenge;
         this.programs = Map.copyOf(programs);
         this.limits = limits;
-        this.fence = fence;
+        this.sandbox = sandbox;
         this.spectators = spectators;
     }
 
@@ -61,8 +61,8 @@ public final class ChallengePlayer implements TrialPlayer {
             return result(trial, 0, broken.ending(), Map.of(), OptionalInt.empty());
         }
         List<String> noticed = new CopyOnWriteArrayList<>();
-        try (Doorkeeper doorkeeper = new Doorkeeper(fence, programs, files.hidden(), noticed::add);
-                Guests guests = new Guests(trial, files, program, limits, doorkeeper)) {
+        try (Doorkeeper doorkeeper = new Doorkeeper(sandbox, programs, limits, files, noticed::add);
+                Guests guests = new Guests(trial, files, limits, doorkeeper)) {
             return play(trial, files, guests);
         } finally {
             files.tell(trial.id(), noticed);

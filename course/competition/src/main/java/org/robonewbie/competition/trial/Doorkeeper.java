@@ -4,52 +4,62 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentSkipListSet;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
-import org.robonewbie.competition.team.Enclosure;
-import org.robonewbie.competition.team.Fence;
-import org.robonewbie.competition.team.ProcessTree;
-import org.robonewbie.competition.team.TeamFolder;
-import org.robonewbie.competition.team.TeamProcess;
+import org.robonewbie.competition.contest.Ending;
+import org.robonewbie.competition.team.Start;
 import org.robonewbie.competition.team.TeamProgram;
 import org.robonewbie.nao.file.TemporaryFiles;
+import org.robonewbie.nao.file.TemporaryFolder;
+import org.robonewbie.programs.process.ChildProcess;
+import org.robonewbie.programs.process.Limits;
+import org.robonewbie.programs.process.ProcessTree;
+import org.robonewbie.programs.process.Sandbox;
 
 /**
- * Knows which program may come through which door in one trial. Behind a fence a door is a file that only its team sees. Without,
- * it is a TCP port; whose connection comes there, Linux tells, and elsewhere nobody.
+ * Starts the programs of one trial, and knows which may come through which door. In a sandbox a door is a file that only its team sees. Without,
+ * it is a TCP port; on Linux the owner of a connection is known.
  */
 final class Doorkeeper implements AutoCloseable {
 
-    private final Fence fence;
+    private static final double SECONDS_TO_END = 4;
+
+    private final Sandbox sandbox;
     private final Map<String, TeamProgram> programs;
-    private final Collection<Path> hidden;
+    private final Limits limits;
+    private final TrialFiles files;
     private final Consumer<String> log;
     private final Optional<Path> folder;
-    private final Map<String, List<TeamProcess>> processes = new ConcurrentHashMap<>();
+    private final Map<String, List<ChildProcess>> processes = new ConcurrentHashMap<>();
+    private final List<Path> workFolders = new CopyOnWriteArrayList<>();
     private final Set<String> intruders = new ConcurrentSkipListSet<>();
 
     /**
      * Prepares the doors of a trial.
      *
-     * @param fence the fence
+     * @param sandbox where programs run, if there is a sandbox
      * @param programs of all teams of the contest
-     * @param hidden what no program within a fence sees, beside the programs of others
+     * @param limits what each may use
+     * @param files where the trial puts what it writes
      * @param log takes what is noticed
      */
-    Doorkeeper(Fence fence, Map<String, TeamProgram> programs, Collection<Path> hidden, Consumer<String> log)
+    Doorkeeper(
+            Sandbox sandbox, Map<String, TeamProgram> programs, Limits limits, TrialFiles files, Consumer<String> log)
             throws IOException {
-        this.fence = fence;
+        this.sandbox = sandbox;
         this.programs = programs;
-        this.hidden = hidden;
+        this.limits = limits;
+        this.files = files;
         this.log = log;
-        this.folder = fence.isUp() ? Optional.of(TemporaryFiles.folder("doors")) : Optional.empty();
+        this.folder = sandbox.isUp() ? Optional.of(TemporaryFiles.folder("doors")) : Optional.empty();
     }
 
     /** The file of a team's door; empty if it is a TCP port. */
@@ -57,30 +67,72 @@ final class Doorkeeper implements AutoCloseable {
         return folder.map(place -> place.resolve(team));
     }
 
-    /** What encloses the processes of a team. */
-    Enclosure enclosure(String team) {
-        List<Path> unseen = new ArrayList<>(hidden);
+    /**
+     * Starts a process of a team.
+     *
+     * @param start what it receives
+     * @param name how the names of its files begin
+     * @throws IOException if it cannot be started
+     */
+    ChildProcess start(Start start, String name) throws IOException {
+        String team = start.team();
+        List<ChildProcess> all = processes.computeIfAbsent(team, first -> new CopyOnWriteArrayList<>());
+        String own = name + (all.isEmpty() ? "" : "-" + (all.size() + 1));
+        Path work = files.work().resolve(own);
+        ChildProcess process = Objects.requireNonNull(programs.get(team))
+                .start(
+                        start,
+                        limits,
+                        new TeamProgram.Surroundings(sandbox, file(team), hidden(team)),
+                        work,
+                        files.logs().resolve(own + ".txt"));
+        workFolders.add(work);
+        all.add(process);
+        return process;
+    }
+
+    /** What a team does not see: the results, the programs of others. */
+    private List<Path> hidden(String team) {
+        List<Path> unseen = new ArrayList<>(files.hidden());
         programs.forEach((other, program) -> {
             if (!other.equals(team)) {
                 unseen.addAll(program.places());
             }
         });
         Optional.ofNullable(programs.get(team)).ifPresent(own -> unseen.removeAll(own.places()));
-        return new Enclosure(fence, file(team), unseen);
-    }
-
-    /** Notes a process of a team. */
-    void started(String team, TeamProcess process) {
-        processes.computeIfAbsent(team, name -> new CopyOnWriteArrayList<>()).add(process);
+        return unseen;
     }
 
     /** The processes of a team in the order in which they have been started. */
-    List<TeamProcess> processes(String team) {
+    List<ChildProcess> processes(String team) {
         return processes.getOrDefault(team, List.of());
     }
 
+    /** Why a program has ended, for whose end a moment is waited; empty if it is still running. */
+    static Optional<Ending> ending(ChildProcess process) {
+        boolean hasEnded = process.excess().isPresent() || process.awaitEnd(SECONDS_TO_END);
+        return hasEnded
+                ? Optional.of(process.excess().map(Doorkeeper::ending).orElse(Ending.STOPPED))
+                : Optional.empty();
+    }
+
+    private static Ending ending(ChildProcess.Excess limit) {
+        return switch (limit) {
+            case PROCESSES -> Ending.TOO_MANY_PROCESSES;
+            case MEMORY -> Ending.TOO_MUCH_MEMORY;
+            case PROCESSOR_TIME -> Ending.TOO_MUCH_TIME;
+            case SILENCE -> Ending.SILENT;
+        };
+    }
+
+    /** How a program has ended by itself. One that has just closed its connection is given a moment to end. */
+    static OptionalInt exitCode(ChildProcess process) {
+        process.awaitEnd(SECONDS_TO_END);
+        return process.exitCode();
+    }
+
     /** All processes. */
-    List<TeamProcess> processes() {
+    List<ChildProcess> processes() {
         return processes.values().stream().flatMap(List::stream).toList();
     }
 
@@ -110,7 +162,8 @@ final class Doorkeeper implements AutoCloseable {
 
     @Override
     public void close() {
-        processes().forEach(TeamProcess::close);
-        folder.ifPresent(TeamFolder::delete);
+        processes().forEach(ChildProcess::close);
+        workFolders.forEach(TemporaryFolder::delete);
+        folder.ifPresent(TemporaryFolder::delete);
     }
 }

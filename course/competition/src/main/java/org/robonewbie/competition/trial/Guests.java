@@ -6,26 +6,21 @@ import java.net.InetSocketAddress;
 import java.net.SocketAddress;
 import java.net.UnixDomainSocketAddress;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.OptionalInt;
-import java.util.Timer;
-import java.util.TimerTask;
 import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.competition.contest.Ending;
 import org.robonewbie.competition.contest.Entrant;
 import org.robonewbie.competition.contest.StartPlace;
-import org.robonewbie.competition.team.Enclosure;
-import org.robonewbie.competition.team.Limits;
 import org.robonewbie.competition.team.Start;
-import org.robonewbie.competition.team.TeamProcess;
-import org.robonewbie.competition.team.TeamProgram;
+import org.robonewbie.programs.process.AbsentProgramException;
+import org.robonewbie.programs.process.ChildProcess;
+import org.robonewbie.programs.process.GuestDoor;
+import org.robonewbie.programs.process.Limits;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.SensorReadings;
-import org.robonewbie.trial.guest.AbsentProgramException;
-import org.robonewbie.trial.guest.GuestDoor;
 
 /**
  * The processes of a team's program in one trial, one for each of its robots. Whoever comes through their door when no robot is
@@ -33,35 +28,22 @@ import org.robonewbie.trial.guest.GuestDoor;
  */
 final class Guests implements AutoCloseable {
 
-    private static final long LOOK_MILLISECONDS = 100;
-
     private final ContestTrial trial;
     private final TrialFiles files;
-    private final TeamProgram program;
     private final Limits limits;
     private final GuestDoor door;
     private final Doorkeeper doorkeeper;
     private final String team;
-    private final Timer guard = new Timer("guard-of-programs", true);
     private OptionalInt exitCode = OptionalInt.empty();
 
     /** Opens the door; nobody is there yet. */
-    Guests(ContestTrial trial, TrialFiles files, TeamProgram program, Limits limits, Doorkeeper doorkeeper)
-            throws IOException {
+    Guests(ContestTrial trial, TrialFiles files, Limits limits, Doorkeeper doorkeeper) throws IOException {
         this.trial = trial;
         this.doorkeeper = doorkeeper;
         this.team = trial.entrants().get(0).team();
         this.files = files;
-        this.program = program;
         this.limits = limits;
         this.door = openDoor();
-        TimerTask look = new TimerTask() {
-            @Override
-            public void run() {
-                processes().forEach(TeamProcess::check);
-            }
-        };
-        guard.schedule(look, 0, LOOK_MILLISECONDS);
     }
 
     private GuestDoor openDoor() throws IOException {
@@ -76,12 +58,12 @@ final class Guests implements AutoCloseable {
         return door.port();
     }
 
-    private List<TeamProcess> processes() {
+    private List<ChildProcess> processes() {
         return doorkeeper.processes(team);
     }
 
     /** A program that moves a robot, and whose turns are timed. */
-    private record Guest(Controller controller, TeamProcess process) implements Controller {
+    private record Guest(Controller controller, ChildProcess process) implements Controller {
 
         @Override
         public void awake(SensorReadings readings) {
@@ -107,16 +89,13 @@ final class Guests implements AutoCloseable {
         Entrant entrant = trial.entrants().get(0);
         StartPlace place = entrant.places().get(0);
         int index = processes().size();
-        Enclosure enclosure = doorkeeper.enclosure(team);
         Start start = new Start(
-                enclosure.port(door.port()),
+                door.port(),
                 entrant.team(),
                 entrant.role(),
                 List.of(new StartPlace(place.number() + index, place.x(), place.y(), place.degrees())));
         try {
-            Path work = files.work().resolve(name(index));
-            TeamProcess process = TeamProcess.start(program, start, limits, enclosure, work, log(index));
-            doorkeeper.started(team, process);
+            ChildProcess process = doorkeeper.start(start, trial.id());
             Controller controller = await(process);
             process.passTurn();
             return new Guest(controller, process);
@@ -125,7 +104,7 @@ final class Guests implements AutoCloseable {
         }
     }
 
-    private Controller await(TeamProcess process) {
+    private Controller await(ChildProcess process) {
         try {
             return door.await(() -> process.isRunning() && process.waitedSeconds() < limits.startSeconds());
         } catch (AbsentProgramException absent) {
@@ -133,33 +112,25 @@ final class Guests implements AutoCloseable {
         }
     }
 
-    private String name(int index) {
-        return trial.id() + (index == 0 ? "" : "-" + (index + 1));
-    }
-
-    private Path log(int index) {
-        return files.logs().resolve(name(index) + ".txt");
-    }
-
     /** Sends the rest away when one is absent, tells in the log what was noticed, and returns why it is so. */
     Ending end(AbsentProgramException absent) throws IOException {
         Ending reason = processes().stream()
-                .flatMap(process -> process.ending().stream())
+                .flatMap(process -> Doorkeeper.ending(process).stream())
                 .findFirst()
                 .orElse(Ending.STOPPED);
-        boolean came = !processes().isEmpty() && processes().stream().allMatch(TeamProcess::hasJoined);
+        boolean came = !processes().isEmpty() && processes().stream().allMatch(ChildProcess::hasJoined);
         Ending ending = !came && reason == Ending.STOPPED ? Ending.NOT_STARTED : reason;
         exitCode = reason != Ending.STOPPED
                 ? OptionalInt.empty()
                 : processes().stream()
-                        .map(TeamProcess::exitCode)
+                        .map(Doorkeeper::exitCode)
                         .filter(OptionalInt::isPresent)
                         .findFirst()
                         .orElse(OptionalInt.empty());
         String code = exitCode.isPresent() ? " Its exit code is " + exitCode.getAsInt() + "." : "";
         close();
         Files.writeString(
-                log(0),
+                files.logs().resolve(trial.id() + ".txt"),
                 "The trial is lost: " + ending.sentence() + ". " + absent.getMessage() + code + "\n",
                 StandardOpenOption.CREATE,
                 StandardOpenOption.APPEND);
@@ -173,8 +144,7 @@ final class Guests implements AutoCloseable {
 
     @Override
     public void close() {
-        guard.cancel();
-        processes().forEach(TeamProcess::close);
+        processes().forEach(ChildProcess::close);
         door.close();
     }
 }

@@ -23,12 +23,11 @@ import org.robonewbie.competition.contest.JudgedContest;
 import org.robonewbie.competition.contest.StartPlace;
 import org.robonewbie.competition.contest.TeamResult;
 import org.robonewbie.competition.contest.TrialResult;
-import org.robonewbie.competition.team.Enclosure;
-import org.robonewbie.competition.team.Fence;
-import org.robonewbie.competition.team.Limits;
 import org.robonewbie.competition.team.Start;
-import org.robonewbie.competition.team.TeamProcess;
 import org.robonewbie.competition.team.TeamProgram;
+import org.robonewbie.programs.process.ChildProcess;
+import org.robonewbie.programs.process.Limits;
+import org.robonewbie.programs.process.Sandbox;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
@@ -45,7 +44,7 @@ public final class TrialRunner implements TrialPlayer {
     private final JudgedContest contest;
     private final Map<String, TeamProgram> programs;
     private final Limits limits;
-    private final Fence fence;
+    private final Sandbox sandbox;
     private final Spectators spectators;
 
     /**
@@ -54,19 +53,19 @@ public final class TrialRunner implements TrialPlayer {
      * @param contest judges the trials
      * @param programs the program of each team
      * @param limits what programs may use
-     * @param fence what is around the programs
+     * @param sandbox where programs run, if there is a sandbox
      * @param spectators who watches the trials live
      */
     public TrialRunner(
             JudgedContest contest,
             Map<String, TeamProgram> programs,
             Limits limits,
-            Fence fence,
+            Sandbox sandbox,
             Spectators spectators) {
         this.contest = contest;
         this.programs = Map.copyOf(programs);
         this.limits = limits;
-        this.fence = fence;
+        this.sandbox = sandbox;
         this.spectators = spectators;
     }
 
@@ -74,7 +73,7 @@ public final class TrialRunner implements TrialPlayer {
     public TrialResult run(ContestTrial trial, TrialFiles files) throws IOException, InterruptedException {
         Judge judge = contest.judge(trial);
         List<String> noticed = new CopyOnWriteArrayList<>();
-        try (Doorkeeper doorkeeper = new Doorkeeper(fence, programs, files.hidden(), noticed::add)) {
+        try (Doorkeeper doorkeeper = new Doorkeeper(sandbox, programs, limits, files, noticed::add)) {
             return play(trial, files, judge, doorkeeper);
         } finally {
             files.tell(trial.id(), noticed);
@@ -96,7 +95,7 @@ public final class TrialRunner implements TrialPlayer {
             simulator.control().addObserver(umpire);
             Runnable leaving = spectators.watch(simulator.control(), trial);
             try {
-                startAll(trial, files, simulator, doorkeeper);
+                startAll(trial, simulator, doorkeeper);
                 lead(trial, simulator, umpire, doorkeeper);
             } finally {
                 leaving.run();
@@ -130,8 +129,7 @@ public final class TrialRunner implements TrialPlayer {
                 .build();
     }
 
-    private void startAll(ContestTrial trial, TrialFiles files, Simulator simulator, Doorkeeper doorkeeper)
-            throws IOException {
+    private void startAll(ContestTrial trial, Simulator simulator, Doorkeeper doorkeeper) throws IOException {
         for (Entrant entrant : trial.entrants()) {
             String team = entrant.team();
             TeamProgram program = programs.get(team);
@@ -139,22 +137,15 @@ public final class TrialRunner implements TrialPlayer {
                 entrant.places().forEach(place -> StandIn.connect(simulator));
                 continue;
             }
-            Enclosure enclosure = doorkeeper.enclosure(team);
-            for (Start start : starts(program, entrant, enclosure.port(simulator.agentPort(team)))) {
-                int index = doorkeeper.processes(team).size();
-                String name = trial.id() + "-" + team + (index == 0 ? "" : "-" + (index + 1));
-                Path log = files.logs().resolve(name + ".txt");
-                Path work = files.work().resolve(name);
-                doorkeeper.started(team, TeamProcess.start(program, start, limits, enclosure, work, log));
+            for (Start start : starts(program, entrant, simulator.agentPort(team))) {
+                doorkeeper.start(start, trial.id() + "-" + team);
             }
         }
         StandIn.connect(simulator); // keeps the clock running when all others are gone
     }
 
     private static List<Start> starts(TeamProgram program, Entrant entrant, int port) {
-        boolean together = (program instanceof TeamProgram.OfJava java && java.together())
-                || (program instanceof TeamProgram.OfCommand command && command.together());
-        Stream<List<StartPlace>> groups = together
+        Stream<List<StartPlace>> groups = program.together()
                 ? Stream.of(entrant.places())
                 : entrant.places().stream().map(List::of);
         return groups.map(places -> new Start(port, entrant.team(), entrant.role(), places))
@@ -166,10 +157,9 @@ public final class TrialRunner implements TrialPlayer {
             throws InterruptedException {
         long beginning = System.nanoTime();
         boolean tooLate = false;
-        Set<TeamProcess> gone = new HashSet<>();
+        Set<ChildProcess> gone = new HashSet<>();
         while (!umpire.await(LOOK_MILLISECONDS)) {
             double seconds = (System.nanoTime() - beginning) / 1e9;
-            doorkeeper.processes().forEach(TeamProcess::check);
             if (simulator.cycles() == 0) {
                 replaceTheGone(trial, simulator, doorkeeper, gone);
             }
@@ -187,10 +177,10 @@ public final class TrialRunner implements TrialPlayer {
 
     /** The world does not wait for programs that have ended before it began. */
     private static void replaceTheGone(
-            ContestTrial trial, Simulator simulator, Doorkeeper doorkeeper, Set<TeamProcess> gone) {
+            ContestTrial trial, Simulator simulator, Doorkeeper doorkeeper, Set<ChildProcess> gone) {
         for (Entrant entrant : trial.entrants()) {
-            List<TeamProcess> own = doorkeeper.processes(entrant.team());
-            for (TeamProcess process : own) {
+            List<ChildProcess> own = doorkeeper.processes(entrant.team());
+            for (ChildProcess process : own) {
                 if (!process.isRunning() && gone.add(process)) {
                     standInFor(trial, own, simulator);
                 }
@@ -199,7 +189,7 @@ public final class TrialRunner implements TrialPlayer {
     }
 
     /** Fills up for the robots of a process that has ended. */
-    private static void standInFor(ContestTrial trial, List<TeamProcess> own, Simulator simulator) {
+    private static void standInFor(ContestTrial trial, List<ChildProcess> own, Simulator simulator) {
         int robots = trial.robots() / trial.entrants().size() / own.size();
         for (int i = 0; i < Math.max(1, robots); i++) {
             StandIn.connect(simulator);
@@ -214,7 +204,7 @@ public final class TrialRunner implements TrialPlayer {
             Ending ending = ending(team, umpire, simulator, doorkeeper);
             OptionalInt exitCode = doorkeeper.processes(team).stream()
                     .filter(process -> ending == Ending.STOPPED)
-                    .map(TeamProcess::exitCode)
+                    .map(Doorkeeper::exitCode)
                     .findFirst()
                     .orElse(OptionalInt.empty());
             teams.add(TeamResult.of(team, ending, judge.figures(team)).withExitCode(exitCode));
@@ -239,7 +229,7 @@ public final class TrialRunner implements TrialPlayer {
             return Ending.SILENT;
         }
         Ending reason = doorkeeper.processes(team).stream()
-                .map(process -> process.ending().orElse(Ending.SILENT))
+                .map(process -> Doorkeeper.ending(process).orElse(Ending.SILENT))
                 .findFirst()
                 .orElse(Ending.NOT_STARTED);
         boolean unclear = reason == Ending.SILENT || reason == Ending.STOPPED;

@@ -15,7 +15,7 @@ import org.robonewbie.competition.contest.Table;
 import org.robonewbie.competition.contest.TeamResult;
 import org.robonewbie.competition.contest.TrialResult;
 import org.robonewbie.competition.team.TeamList;
-import org.robonewbie.competition.team.WrongEntryException;
+import org.robonewbie.programs.CalledWronglyException;
 
 class TableFilesTest {
 
@@ -121,7 +121,7 @@ class TableFilesTest {
         try (ResultFolder results = ResultFolder.open(folder)) {
             assertThat(results.file("table.csv")).doesNotExist();
             assertThatThrownBy(() -> ResultFolder.open(folder))
-                    .isInstanceOf(WrongEntryException.class)
+                    .isInstanceOf(CalledWronglyException.class)
                     .hasMessage("Another competition is using the folder " + folder
                             + ". Wait for its end, or choose another folder with --results.");
         }

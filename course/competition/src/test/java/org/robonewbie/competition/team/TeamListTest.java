@@ -14,6 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.robonewbie.programs.CalledWronglyException;
 
 class TeamListTest {
 
@@ -55,7 +56,7 @@ class TeamListTest {
 
         assertThat(TeamList.parse(ten)).hasSize(10);
         assertThatThrownBy(() -> TeamList.parse(eleven))
-                .isInstanceOf(WrongEntryException.class)
+                .isInstanceOf(CalledWronglyException.class)
                 .hasMessage(
                         "A competition has at most 10 teams, and these are 11. Hold two groups, each with a folder of"
                                 + " results of its own.");
@@ -75,7 +76,7 @@ class TeamListTest {
             })
     void mistakeIsToldWithWhatToWrite(String lines, String message) {
         assertThatThrownBy(() -> TeamList.parse(List.of(lines.split(",", -1))))
-                .isInstanceOf(WrongEntryException.class)
+                .isInstanceOf(CalledWronglyException.class)
                 .hasMessageStartingWith(message);
     }
 
@@ -124,7 +125,7 @@ class TeamListTest {
     })
     void lineWithAnEqualsSignIsNoCommand(String line, String proposal) {
         assertThatThrownBy(() -> TeamList.parse(List.of(line)))
-                .isInstanceOf(WrongEntryException.class)
+                .isInstanceOf(CalledWronglyException.class)
                 .hasMessageContaining("cannot be the name of a team")
                 .hasMessageContaining("such as " + proposal + ";")
                 .hasMessageContaining("Write: " + proposal + " = ");
@@ -156,7 +157,7 @@ class TeamListTest {
             })
     void whatIsNotClearIsRefused(String lines, String message) {
         assertThatThrownBy(() -> TeamList.parse(List.of(lines.split(",", -1))))
-                .isInstanceOf(WrongEntryException.class)
+                .isInstanceOf(CalledWronglyException.class)
                 .hasMessageStartingWith(message);
     }
 
@@ -184,7 +185,7 @@ class TeamListTest {
         Path file = Files.writeString(folder.resolve("teams.properties"), "Red = x\n\nBlue Team = y\n");
 
         assertThatThrownBy(() -> TeamList.read(file))
-                .isInstanceOf(WrongEntryException.class)
+                .isInstanceOf(CalledWronglyException.class)
                 .hasMessageStartingWith(file + ", line 3: \"Blue Team\" cannot be the name of a team.");
     }
 
@@ -193,14 +194,14 @@ class TeamListTest {
         Path file = Files.write(folder.resolve("teams.zip"), new byte[] {'P', 'K', 3, 4, 0, 0, (byte) 0x81});
 
         assertThatThrownBy(() -> TeamList.read(file))
-                .isInstanceOf(WrongEntryException.class)
+                .isInstanceOf(CalledWronglyException.class)
                 .hasMessageStartingWith("The file " + file + " cannot be read: line 1 ");
     }
 
     @Test
     void missingFileIsToldWithItsName() {
         assertThatThrownBy(() -> TeamList.read(Path.of("nothing.properties")))
-                .isInstanceOf(WrongEntryException.class)
+                .isInstanceOf(CalledWronglyException.class)
                 .hasMessageStartingWith("The file nothing.properties does not exist in the folder ");
     }
 }

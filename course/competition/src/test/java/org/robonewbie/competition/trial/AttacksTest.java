@@ -42,9 +42,9 @@ import org.robonewbie.competition.programs.Snoops;
 import org.robonewbie.competition.programs.Stands;
 import org.robonewbie.competition.programs.StartsCrowd;
 import org.robonewbie.competition.programs.TriesAllPorts;
-import org.robonewbie.competition.team.Fence;
-import org.robonewbie.competition.team.Limits;
 import org.robonewbie.competition.team.TeamProgram;
+import org.robonewbie.programs.process.Limits;
+import org.robonewbie.programs.process.Sandbox;
 
 /** What programs do to each other and to the organisers, with and without a fence: it fails, or it is told whose deed it was. */
 @EnabledOnOs(OS.LINUX)
@@ -60,8 +60,8 @@ class AttacksTest {
         OPEN,
         FENCED;
 
-        Fence fence() {
-            Fence found = this == OPEN ? Fence.none("of this test") : Fence.find();
+        Sandbox fence() {
+            Sandbox found = this == OPEN ? Sandbox.none("of this test") : Sandbox.find();
             boolean required = System.getenv("ROBONEWBIE_REQUIRE_TOOLS") != null;
             assumeTrue(this == OPEN || found.isUp() || required, () -> "no fence here: " + found.absence());
             return found;

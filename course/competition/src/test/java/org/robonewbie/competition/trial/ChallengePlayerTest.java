@@ -22,9 +22,9 @@ import org.robonewbie.competition.contest.Role;
 import org.robonewbie.competition.contest.TrialResult;
 import org.robonewbie.competition.programs.BringsTwo;
 import org.robonewbie.competition.programs.Crashes;
-import org.robonewbie.competition.team.Fence;
-import org.robonewbie.competition.team.Limits;
 import org.robonewbie.competition.team.TeamProgram;
+import org.robonewbie.programs.process.Limits;
+import org.robonewbie.programs.process.Sandbox;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.file.RecordingFile;
 import org.robonewbie.simulator.recording.RecordedCycle;
@@ -110,7 +110,7 @@ class ChallengePlayerTest {
                 contest.trials(List.of("Red"), id -> Optional.empty()).get(0);
         TrialFiles files = new TrialFiles(Optional.of(recording), folder.resolve("logs"), work);
         return new ChallengePlayer(
-                        contest.challenge(), Map.of("Red", red), limits, Fence.none("not wanted"), Spectators.NOBODY)
+                        contest.challenge(), Map.of("Red", red), limits, Sandbox.none("not wanted"), Spectators.NOBODY)
                 .run(trial, files);
     }
 

@@ -5,8 +5,8 @@ import org.eclipse.jetty.websocket.api.Session;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A page that watches a {@link EventBus}. If it is slower than the program it misses something, and then receives everything
- * again.
+ * WebSocket connection of a page that subscribes to an {@link EventBus}. A page that is too slow misses updates and then receives
+ * the whole state again.
  */
 public final class BoardReader extends Session.Listener.AbstractAutoDemanding {
 
@@ -15,9 +15,9 @@ public final class BoardReader extends Session.Listener.AbstractAutoDemanding {
     private boolean missed;
 
     /**
-     * Expects a page.
+     * Creates a subscriber.
      *
-     * @param board what it will look at
+     * @param board the event bus
      */
     public BoardReader(EventBus board) {
         this.board = board;
@@ -40,7 +40,7 @@ public final class BoardReader extends Session.Listener.AbstractAutoDemanding {
         board.remove(this);
     }
 
-    /** Sends news, unless the page is still busy. Called by the board only, which no other thread writes to meanwhile. */
+    /** Sends an update unless the previous one is still in flight. Called by the locked bus only. */
     synchronized void offer(String json) {
         missed |= busy;
         if (!busy) {
@@ -51,7 +51,7 @@ public final class BoardReader extends Session.Listener.AbstractAutoDemanding {
 
     private void sent() {
         if (becomesFree()) {
-            board.tellAgain(this);
+            board.resend(this);
         }
     }
 

@@ -7,12 +7,12 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 
 /**
- * Where a program reports its progress to all pages that watch it: each page receives everything known so far, and then what
- * is new. Thread-safe.
+ * Publishes the progress of a program to all subscribed pages. A new page receives the whole state first, then the updates.
+ * Thread-safe.
  */
 public abstract class EventBus {
 
-    /** With what the addresses begin at which pages listen. */
+    /** Prefix of the WebSocket paths of all buses. */
     public static final String PATHS = "/live-";
 
     private static final long RELOADING_MILLIS = 2000;
@@ -22,26 +22,26 @@ public abstract class EventBus {
     private final Set<BoardReader> readers = new LinkedHashSet<>();
 
     /**
-     * Creates a board that nobody reads yet.
+     * Creates a bus without subscribers.
      *
-     * @param name one word, after which the address is named at which pages listen
-     * @param page the file of its page
+     * @param name one word, appended to {@link #PATHS}
+     * @param page file name of its HTML page
      */
     protected EventBus(String name, String page) {
         this.path = PATHS + name;
         this.page = page;
     }
 
-    /** {@return where pages listen} */
+    /** {@return the WebSocket path} */
     public final String path() {
         return path;
     }
 
     /**
-     * Returns the address of the board.
+     * Returns the address of the page.
      *
-     * @param studio the address of the studio that shows it
-     * @return the address of the page, with the code that the studio's address holds, if it holds one
+     * @param studio address of the studio, with or without a sign-in code
+     * @return address of the page, with the sign-in code if there is one
      */
     public final URI page(URI studio) {
         String query = studio.getRawQuery();
@@ -56,7 +56,7 @@ public abstract class EventBus {
     /**
      * Waits until a page is open.
      *
-     * @param milliseconds how long at most
+     * @param milliseconds maximum time to wait
      * @throws InterruptedException if this thread is interrupted
      */
     public final synchronized void awaitWatched(long milliseconds) throws InterruptedException {
@@ -68,7 +68,7 @@ public abstract class EventBus {
     }
 
     /**
-     * Waits until no page is open any more; a page may be reloaded meanwhile.
+     * Waits until no page is open. A page that is being reloaded counts as open.
      *
      * @param elsewhere whether another page of the same studio is open
      * @throws InterruptedException if this thread is interrupted
@@ -82,23 +82,23 @@ public abstract class EventBus {
     }
 
     /**
-     * Writes down everything known, for a page that has just been opened or has missed something; called with this board locked.
+     * Returns the whole state, for a page that is new or has missed updates. Called with this bus locked.
      *
      * @return one JSON object
      */
     protected abstract String known();
 
-    /** Sends everything known to all pages. */
-    protected final synchronized void tellWhole() {
-        tell(known());
+    /** Publishes the whole state. */
+    protected final synchronized void publishAll() {
+        publish(known());
     }
 
     /**
-     * Sends news to all pages.
+     * Publishes an update.
      *
      * @param json one JSON object
      */
-    protected final synchronized void tell(String json) {
+    protected final synchronized void publish(String json) {
         readers.forEach(reader -> reader.offer(json));
     }
 
@@ -112,8 +112,8 @@ public abstract class EventBus {
         readers.remove(reader);
     }
 
-    /** Sends everything to a page that has missed something. */
-    synchronized void tellAgain(BoardReader reader) {
+    /** Sends the whole state to a page that has missed updates. */
+    synchronized void resend(BoardReader reader) {
         reader.offer(known());
     }
 }

@@ -1,7 +1,7 @@
 /**
- * What a page of its own reports while a program runs. {@link org.robonewbie.studio.board.EventBus} first.
+ * Progress pages of running programs. Start with {@link org.robonewbie.studio.board.EventBus}.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.studio.board;

@@ -4,18 +4,18 @@ import java.util.List;
 import java.util.function.UnaryOperator;
 
 /**
- * How far a student's program is with an exercise.
+ * Progress of a student's program on an exercise.
  *
- * @param id number of the attempt, 0 if nothing was tried yet
- * @param state where it is
+ * @param id number of the attempt, 0 before the first one
+ * @param state current stage
  * @param exercise name of the exercise
- * @param program what solves it; empty for an agent that the student starts
- * @param port where the student's agent is awaited
- * @param trials how many trials there will be
- * @param judged what the trials that are over have earned
+ * @param program the program under test; empty for an agent that the student starts
+ * @param port TCP port at which the student's agent is expected
+ * @param trials planned number of trials
+ * @param judged results of the finished trials
  * @param points mean of the points, 0 to 10
- * @param passed whether all trials have passed
- * @param output what the program has printed last, for those who look for a mistake
+ * @param passed whether all trials were passed
+ * @param output the latest output of the program, for debugging
  */
 public record Attempt(
         long id,
@@ -33,38 +33,38 @@ public record Attempt(
     public enum State {
         /** No trial is running. */
         NONE,
-        /** The program has not joined the pitch yet. */
+        /** The program has not joined yet. */
         WAITING,
         /** A trial is running. */
         RUNNING,
-        /** All trials are judged. */
+        /** All trials have been judged. */
         OVER
     }
 
     /**
-     * One trial that is over.
+     * Result of one trial.
      *
-     * @param seed what it began with
+     * @param seed random seed of the trial
      * @param passed whether the task was solved
      * @param points 0 to 10
-     * @param finding what was measured
-     * @param hint what to try next; empty if there is nothing to add
+     * @param finding the measurement as a sentence
+     * @param hint what to try next; may be empty
      */
     public record Judged(long seed, boolean passed, int points, String finding, String hint) {}
 
     /** The state before the first attempt. */
     public static final Attempt NONE = new Attempt(0, State.NONE, "", "", 0, 0, List.of(), 0, false, "");
 
-    /** Takes a copy. */
+    /** Defensively copies the list. */
     public Attempt {
         judged = List.copyOf(judged);
     }
 
     /**
-     * Writes findings and hints in other words.
+     * Translates findings and hints.
      *
-     * @param words what to write in the place of a sentence
-     * @return the same attempt with these sentences
+     * @param words translates a sentence
+     * @return a translated copy
      */
     public Attempt inWords(UnaryOperator<String> words) {
         List<Judged> translated = judged.stream()

@@ -3,62 +3,62 @@ package org.robonewbie.studio.course;
 import java.io.IOException;
 import java.util.List;
 
-/** The exercises behind the page, and the one that is being tried. Any thread may ask. */
+/** The exercises of the studio and the current attempt. Thread-safe. */
 public interface Course {
 
-    /** {@return all exercises, in the order of the course} */
+    /** {@return all exercises in course order} */
     List<Lesson> lessons();
 
-    /** {@return the language of titles, goals, worksheets, findings and hints, as two letters} */
+    /** {@return two-letter code of the language of titles, goals, worksheets, findings and hints} */
     String language();
 
     /**
-     * Chooses the language.
+     * Sets the language.
      *
-     * @param code two letters
-     * @throws IllegalArgumentException if there is no such language; the message says so
+     * @param code two-letter code
+     * @throws IllegalArgumentException if the language is not available
      */
     void speak(String code);
 
-    /** {@return programs that could solve an exercise: Java files of the working directory} */
+    /** {@return Java files in the working directory that could solve an exercise} */
     List<String> programs();
 
     /**
-     * Writes the program to begin with into the working directory.
+     * Writes the starter program of an exercise into the working directory.
      *
      * @param exercise name of an exercise
-     * @return name of the written file
-     * @throws IOException if it cannot be written
-     * @throws IllegalArgumentException if it is there already, or there is no such exercise; the message says so
+     * @return name of the file
+     * @throws IOException if the file cannot be written
+     * @throws IllegalArgumentException if the file exists or the exercise does not
      */
     String handOut(String exercise) throws IOException;
 
     /**
-     * Begins to try a program, on the pitch that the page shows; what was tried before ends.
+     * Starts an attempt on the displayed pitch and ends the previous one.
      *
      * @param exercise name of an exercise
      * @param program a Java file or class; empty for an agent that the student starts
-     * @param trials how many trials with different seeds, 1 to 20
-     * @throws IOException if there is no port for the program
-     * @throws IllegalArgumentException if there is no such exercise; the message says so
+     * @param trials number of trials with different seeds, 1 to 20
+     * @throws IOException if no port is available for the program
+     * @throws IllegalArgumentException if there is no such exercise
      */
     void begin(String exercise, String program, int trials) throws IOException;
 
-    /** Ends what is being tried, and shows the free pitch again. */
+    /** Ends the attempt and shows the free pitch. */
     void leave();
 
-    /** {@return the present state of the trials} */
+    /** {@return the state of the current attempt} */
     Attempt attempt();
 
-    /** {@return how far the student is with all exercises} */
+    /** {@return the student's progress in the whole course} */
     Standings standings();
 
     /**
-     * Returns the help that is open.
+     * Returns the hints that the student has opened.
      *
      * @param exercise name of an exercise
-     * @return the help
-     * @throws IllegalArgumentException if there is no such exercise; the message says so
+     * @return the opened hints
+     * @throws IllegalArgumentException if there is no such exercise
      */
     Help help(String exercise);
 
@@ -66,17 +66,17 @@ public interface Course {
      * Opens the next hint.
      *
      * @param exercise name of an exercise
-     * @return the help that is open now
-     * @throws IllegalArgumentException if there is no such exercise; the message says so
+     * @return the opened hints
+     * @throws IllegalArgumentException if there is no such exercise
      */
     Help nextHint(String exercise);
 
     /**
-     * Shows a solution.
+     * Returns the sample solution.
      *
      * @param exercise name of an exercise
-     * @return the program
-     * @throws IllegalArgumentException if it is not shown; the message says why
+     * @return source code of the solution
+     * @throws IllegalArgumentException if the solution is locked or missing; the message gives the reason
      */
     String solution(String exercise);
 }

@@ -12,18 +12,18 @@ import org.robonewbie.studio.file.Answer;
 import org.robonewbie.studio.file.PathPart;
 
 /**
- * Serves the exercises to the pages.
+ * HTTP endpoint for exercises.
  *
  * <pre>
- * GET    /api/course                the exercises, and programs that are there
- * POST   /api/course/language?code=de   chooses the language
- * GET    /api/course/attempt        the progress of the program that is being tried
- * POST   /api/course/NAME?program=FILE&amp;trials=N   begins to try a program
- * PUT    /api/course/NAME           writes the program to begin with
+ * GET    /api/course                the exercises and the programs in the working directory
+ * POST   /api/course/language?code=de   sets the language
+ * GET    /api/course/attempt        state of the current attempt
+ * POST   /api/course/NAME?program=FILE&amp;trials=N   starts an attempt
+ * PUT    /api/course/NAME           writes the starter program
  * DELETE /api/course/attempt        ends the attempt
- * GET    /api/course/NAME/help      the hints that are open
+ * GET    /api/course/NAME/help      the opened hints
  * POST   /api/course/NAME/hint      opens the next hint
- * POST   /api/course/NAME/solution  shows a solution
+ * POST   /api/course/NAME/solution  returns the sample solution
  * </pre>
  */
 public final class CourseApi extends Handler.Abstract {
@@ -31,15 +31,15 @@ public final class CourseApi extends Handler.Abstract {
     private static final String COURSE = "/api/course";
     private static final String ATTEMPT = "/api/course/attempt";
     private static final String LANGUAGE = "/api/course/language";
-    private static final int MOST_TRIALS = 20;
+    private static final int MAX_TRIALS = 20;
     private static final Gson GSON = new Gson();
 
     private final Optional<Course> course;
 
     /**
-     * Opens the room.
+     * Creates the endpoint.
      *
-     * @param course the exercises; empty for a studio without them
+     * @param course the exercises; empty for a studio without exercises
      */
     public CourseApi(Optional<Course> course) {
         this.course = course;
@@ -57,7 +57,7 @@ public final class CourseApi extends Handler.Abstract {
         } catch (IllegalArgumentException refused) {
             Answer.refused(409, refused.getMessage()).send(response, callback);
         } catch (IOException problem) {
-            Answer.refused(500, "It did not work: " + problem.getMessage()).send(response, callback);
+            Answer.refused(500, "The request failed: " + problem.getMessage()).send(response, callback);
         }
         return true;
     }
@@ -116,10 +116,10 @@ public final class CourseApi extends Handler.Abstract {
 
     private static int trials(String text) {
         try {
-            return Math.max(1, Math.min(MOST_TRIALS, Integer.parseInt(text)));
+            return Math.max(1, Math.min(MAX_TRIALS, Integer.parseInt(text)));
         } catch (NumberFormatException noNumber) {
             throw new IllegalArgumentException(
-                    "How many trials? Choose a number from 1 to " + MOST_TRIALS + ".", noNumber);
+                    "The number of trials must be an integer from 1 to " + MAX_TRIALS + ".", noNumber);
         }
     }
 }

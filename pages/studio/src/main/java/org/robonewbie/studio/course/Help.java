@@ -3,16 +3,16 @@ package org.robonewbie.studio.course;
 import java.util.List;
 
 /**
- * The help that a student has opened for an exercise.
+ * The help for an exercise that a student has opened.
  *
- * @param hints the open hints, in their order
- * @param allHints how many hints there are
- * @param solution whether there is a solution that a teacher has not locked
- * @param triesLeft how many judged tries are missing until it is shown, 0 if none
+ * @param hints the opened hints, in order
+ * @param allHints total number of hints
+ * @param solution whether there is a solution that the teacher has not locked
+ * @param triesLeft number of judged tries that are still required before the solution is shown
  */
 public record Help(List<String> hints, int allHints, boolean solution, int triesLeft) {
 
-    /** Takes a copy. */
+    /** Defensively copies the list. */
     public Help {
         hints = List.copyOf(hints);
     }

@@ -1,18 +1,18 @@
 package org.robonewbie.studio.course;
 
 /**
- * An exercise as a page shows it.
+ * An exercise as shown on a page.
  *
  * @param number its position in the course, from 1
  * @param name such as {@code kick}
  * @param title such as {@code A kick of your own}
- * @param goal what the robot has to do, as a sentence
- * @param level how hard it is, in a word or two
- * @param minutes how long it takes
+ * @param goal the task of the robot, as a sentence
+ * @param level difficulty in a word or two
+ * @param minutes estimated time to solve it
  * @param points the maximum number of points
- * @param worksheet page of the documentation that explains it
- * @param file usual name of the program that solves it
- * @param standing how far the student is with it
+ * @param worksheet documentation page that explains it
+ * @param file default file name of the program that solves it
+ * @param standing the student's progress
  */
 public record Lesson(
         int number,
@@ -27,16 +27,16 @@ public record Lesson(
         Standing standing) {
 
     /**
-     * How far a student is with an exercise.
+     * A student's progress on one exercise.
      *
-     * @param tries how often a program was judged
-     * @param best the best grade, 0 to 10
-     * @param passed whether it was passed once
-     * @param minutes time of work until then
+     * @param tries number of judged programs
+     * @param best best grade, 0 to 10
+     * @param passed whether the exercise has been passed
+     * @param minutes working time until it was passed
      */
     public record Standing(int tries, double best, boolean passed, long minutes) {
 
-        /** Nothing was tried yet. */
+        /** Progress before the first try. */
         public static final Standing NONE = new Standing(0, 0, false, 0);
     }
 }

@@ -3,15 +3,15 @@ package org.robonewbie.studio.course;
 import java.util.List;
 
 /**
- * How far a student is with the whole course.
+ * A student's progress in the whole course.
  *
  * @param sum exercises, points and time, as a sentence
- * @param badges titles of what was reached
- * @param csv the table for a teacher
+ * @param badges titles of the earned badges
+ * @param csv the results as a table for the teacher
  */
 public record Standings(String sum, List<String> badges, String csv) {
 
-    /** Takes a copy. */
+    /** Defensively copies the list. */
     public Standings {
         badges = List.copyOf(badges);
     }

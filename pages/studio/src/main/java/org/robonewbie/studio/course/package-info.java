@@ -1,8 +1,8 @@
 /**
- * Exercises in the studio: pages choose one, start it and see how it is judged. Read {@link
- * org.robonewbie.studio.course.Course} first.
+ * Exercises in the studio: pages list them, start attempts and show the results. Start with {@link
+ * org.robonewbie.studio.course.Course}.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.studio.course;

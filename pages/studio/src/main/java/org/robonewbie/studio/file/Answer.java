@@ -8,12 +8,12 @@ import org.eclipse.jetty.util.Callback;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a page gets when it asks the studio for something. No browser keeps it.
+ * HTTP response of the studio's API. Never cached.
  *
  * @param status the HTTP status
  * @param type the media type
- * @param content what is sent
- * @param version the version of the file that is sent or has been written; empty for all else
+ * @param content the body
+ * @param version version of the file that was read or written; else empty
  */
 @SuppressWarnings("ArrayRecordComponent")
 public record Answer(int status, String type, byte[] content, String version) {
@@ -21,7 +21,7 @@ public record Answer(int status, String type, byte[] content, String version) {
     private static final String TEXT = "text/plain;charset=utf-8";
 
     /**
-     * Answers with JSON.
+     * Creates a JSON response.
      *
      * @param text the JSON
      * @return the answer
@@ -31,7 +31,7 @@ public record Answer(int status, String type, byte[] content, String version) {
     }
 
     /**
-     * Answers with a text.
+     * Creates a plain-text response.
      *
      * @param text the text
      * @return the answer
@@ -41,7 +41,7 @@ public record Answer(int status, String type, byte[] content, String version) {
     }
 
     /**
-     * Answers with a content that is no file of the user.
+     * Creates a response from bytes that are not a versioned file.
      *
      * @param type the media type
      * @param content the content
@@ -52,9 +52,9 @@ public record Answer(int status, String type, byte[] content, String version) {
     }
 
     /**
-     * Answers with a file, and with the version by which the page knows it.
+     * Creates a response from a file, with its version.
      *
-     * @param content what is in the file
+     * @param content content of the file
      * @return the answer
      */
     public static Answer file(byte[] content) {
@@ -62,25 +62,25 @@ public record Answer(int status, String type, byte[] content, String version) {
     }
 
     /**
-     * Answers that a file is written.
+     * Creates the response to a written file.
      *
-     * @param version the version that it has now
+     * @param version the new version of the file
      * @return the answer
      */
     public static Answer written(String version) {
         return new Answer(200, TEXT, new byte[0], version);
     }
 
-    /** {@return the answer that something without a result is done} */
+    /** {@return an empty successful response} */
     public static Answer done() {
         return text("");
     }
 
     /**
-     * Refuses.
+     * Creates an error response.
      *
      * @param status the HTTP status
-     * @param reason what was refused, and what to do; null stands for a failure without words
+     * @param reason the problem and what to do; null for an exception without a message
      * @return the answer
      */
     public static Answer refused(int status, @Nullable String reason) {
@@ -90,8 +90,8 @@ public record Answer(int status, String type, byte[] content, String version) {
     /**
      * Sends the answer.
      *
-     * @param response where to
-     * @param callback told when it is sent
+     * @param response the destination
+     * @param callback completed when the response has been sent
      */
     public void send(Response response, Callback callback) {
         response.setStatus(status);

@@ -4,7 +4,7 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
-/** By what pages know the content of a file, so that nobody overwrites what another program has written meanwhile. */
+/** Content hash of a file for optimistic locking: a page never overwrites a change that it has not seen. */
 public final class FileVersion {
 
     private static final int BYTES = 12;
@@ -12,16 +12,16 @@ public final class FileVersion {
     private FileVersion() {}
 
     /**
-     * Returns the version of a content: the same for the same bytes.
+     * Computes the version; equal bytes have equal versions.
      *
-     * @param content what is in the file
-     * @return some letters and digits
+     * @param content content of the file
+     * @return hexadecimal digits
      */
     public static String of(byte[] content) {
         try {
             return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(content), 0, BYTES);
         } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("Every Java has SHA-256.", e);
+            throw new IllegalStateException("SHA-256 is part of every Java runtime.", e);
         }
     }
 }

@@ -13,8 +13,8 @@ import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.nao.file.UnwritableFileException;
 
 /**
- * A folder with files of one kind that pages may read and write, and nothing else of this computer. Files are replaced
- * atomically, so that no reader ever sees one half written.
+ * A folder with files of one kind that pages may read and write; they reach no other file. Writes are atomic, so that no reader sees a
+ * partial file.
  */
 public abstract class PageFolder {
 
@@ -22,10 +22,10 @@ public abstract class PageFolder {
     private final int maxBytes;
 
     /**
-     * Opens a folder, which need not exist yet.
+     * Creates access to a folder, which need not exist yet.
      *
      * @param folder the folder
-     * @param maxBytes the largest file that is read
+     * @param maxBytes maximum size of a file that is read
      */
     protected PageFolder(Path folder, int maxBytes) {
         this.maxBytes = maxBytes;
@@ -33,10 +33,10 @@ public abstract class PageFolder {
     }
 
     /**
-     * A file of the folder.
+     * A file in the folder.
      *
-     * @param path what pages call it
-     * @param version what its content is known by
+     * @param path its path as used by pages
+     * @param version its {@link FileVersion}
      */
     public record Entry(String path, String version) {}
 
@@ -46,23 +46,23 @@ public abstract class PageFolder {
     }
 
     /**
-     * Finds the file that pages call so. A link must not lead out of the folder either.
+     * Resolves the path that a page uses. Links out of the folder are refused.
      *
-     * @param path what pages call it
+     * @param path path as used by pages
      * @return the file, which need not exist
-     * @throws RefusedException if a page must not reach it
-     * @throws IOException if its place cannot be looked up
+     * @throws RefusedException if the path is not allowed
+     * @throws IOException if the path cannot be resolved
      */
     public abstract Path file(String path) throws IOException;
 
-    /** {@return what a file of this folder is called in messages, such as "motion"} */
+    /** {@return the noun for files of this folder in messages, such as "motion"} */
     protected abstract String kind();
 
     /**
-     * Describes files; those that cannot be read are left out.
+     * Lists files; unreadable ones are left out.
      *
-     * @param paths what pages call them
-     * @return one entry for each
+     * @param paths paths as used by pages
+     * @return one entry per readable file
      */
     protected List<Entry> entries(Stream<String> paths) {
         return paths.flatMap(this::entry).toList();
@@ -79,10 +79,10 @@ public abstract class PageFolder {
     /**
      * Reads a file.
      *
-     * @param path what pages call it
+     * @param path path as used by pages
      * @return its content; empty if there is no such file
-     * @throws UnreadableFileException if it is no regular file, too large, or cannot be read
-     * @throws IOException if its place cannot be looked up
+     * @throws UnreadableFileException if it is not a regular file, too large, or unreadable
+     * @throws IOException if the path cannot be resolved
      */
     public Optional<byte[]> read(String path) throws IOException {
         Path file = file(path);
@@ -90,13 +90,13 @@ public abstract class PageFolder {
     }
 
     /**
-     * Writes a file, if it is unchanged since the writer last saw it or has this content already.
+     * Writes a file if it has not changed since the writer last read it, or already has this content.
      *
-     * @param path what pages call it
+     * @param path path as used by pages
      * @param content its new content
-     * @param knownVersion the version that the writer has seen; empty if the file must not exist yet
+     * @param knownVersion the version that the writer has read; empty if the file must not exist yet
      * @return the new version
-     * @throws RefusedException if the file has been changed meanwhile
+     * @throws RefusedException if the file has changed since
      * @throws IOException if it cannot be written
      */
     public synchronized String write(String path, byte[] content, String knownVersion) throws IOException {
@@ -112,23 +112,23 @@ public abstract class PageFolder {
     private String conflict(String path, String knownVersion, String present) {
         String file = "\"" + path + "\"";
         if (knownVersion.isEmpty()) {
-            return "There is a " + kind() + " " + file + " already. Choose another name.";
+            return "There is already a " + kind() + " named " + file + ". Choose another name.";
         }
         return present.isEmpty()
                 ? file
-                        + " was deleted by another program since it was opened here. Keep what is here, or save it under another name."
+                        + " was deleted by another program after it was opened here. Keep it open, or save it under another name."
                 : file
-                        + " was changed by another program since it was opened here. Load it again, or save under another name.";
+                        + " was changed by another program after it was opened here. Load it again or save it under another name.";
     }
 
     /**
-     * Writes a file, unless it has become another one than the writer knows; one that is gone meanwhile is written again.
+     * Writes a file unless it has changed since the writer last read it. A deleted file is written again.
      *
-     * @param path what pages call it
+     * @param path path as used by pages
      * @param content its new content
-     * @param knownVersion the version that the writer has seen; empty if it has seen none
+     * @param knownVersion the version that the writer has read; empty if it has read none
      * @return the new version
-     * @throws RefusedException if the file has been changed meanwhile
+     * @throws RefusedException if the file has changed since
      * @throws IOException if it cannot be written
      */
     public synchronized String writeIfKnown(String path, byte[] content, String knownVersion) throws IOException {
@@ -136,9 +136,9 @@ public abstract class PageFolder {
     }
 
     /**
-     * Writes a file whatever it was before.
+     * Writes a file regardless of its previous content.
      *
-     * @param path what pages call it
+     * @param path path as used by pages
      * @param content its new content
      * @throws IOException if it cannot be written
      */
@@ -153,9 +153,9 @@ public abstract class PageFolder {
     }
 
     /**
-     * Deletes a file; nothing happens if there is none.
+     * Deletes a file if it exists.
      *
-     * @param path what pages call it
+     * @param path path as used by pages
      * @throws IOException if it cannot be deleted
      */
     public synchronized void remove(String path) throws IOException {
@@ -163,10 +163,10 @@ public abstract class PageFolder {
     }
 
     /**
-     * Deletes a file of which only this version is not needed any more.
+     * Deletes a file if it has a certain version.
      *
-     * @param path what pages call it
-     * @param version the version; nothing happens if the file has another one, or if there is none
+     * @param path path as used by pages
+     * @param version the version; a file with another version is kept
      * @throws IOException if it cannot be deleted
      */
     public synchronized void remove(String path, String version) throws IOException {

@@ -3,17 +3,17 @@ package org.robonewbie.studio.file;
 import java.net.URLDecoder;
 import java.nio.charset.StandardCharsets;
 
-/** Names of files in the addresses that pages ask for. */
+/** Path segments of request addresses. */
 public final class PathPart {
 
     private PathPart() {}
 
     /**
-     * Decodes a part of an address's path, in which a plus sign is no blank, other than in forms.
+     * Decodes a path segment. A plus sign stays a plus sign, unlike in form data.
      *
-     * @param part the part, with per cent signs before the codes of other characters
-     * @return the name that it stands for
-     * @throws IllegalArgumentException if it is damaged
+     * @param part the percent-encoded segment
+     * @return the decoded name
+     * @throws IllegalArgumentException if the encoding is malformed
      */
     public static String decode(String part) {
         return URLDecoder.decode(part.replace("+", "%2B"), StandardCharsets.UTF_8);

@@ -4,16 +4,16 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** Decides which files pages may reach: those that lie where they seem to lie. */
+/** Guard against symbolic links that lead out of a folder. */
 public final class PlainFile {
 
     private PlainFile() {}
 
     /**
-     * Whether a file lies in its folder, and not behind a link that leads out of it.
+     * Returns whether a file really lies in its folder, not behind a link to another place.
      *
      * @param file a file
-     * @return whether it is there and lies below the folder that its path names
+     * @return whether it exists and its real path is below the folder of its path
      */
     public static boolean isInItsFolder(Path file) {
         Path folder = file.toAbsolutePath().getParent();

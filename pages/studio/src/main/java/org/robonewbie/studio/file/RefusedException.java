@@ -1,6 +1,6 @@
 package org.robonewbie.studio.file;
 
-/** A page has asked for something that it cannot have; the message is meant for the person at the page. */
+/** A page's request is refused; the message is shown to the user. */
 public final class RefusedException extends RuntimeException {
 
     private static final long serialVersionUID = 1L;
@@ -11,7 +11,7 @@ public final class RefusedException extends RuntimeException {
      * Creates the exception.
      *
      * @param status the HTTP status of the answer
-     * @param message what was refused, and what to do
+     * @param message what was refused and what to do
      */
     public RefusedException(int status, String message) {
         super(message);

@@ -10,7 +10,7 @@ import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.landscape.Thing;
 
-/** A state between two known ones: everything moves evenly. */
+/** Linear interpolation between two states of the world. */
 final class Blend {
 
     private static final double JUMP_METRES = 1;
@@ -18,11 +18,11 @@ final class Blend {
     private Blend() {}
 
     /**
-     * Blends two states.
+     * Interpolates between two states.
      *
-     * @param from the earlier one
-     * @param to the later one
-     * @param part 0 for the earlier, 1 for the later
+     * @param from the earlier state
+     * @param to the later state
+     * @param part 0 for the earlier, 1 for the later state
      */
     static WorldSnapshot of(WorldSnapshot from, WorldSnapshot to, double part) {
         return new WorldSnapshot(
@@ -98,7 +98,7 @@ final class Blend {
         return new Pose(from.position().plus(way.times(step)), blended(from.rotation(), to.rotation(), step));
     }
 
-    /** The parts of quaternions are blended alike; a quaternion that points the other way is turned round first. */
+    /** Normalised linear interpolation of quaternions; the signs are aligned first, so that it takes the short way. */
     private static Rotation blended(Rotation from, Rotation to, double part) {
         double dot = from.w() * to.w() + from.x() * to.x() + from.y() * to.y() + from.z() * to.z();
         double sign = dot < 0 ? -1 : 1;

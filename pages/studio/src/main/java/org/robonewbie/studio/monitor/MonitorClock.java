@@ -6,12 +6,12 @@ import org.robonewbie.nao.PlayMode;
 import org.robonewbie.protocol.monitor.MonitoredGame;
 
 /**
- * Counts cycles of a server that sends only the game time, which is stopped before each kick-off. There a message counts as the
- * two cycles that usually lie between messages.
+ * Estimates the cycle number of a server that sends only the game time. The game time stands still before each kick-off; there each
+ * message counts as two cycles, the usual interval between messages.
  */
 final class MonitorClock {
 
-    private static final int USUAL_CYCLES_PER_MESSAGE = 2;
+    private static final int DEFAULT_CYCLES_PER_MESSAGE = 2;
     private static final int MESSAGES_UNTIL_STANDSTILL = 10;
     private static final double FOLLOWING = 0.1;
 
@@ -44,8 +44,8 @@ final class MonitorClock {
             follow(cycles);
             cycle += cycles;
         } else if (mayStand) {
-            follow(USUAL_CYCLES_PER_MESSAGE);
-            cycle += USUAL_CYCLES_PER_MESSAGE;
+            follow(DEFAULT_CYCLES_PER_MESSAGE);
+            cycle += DEFAULT_CYCLES_PER_MESSAGE;
         }
     }
 
@@ -65,7 +65,7 @@ final class MonitorClock {
         return realTimeFactor;
     }
 
-    /** Whether messages arrive in which no time has passed, as from a paused server. */
+    /** Returns whether messages arrive without progress of time, as from a paused server. */
     boolean isStandingStill() {
         return messagesWithoutTime > MESSAGES_UNTIL_STANDSTILL;
     }

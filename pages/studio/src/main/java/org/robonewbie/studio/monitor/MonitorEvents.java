@@ -7,7 +7,7 @@ import org.robonewbie.protocol.monitor.Foul;
 import org.robonewbie.protocol.monitor.MonitoredGame;
 import org.robonewbie.simulator.soccer.MatchEvent;
 
-/** What has happened between two messages of a monitor port. */
+/** Derives match events from consecutive messages of a monitor port. */
 final class MonitorEvents {
 
     private MonitorEvents() {}

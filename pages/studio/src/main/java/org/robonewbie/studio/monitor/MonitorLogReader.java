@@ -24,14 +24,14 @@ import org.robonewbie.simulator.recording.RecordingWriter;
 import org.robonewbie.simulator.soccer.MatchEvent;
 
 /**
- * Turns a log of monitor messages into a recording that the replay shows. It reads what rcssserver3d and our simulator write
- * ({@code sparkmonitor.log}: one message per line) and what RoboViz records, also packed with gzip. Between two messages the
- * movement is filled in, since such logs tell only each fifth of a second.
+ * Converts a log of monitor messages to a recording. Reads {@code sparkmonitor.log} of rcssserver3d and of our simulator, with one
+ * message per line, and the logs of RoboViz, also compressed with gzip. Cycles between two messages are interpolated, since such logs
+ * contain only five states per second.
  */
 public final class MonitorLogReader {
 
     private static final int GZIP_MARK = 0x1f;
-    private static final int MOST_CYCLES_TO_FILL = 15;
+    private static final int MAX_INTERPOLATED_CYCLES = 15;
 
     private final MonitoredWorld world = new MonitoredWorld();
     private final MonitorClock clock = new MonitorClock(() -> 0);
@@ -48,7 +48,7 @@ public final class MonitorLogReader {
      *
      * @param log the log
      * @param recording the recording to write
-     * @throws IOException if the log cannot be read or holds no world; the message says so
+     * @throws IOException if the log cannot be read or contains no complete scene
      */
     public static void convert(Path log, Path recording) throws IOException {
         MonitorLogReader reader = new MonitorLogReader();
@@ -57,12 +57,12 @@ public final class MonitorLogReader {
                 reader.take(line, recording);
             }
         } catch (UncheckedIOException damaged) {
-            throw new IOException("\"" + log + "\" cannot be read to its end: " + damaged.getMessage(), damaged);
+            throw new IOException("\"" + log + "\" cannot be read completely: " + damaged.getMessage(), damaged);
         } finally {
             reader.recording.ifPresent(RecordingWriter::close);
         }
         if (reader.recording.isEmpty()) {
-            throw new IOException("\"" + log + "\" is no log of a SimSpark server: no line of it tells a whole scene.");
+            throw new IOException("\"" + log + "\" is not a log of a SimSpark server: it contains no complete scene.");
         }
     }
 
@@ -75,7 +75,7 @@ public final class MonitorLogReader {
         return new BufferedReader(new InputStreamReader(plain, StandardCharsets.ISO_8859_1));
     }
 
-    /** RoboViz puts drawings as lists of numbers in front of a message, which begins with the first bracket. */
+    /** RoboViz prefixes a message with its drawings as a list of numbers; the message starts at the first bracket. */
     private void take(String line, Path file) throws IOException {
         int start = line.indexOf("((");
         if (start < 0) {
@@ -100,7 +100,7 @@ public final class MonitorLogReader {
         }
         last.ifPresent(before -> {
             long gap = now.cycle() - before.cycle();
-            for (long i = 1; i < gap && gap <= MOST_CYCLES_TO_FILL; i++) {
+            for (long i = 1; i < gap && gap <= MAX_INTERPOLATED_CYCLES; i++) {
                 target.write(Blend.of(before, now, (double) i / gap), List.of());
             }
         });

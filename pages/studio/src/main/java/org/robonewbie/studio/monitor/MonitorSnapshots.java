@@ -20,8 +20,8 @@ import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.RotationMatrix;
 
 /**
- * Converts what a monitor receives to states of our world. A monitor knows the pose of each limb, but no joint angles; they
- * follow from the relative rotation of the two limbs of a hinge.
+ * Converts the scene graph of a monitor to world snapshots. The scene graph contains the pose of each limb but no joint angles; these
+ * are computed from the relative rotation of the two limbs of a hinge.
  */
 final class MonitorSnapshots {
 
@@ -49,7 +49,7 @@ final class MonitorSnapshots {
                 realTimeFactor);
     }
 
-    /** Reads the measures of the pitch; what the server does not tell is as in the league. */
+    /** Returns the dimensions of the pitch; values that the server does not send are those of the league. */
     static SoccerField field(Environment environment) {
         SoccerField league = SoccerField.LEAGUE;
         double goalWidth = environment.measure("GoalWidth").orElse(league.goalWidth());

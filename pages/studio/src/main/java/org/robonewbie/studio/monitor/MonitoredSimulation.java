@@ -18,10 +18,10 @@ import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.soccer.MatchEvent;
 
 /**
- * A simulation on a SimSpark server that runs elsewhere, seen and steered through its monitor port (source of the protocol:
- * SimSpark's {@code sparkmonitor.cpp} and {@code trainercommandparser.cpp}). When the server ends it is looked for again.
+ * A remote simulation, watched and controlled through the monitor port of a SimSpark server (protocol: SimSpark's
+ * {@code sparkmonitor.cpp} and {@code trainercommandparser.cpp}). Reconnects when the server is restarted.
  *
- * <p>A monitor cannot stop the server's clock, so pause, step and speed are refused with a sentence.
+ * <p>A monitor cannot stop the server's clock, so pause, step and speed are refused.
  *
  * <pre>{@code
  * MonitoredSimulation match = MonitoredSimulation.connect("127.0.0.1", 3200);
@@ -30,7 +30,7 @@ import org.robonewbie.simulator.soccer.MatchEvent;
  */
 public final class MonitoredSimulation implements SimulationControl, AutoCloseable {
 
-    private static final String NO_CLOCK = "A monitor cannot stop or speed up a server of another process.";
+    private static final String NO_CLOCK = "The clock of a simulation in another process cannot be paused or sped up.";
     private static final long RETRY_NANOS = TimeUnit.SECONDS.toNanos(1);
 
     private final String host;
@@ -53,10 +53,10 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
     /**
      * Connects to a server and starts watching it.
      *
-     * @param host name or address of its computer
+     * @param host host name or IP address of the server
      * @param port its monitor port, 3200 by default
-     * @return the simulation that runs there
-     * @throws IOException if no server answers there; the message says what to do
+     * @return the remote simulation
+     * @throws IOException if no server answers; the message says what to do
      */
     public static MonitoredSimulation connect(String host, int port) throws IOException {
         MonitoredSimulation simulation = new MonitoredSimulation(host, port, MonitorLink.connect(host, port));
@@ -71,7 +71,7 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
                     take(link.world());
                 }
             } catch (IOException lost) {
-                // The server has ended; it is looked for again below.
+                // The server has ended; reconnect below.
             }
             link.close();
             seekAgain();
@@ -89,7 +89,7 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
                 }
                 return;
             } catch (IOException stillAway) {
-                // People start servers again; until then there is nothing to do.
+                // Retry until the server is up again.
             }
         }
     }
@@ -122,7 +122,7 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
             link.send(orders);
         } catch (IOException lost) {
             throw new IllegalStateException(
-                    "The server at " + host + ":" + port + " cannot be reached any more. Start it again.", lost);
+                    "The server at " + host + ":" + port + " is no longer reachable. Start it again.", lost);
         }
     }
 

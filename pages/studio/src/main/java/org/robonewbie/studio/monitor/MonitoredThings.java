@@ -10,8 +10,8 @@ import org.robonewbie.simulator.landscape.Thing;
 import org.robonewbie.simulator.physics.BodyPose;
 
 /**
- * Finds what else stands on a pitch that a monitor sees: outermost boxes behind the ball, as our simulator lists them. The outer walls
- * stand before the ball in every SimSpark server, and parts of robots are no outermost nodes.
+ * Finds obstacles in the scene graph of a monitor: boxes at the top level after the ball, where our simulator lists them. The walls of a
+ * SimSpark server precede the ball, and parts of robots are not at the top level.
  */
 final class MonitoredThings {
 

@@ -1,8 +1,8 @@
 /**
- * Watches a SimSpark server, be it ours or rcssserver3d, through its monitor port, and reads the logs that such servers write.
- * Read {@link org.robonewbie.studio.monitor.MonitoredSimulation} first.
+ * Watches any SimSpark server, ours or rcssserver3d, through its monitor port, and reads the logs of such servers. Start with {@link
+ * org.robonewbie.studio.monitor.MonitoredSimulation}.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.studio.monitor;

@@ -25,13 +25,13 @@ import org.robonewbie.studio.file.PathPart;
 import org.robonewbie.studio.file.RefusedException;
 
 /**
- * Serves the motion editor below {@code /api/}: the robot, motion files, drafts of unsaved work, the user's own postures, and
- * trials on a physical robot.
+ * HTTP endpoint for the motion editor below {@code /api/}: the robot, motion files, drafts of unsaved changes, the user's postures, and
+ * trials with physics.
  *
  * <pre>
  * GET              /api/robot
  * GET              /api/motions, /api/library/NAME
- * GET PUT          /api/motions/NAME      header Known-Version on PUT: what the page has seen, empty for a new file
+ * GET PUT          /api/motions/NAME      header Known-Version on PUT: the version that the page has read, empty for a new file
  * GET PUT DELETE   /api/drafts/NAME
  * GET PUT          /api/poses
  * POST             /api/trial             header Start: standing, back or front
@@ -39,7 +39,7 @@ import org.robonewbie.studio.file.RefusedException;
  */
 public final class MotionApi extends Handler.Abstract {
 
-    /** The beginning of all paths that are answered here. */
+    /** Prefix of all paths of this endpoint. */
     public static final String PATH = "/api/";
 
     private static final Pattern FILE = Pattern.compile("/api/(motions|library|drafts)/([^/]+)");
@@ -51,9 +51,9 @@ public final class MotionApi extends Handler.Abstract {
     private final String robot;
 
     /**
-     * Opens the room.
+     * Creates the endpoint.
      *
-     * @param folder where the motions are; it need not exist
+     * @param folder folder of the motion files; it need not exist
      * @param model the robot's limbs and hinges as JSON
      */
     public MotionApi(Path folder, JsonObject model) {
@@ -85,8 +85,8 @@ public final class MotionApi extends Handler.Abstract {
         } catch (IOException problem) {
             return Answer.refused(
                     500,
-                    "The file cannot be used: " + problem.getMessage() + ". Is the folder " + motions.folder()
-                            + " writable, and is there room on the disk?");
+                    "The file cannot be read or written: " + problem.getMessage() + ". Is the folder "
+                            + motions.folder() + " writable, and is there room on the disk?");
         }
     }
 
@@ -106,7 +106,7 @@ public final class MotionApi extends Handler.Abstract {
                 yield Answer.done();
             }
             case "POST /api/trial" -> Answer.json(trial(request));
-            default -> throw new RefusedException(404, "The studio does not know " + order + ". Load the page again.");
+            default -> throw new RefusedException(404, "Unknown request: " + order + ". Load the page again.");
         };
     }
 
@@ -129,7 +129,7 @@ public final class MotionApi extends Handler.Abstract {
                 drafts.remove(name);
                 yield Answer.done();
             }
-            default -> throw new RefusedException(405, "The studio cannot do " + order + ".");
+            default -> throw new RefusedException(405, "Method not allowed: " + order + ".");
         };
     }
 
@@ -139,7 +139,7 @@ public final class MotionApi extends Handler.Abstract {
     }
 
     private static byte[] found(Optional<byte[]> content, String name) {
-        return content.orElseThrow(() -> new RefusedException(404, "There is no motion \"" + name + "\"."));
+        return content.orElseThrow(() -> new RefusedException(404, "There is no motion named \"" + name + "\"."));
     }
 
     private static byte[] body(Request request) throws IOException {

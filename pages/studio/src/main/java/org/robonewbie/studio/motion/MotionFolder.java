@@ -13,7 +13,7 @@ import org.robonewbie.studio.file.PageFolder;
 import org.robonewbie.studio.file.PlainFile;
 import org.robonewbie.studio.file.RefusedException;
 
-/** A folder with motion files, which pages name without folder and ending, as agents do. */
+/** Folder of motion files, which pages name without folder and extension, as agents do. */
 final class MotionFolder extends PageFolder {
 
     private final MotionFiles files;
@@ -24,10 +24,10 @@ final class MotionFolder extends PageFolder {
     }
 
     /**
-     * What is in the folder.
+     * Content of the folder.
      *
      * @param entries the motions in alphabetical order
-     * @param leftOut a sentence about each other file
+     * @param leftOut one message for each file that was left out
      */
     record Listing(List<Entry> entries, List<String> leftOut) {}
 
@@ -53,11 +53,12 @@ final class MotionFolder extends PageFolder {
     public Path file(String name) {
         FileName.problem(Normalizer.normalize(name, Normalizer.Form.NFC)).ifPresent(problem -> {
             throw new RefusedException(
-                    400, "\"" + name + "\" is no name for a motion, since it " + problem + ". Choose another one.");
+                    400,
+                    "\"" + name + "\" is not a valid name for a motion, since it " + problem + ". Choose another one.");
         });
         Path file = files.file(name);
         if (Files.exists(file) && !PlainFile.isInItsFolder(file)) {
-            throw new RefusedException(403, "\"" + name + "\" is a link to a place outside of " + folder() + ".");
+            throw new RefusedException(403, "\"" + name + "\" is a link to a place outside " + folder() + ".");
         }
         return file;
     }

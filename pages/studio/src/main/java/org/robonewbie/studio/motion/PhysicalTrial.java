@@ -25,11 +25,11 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 
 /**
- * What happens when a real body plays a motion: where torso and joints were in every second cycle, and whether it fell.
+ * Result of playing a motion on a simulated body: poses in every second cycle, and whether the robot fell.
  *
- * @param frames each the torso's pose, seven numbers, and the angle of each hinge in degrees
- * @param fallSeconds when the torso was tilted by more than 60°, counted from the beginning of the motion; empty if it never
- *     was, or if the robot did not stand at first
+ * @param frames each the torso's pose as seven numbers, then the angle of each hinge in degrees
+ * @param fallSeconds time since the start of the motion at which the torso was tilted by more than 60°; empty without a fall, or if
+ *     the robot did not start upright
  */
 @SuppressWarnings("ArrayRecordComponent")
 public record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
@@ -38,14 +38,14 @@ public record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
     static final double FRAME_SECONDS = 2 * Cycle.SECONDS;
 
     private static final int POSE_NUMBERS = 7;
-    private static final int LONGEST_MILLIS = 60_000;
+    private static final int MAX_MILLIS = 60_000;
     private static final int SETTLE_MILLIS = 400;
     private static final int LIE_MILLIS = 2000;
     private static final double LOOK_ON_SECONDS = 1;
     private static final Pose2d ALONG_THE_Y_AXIS = new Pose2d(0, 0, 90);
     private static final Vector3 BALL_ASIDE = new Vector3(-5, -3.5, 0);
 
-    /** How the robot is before the motion. */
+    /** Initial posture. */
     public enum Start {
         /** Standing, with slightly bent knees. */
         STANDING,
@@ -56,18 +56,19 @@ public record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
     }
 
     /**
-     * Plays the motion of a file.
+     * Plays a motion file.
      *
-     * @param text what is in the file
-     * @param start the name of a {@link Start} in small letters
-     * @return what happened, as JSON
-     * @throws RefusedException if the file is no motion or too long, or if there is no such start; its message says so
+     * @param text content of the file
+     * @param start the name of a {@link Start} in lower case
+     * @return the result as JSON
+     * @throws RefusedException if the text is not a motion or too long, or the start is unknown
      */
     public static String json(String text, String start) {
         Start from = Arrays.stream(Start.values())
                 .filter(each -> each.name().toLowerCase(Locale.ROOT).equals(start))
                 .findFirst()
-                .orElseThrow(() -> new RefusedException(400, "A robot cannot start \"" + start + "\"."));
+                .orElseThrow(() ->
+                        new RefusedException(400, "Unknown start \"" + start + "\". Choose standing, back or front."));
         try {
             return of(MotionFile.parse("motion.txt", text), from).json();
         } catch (MotionFormatException wrong) {
@@ -93,22 +94,22 @@ public record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
 
     private static PhysicalTrial of(MotionFile file, Start start) {
         Motion motion = file.motion();
-        if (motion.durationMillis() > LONGEST_MILLIS) {
+        if (motion.durationMillis() > MAX_MILLIS) {
             throw new RefusedException(
                     400, "The motion takes " + motion.durationMillis() / 1000 + " s. A trial takes at most 60 s.");
         }
         try (Controller player = Controller.ofMotion(file);
                 Trial trial = Trial.direct(scene(start), 0, player)) {
             Watch watch = new Watch(trial.robot(0), start == Start.STANDING);
-            watch.look();
+            watch.record();
             while (!player.isFinished()) {
                 trial.step();
-                watch.look();
+                watch.record();
             }
             double end = trial.seconds() + LOOK_ON_SECONDS;
             while (trial.seconds() < end) {
                 trial.step();
-                watch.look();
+                watch.record();
             }
             return new PhysicalTrial(watch.frames, watch.fall);
         }
@@ -130,7 +131,7 @@ public record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
         return List.of(motion, new Motion("still", List.of(new Keyframe(millis, last))));
     }
 
-    /** Notes what the body does. */
+    /** Records poses and the first fall. */
     private static final class Watch {
 
         private final Robot robot;
@@ -144,7 +145,7 @@ public record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
             this.standsAtFirst = standsAtFirst;
         }
 
-        private void look() {
+        private void record() {
             if (cycles % 2 == 0) {
                 frames.add(frame(robot));
             }

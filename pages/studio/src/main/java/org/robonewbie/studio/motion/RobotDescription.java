@@ -9,7 +9,7 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.model.Shape;
 import org.robonewbie.nao.motion.Mirror;
 
-/** What the pages need to know about the robot to edit its motions: joints in the order of the files, masses, and shapes. */
+/** Description of the robot for the motion editor: joints in the order of the files, masses, and collision shapes. */
 public final class RobotDescription {
 
     private RobotDescription() {}
@@ -40,7 +40,7 @@ public final class RobotDescription {
         return json.toString();
     }
 
-    /** The shape that the simulator collides, if it is not the box that the model tells. */
+    /** Adds the collision shape if it is not a box. */
     private static void addShape(JsonObject json, Shape shape) {
         if (shape instanceof Shape.Sphere ball) {
             json.addProperty("radius", ball.radius());

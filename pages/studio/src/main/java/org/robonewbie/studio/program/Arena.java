@@ -3,33 +3,33 @@ package org.robonewbie.studio.program;
 import java.util.OptionalInt;
 import java.util.function.BooleanSupplier;
 
-/** The pitch on which programs run, and whose state survives the change of a program. */
+/** The pitch on which programs run; its state survives the replacement of a program. */
 public interface Arena {
 
-    /** {@return the TCP port at which programs join; empty where they cannot} */
+    /** {@return the TCP port at which programs join; empty if there is none} */
     OptionalInt agentPort();
 
     /**
-     * Keeps the present moment, to go on from when another program has taken the place of the one that runs.
+     * Saves the current state, to be restored when another program has replaced the running one.
      *
-     * @return the moment
+     * @return the saved state
      */
     Moment keep();
 
-    /** Puts robots, ball, time and score back to the start. */
+    /** Resets robots, ball, time and score. */
     void reset();
 
-    /** Lets the clock go on, without which nobody can join. */
+    /** Resumes the clock; programs can join only while it runs. */
     void resume();
 
-    /** A kept moment. */
+    /** A saved state. */
     interface Moment {
 
         /**
-         * Waits until as many robots play as at this moment, and lets the world go on from it.
+         * Waits until as many robots play as in the saved state, then restores it.
          *
-         * @param stillWanted looked at now and then; false ends the waiting
+         * @param isWanted polled while waiting; false cancels
          */
-        void goOn(BooleanSupplier stillWanted);
+        void restore(BooleanSupplier isWanted);
     }
 }

@@ -4,60 +4,61 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.robonewbie.studio.completion.Proposal;
+import org.robonewbie.programs.Remark;
+import org.robonewbie.programs.completion.Proposal;
 
-/** Who compiles and starts students' programs for the pages. Any thread may ask. */
+/** Compiles and starts students' programs for the pages. Thread-safe. */
 public interface CompilerService {
 
-    /** {@return the folder of the programs; processes run in it} */
+    /** {@return folder of the programs, and working directory of their processes} */
     Path folder();
 
-    /** {@return names of the examples that can be read, in their order} */
+    /** {@return names of the available examples, in order} */
     List<String> examples();
 
     /**
-     * Reads an example.
+     * Returns the source of an example.
      *
      * @param name one of {@link #examples}
-     * @return its text; empty if there is none of this name
+     * @return its text; empty if there is no such example
      */
     Optional<String> example(String name);
 
     /**
-     * Returns a program to begin with.
+     * Returns the source of a new program.
      *
-     * @param file where it will be, which names class and package
-     * @param text what to take as its text, such as that of an example; empty for the shortest program that moves a robot
+     * @param file the future file, which determines class and package
+     * @param text the template, such as an example; empty for the shortest program that moves a robot
      * @return its text
      */
     String newProgram(Path file, Optional<String> text);
 
     /**
-     * Lets the compiler read a program that need not be saved, together with the other files of its folder.
+     * Compiles a possibly unsaved program together with the other files of its folder.
      *
-     * @param file where it is or will be
-     * @param text what is in the editor
-     * @return what the compiler says, in the order of the text
+     * @param file its current or future file
+     * @param text content of the editor
+     * @return the diagnostics, in text order
      */
     List<Remark> check(Path file, String text);
 
     /**
-     * Proposes what could be written at a place.
+     * Returns completion proposals.
      *
-     * @param file where the program is or will be
-     * @param text what is in the editor
-     * @param at index of the place
+     * @param file the current or future file of the program
+     * @param text content of the editor
+     * @param at index of the cursor
      * @return proposals, the most likely ones first
      */
     List<Proposal> complete(Path file, String text, int at);
 
     /**
-     * Compiles a saved program and starts it in a process of its own.
+     * Compiles a saved program and starts it in its own process.
      *
      * @param file the program
-     * @param beforeStart is called when the program can be started, before it is
-     * @param port where the simulator awaits it
-     * @return the process; empty if the program has mistakes, which {@link #check} names
+     * @param beforeStart called after a successful compilation, before the start
+     * @param port TCP port of the simulator
+     * @return the process; empty if the program has errors, which {@link #check} reports
      * @throws IOException if the process cannot be started
      * @throws IllegalArgumentException if this file cannot be run; the message says what to do
      */

@@ -22,18 +22,18 @@ import org.robonewbie.studio.file.PathPart;
 import org.robonewbie.studio.file.RefusedException;
 
 /**
- * Serves the room in which people write programs. A PATH leads from the studio's folder to a Java file.
+ * HTTP endpoint for the program editor. A PATH leads from the studio's folder to a Java file.
  *
  * <pre>
- * GET              /api/programs                    the files, drafts of unsaved work, and the examples
- * GET PUT          /api/programs/own/PATH           header Known-Version on PUT: what the page has seen, empty for a new file
+ * GET              /api/programs                    the files, drafts of unsaved changes, and the examples
+ * GET PUT          /api/programs/own/PATH           header Known-Version on PUT: the version the page has read, empty for a new file
  * GET              /api/programs/example/NAME
- * GET              /api/programs/new/PATH?example=NAME    what to begin with
+ * GET              /api/programs/new/PATH?example=NAME    the source of a new program
  * GET PUT DELETE   /api/programs/draft/PATH
- * POST             /api/programs/check/PATH         the text of the editor; answers what the compiler says
- * POST             /api/programs/complete/PATH?at=N the text of the editor; answers what could be written there
- * POST             /api/programs/run/PATH?world=keep    compiles the saved file, which takes the place of what runs
- * GET DELETE       /api/programs/run                how it runs; ends it
+ * POST             /api/programs/check/PATH         body: text of the editor; returns the compiler's diagnostics
+ * POST             /api/programs/complete/PATH?at=N body: text of the editor; returns completion proposals
+ * POST             /api/programs/run/PATH?world=keep    compiles the saved file and replaces the running program
+ * GET DELETE       /api/programs/run                state of the running program; DELETE stops it
  * </pre>
  */
 public final class ProgramApi extends Handler.Abstract {
@@ -48,10 +48,10 @@ public final class ProgramApi extends Handler.Abstract {
     private final Optional<ProgramService> service;
 
     /**
-     * Opens the room.
+     * Creates the endpoint.
      *
-     * @param compiler compiles and starts them; empty for a studio without programs
-     * @param arena where they run
+     * @param compiler compiles and starts programs; empty for a studio without programs
+     * @param arena the pitch on which they run
      */
     public ProgramApi(Optional<CompilerService> compiler, Arena arena) {
         Path folder = compiler.map(CompilerService::folder).orElse(Path.of(""));
@@ -61,7 +61,7 @@ public final class ProgramApi extends Handler.Abstract {
         this.service = compiler.map(given -> new ProgramService(given, arena));
     }
 
-    /** Ends the program that runs. */
+    /** Stops the running program. */
     public void close() {
         service.ifPresent(ProgramService::close);
     }
@@ -90,7 +90,7 @@ public final class ProgramApi extends Handler.Abstract {
         } catch (IOException problem) {
             return Answer.refused(
                     500,
-                    "The file cannot be used: " + problem.getMessage() + ". Is the folder " + folder.folder()
+                    "The file cannot be read or written: " + problem.getMessage() + ". Is the folder " + folder.folder()
                             + " writable, and is there room on the disk?");
         }
     }
@@ -114,7 +114,7 @@ public final class ProgramApi extends Handler.Abstract {
 
     private static RefusedException unknown(Request request, String place) {
         return new RefusedException(
-                404, "The studio does not know " + request.getMethod() + " " + place + ". Load the page again.");
+                404, "Unknown request: " + request.getMethod() + " " + place + ". Load the page again.");
     }
 
     private Answer fileAnswer(Request request, String order, String path) throws IOException {
@@ -123,7 +123,7 @@ public final class ProgramApi extends Handler.Abstract {
             case "GET draft" -> Answer.file(found(drafts.read(path), path));
             case "PUT own" -> {
                 String version = folder.write(path, body(request), known(request));
-                drafts.remove(path, version); // another window may have other unsaved work on it
+                drafts.remove(path, version); // another window may hold a different draft
                 yield Answer.written(version);
             }
             case "PUT draft" -> Answer.written(drafts.writeIfKnown(path, body(request), known(request)));
@@ -168,7 +168,7 @@ public final class ProgramApi extends Handler.Abstract {
     }
 
     private static <T> T found(Optional<T> content, String name) {
-        return content.orElseThrow(() -> new RefusedException(404, "There is no program \"" + name + "\"."));
+        return content.orElseThrow(() -> new RefusedException(404, "There is no program named \"" + name + "\"."));
     }
 
     private static String known(Request request) {

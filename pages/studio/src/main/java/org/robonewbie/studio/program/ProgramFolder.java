@@ -19,33 +19,34 @@ import org.robonewbie.studio.file.PageFolder;
 import org.robonewbie.studio.file.RefusedException;
 
 /**
- * The Java files of a folder that a page may read and write, and nothing else of this computer: those that lie in it, and those of
- * a project's {@code src/main/java}. They are known by their path from the folder on, with slashes.
+ * Java files that a page may read and write: those directly in a folder and those in its {@code src/main/java}. They are identified by
+ * their path relative to the folder, with slashes.
  */
 final class ProgramFolder extends PageFolder {
 
-    /** The largest program that pages read and write, in bytes. */
+    /** Maximum size of a program in bytes. */
     static final int MAX_BYTES = 1 << 20;
 
     private static final String ENDING = ".java";
     private static final String SOURCES = "src/main/java";
-    private static final int MOST_FILES = 500;
-    private static final int DEEPEST = 12;
+    private static final int MAX_FILES = 500;
+    private static final int MAX_DEPTH = 12;
     private static final Pattern PATH = Pattern.compile(
-            "(?:[\\p{L}_][\\p{L}\\p{N}_-]{0,79}/){0," + DEEPEST + "}[\\p{L}_$][\\p{L}\\p{N}_$]{0,79}\\.java");
+            "(?:[\\p{L}_][\\p{L}\\p{N}_-]{0,79}/){0," + MAX_DEPTH + "}[\\p{L}_$][\\p{L}\\p{N}_$]{0,79}\\.java");
 
     ProgramFolder(Path folder) {
         super(folder, MAX_BYTES);
     }
 
-    /** The files in alphabetical order, those of the folder itself first. */
+    /** All files in alphabetical order, those directly in the folder first. */
     List<Entry> list() throws IOException {
-        return entries(Stream.concat(paths(folder(), 1).stream(), paths(folder().resolve(SOURCES), DEEPEST).stream()));
+        return entries(
+                Stream.concat(paths(folder(), 1).stream(), paths(folder().resolve(SOURCES), MAX_DEPTH).stream()));
     }
 
-    /** All files below the folder, wherever they are. */
+    /** All files below the folder. */
     List<Entry> listAll() throws IOException {
-        return entries(paths(folder(), DEEPEST + 1).stream());
+        return entries(paths(folder(), MAX_DEPTH + 1).stream());
     }
 
     private List<String> paths(Path start, int depth) throws IOException {
@@ -60,7 +61,7 @@ final class ProgramFolder extends PageFolder {
                 return FileVisitResult.CONTINUE;
             }
 
-            /** Leaves out a folder that may not be read, and what is gone meanwhile. */
+            /** Skips unreadable folders and files that have just been deleted. */
             @Override
             public FileVisitResult visitFileFailed(Path place, IOException unreadable) throws IOException {
                 if (place.equals(start)) {
@@ -80,7 +81,7 @@ final class ProgramFolder extends PageFolder {
                 .map(file -> folder().relativize(file).toString().replace('\\', '/'))
                 .filter(path -> PATH.matcher(path).matches())
                 .sorted()
-                .limit(MOST_FILES)
+                .limit(MAX_FILES)
                 .toList();
     }
 
@@ -94,12 +95,14 @@ final class ProgramFolder extends PageFolder {
         boolean isPlain = Arrays.stream(path.split("/")).allMatch(FileName::isPortable);
         if (!isPlain || !PATH.matcher(path).matches()) {
             throw new RefusedException(
-                    400, "\"" + path + "\" is no name for a program. Use letters, digits and _, such as MyAgent.java.");
+                    400,
+                    "\"" + path
+                            + "\" is not a valid name for a program. Use letters, digits and _, such as MyAgent.java.");
         }
         Path file = folder().resolve(path);
         for (Path each = file; !each.equals(folder()); each = Objects.requireNonNull(each.getParent())) {
             if (Files.exists(each) && !each.toRealPath().startsWith(folder().toRealPath())) {
-                throw new RefusedException(403, "\"" + path + "\" is a link to a place outside of " + folder() + ".");
+                throw new RefusedException(403, "\"" + path + "\" is a link to a place outside " + folder() + ".");
             }
         }
         return file;

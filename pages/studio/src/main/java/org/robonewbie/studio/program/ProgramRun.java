@@ -1,32 +1,32 @@
 package org.robonewbie.studio.program;
 
 /**
- * How far the program is that a page has started.
+ * State of the program that a page has started.
  *
- * @param id number of the start, 0 if nothing was started yet
- * @param state where it is
+ * @param id number of the run, 0 before the first one
+ * @param state current stage
  * @param program path of its file
- * @param output the end of what it has printed
- * @param exitCode how its process has ended
+ * @param output the tail of its output
+ * @param exitCode exit code of its process
  */
 public record ProgramRun(long id, State state, String program, String output, int exitCode) {
 
     /** The state before the first start. */
     public static final ProgramRun NONE = new ProgramRun(0, State.NONE, "", "", 0);
 
-    /** The stages of a program. */
+    /** The stages of a run. */
     public enum State {
-        /** Nothing was started. */
+        /** No program has been started. */
         NONE,
-        /** The program is being compiled, or has not come to the pitch yet. */
+        /** The program is being compiled, or has not joined yet. */
         STARTING,
-        /** The program runs. */
+        /** The program is running. */
         RUNNING,
-        /** The program has ended by itself. */
+        /** The program has exited. */
         ENDED,
-        /** It was stopped. */
+        /** The program was stopped by the user. */
         STOPPED,
-        /** The compiler has refused it. */
+        /** The program has compile errors. */
         REFUSED
     }
 }

@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.robonewbie.studio.program.ProgramRun.State;
 
-/** Runs one program at a time on the pitch, and lets another version of it take its place while the world stands still. */
+/** Runs one program at a time. Hot swap: a new version takes over from the saved state of the world. */
 final class ProgramService implements AutoCloseable {
 
     private final CompilerService compiler;
@@ -20,16 +20,16 @@ final class ProgramService implements AutoCloseable {
     }
 
     /**
-     * Compiles a program and lets it take the place of the one that runs; if it has mistakes, that one runs on.
+     * Compiles a program and replaces the running one; on compile errors the old one keeps running.
      *
-     * @param path its path as pages know it
+     * @param path its path as used by pages
      * @param file its file
-     * @param fromTheStart whether the world begins again; else it goes on as it is
+     * @param fromTheStart whether the world is reset; else its state is kept
      */
     synchronized ProgramRun run(String path, Path file, boolean fromTheStart) throws IOException {
         int port = arena.agentPort()
                 .orElseThrow(() -> new IllegalArgumentException(
-                        "Programs cannot join this world from here. Start the studio by: robonewbie studio"));
+                        "Programs cannot join this world from here. Start the studio with: robonewbie studio"));
         starts++;
         ProgramRun before = state();
         last = new ProgramRun(starts, State.STARTING, path, "", 0);
@@ -50,7 +50,7 @@ final class ProgramService implements AutoCloseable {
         return state();
     }
 
-    /** What happens to the world while one program leaves and another one comes. */
+    /** Handling of the world's state while one program replaces another. */
     private final class Change {
 
         private final boolean fromTheStart;
@@ -74,11 +74,10 @@ final class ProgramService implements AutoCloseable {
         }
 
         void end(RunningProgram program) {
-            moment.ifPresent(kept -> kept.goOn(program::isRunning));
+            moment.ifPresent(kept -> kept.restore(program::isRunning));
         }
     }
 
-    /** Ends the program that runs. */
     synchronized ProgramRun stop() {
         last = state();
         running.filter(RunningProgram::isRunning).ifPresent(program -> {
@@ -89,7 +88,6 @@ final class ProgramService implements AutoCloseable {
         return last;
     }
 
-    /** The present state. */
     ProgramRun state() {
         ProgramRun now = last;
         return now.state() == State.RUNNING ? present(now) : now;

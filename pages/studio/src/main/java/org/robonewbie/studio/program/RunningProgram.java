@@ -1,18 +1,18 @@
 package org.robonewbie.studio.program;
 
-/** A student's program in a process of its own. Any thread may ask. */
+/** A student's program in its own process. Thread-safe. */
 public interface RunningProgram extends AutoCloseable {
 
-    /** {@return the end of what the program has printed} */
+    /** {@return the tail of the program's output} */
     String output();
 
-    /** {@return whether the process has not ended yet} */
+    /** {@return whether the process is alive} */
     boolean isRunning();
 
-    /** {@return how the process has ended; 0 while it runs} */
+    /** {@return exit code of the process; 0 while it runs} */
     int exitCode();
 
-    /** Ends the process; what it has printed until then can be read afterwards. */
+    /** Ends the process; its output remains readable. */
     @Override
     void close();
 }

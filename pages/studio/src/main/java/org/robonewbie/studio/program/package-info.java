@@ -1,8 +1,8 @@
 /**
- * Programs in the studio: pages write them, see the compiler's words while they type, and run them on the pitch. Read {@link
- * org.robonewbie.studio.program.CompilerService} first.
+ * The program editor of the studio: pages edit programs, show diagnostics while the user types, and run them on the pitch. Start with
+ * {@link org.robonewbie.studio.program.CompilerService}.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.studio.program;

@@ -9,17 +9,17 @@ import java.util.zip.DeflaterOutputStream;
 import java.util.zip.InflaterInputStream;
 
 /**
- * A place in a packed recording at which one can begin to read.
+ * Random-access point in a compressed recording.
  *
- * @param packedAt where the packed bytes go on, from the begin of the file
- * @param unpackedAt how many unpacked bytes lie before it
- * @param firstMoment index of the first cycle behind it
- * @param content what has to be known there, packed: the records that say how things stood, and the window of bytes before it
+ * @param packedAt offset of the following compressed bytes in the file
+ * @param unpackedAt number of uncompressed bytes before it
+ * @param firstMoment index of the first cycle after it
+ * @param content compressed decoder state: records that describe the world at this point, and the preceding window of bytes
  */
 @SuppressWarnings("ArrayRecordComponent")
 record EntryPoint(long packedAt, long unpackedAt, int firstMoment, byte[] content) {
 
-    /** What has to be known at an entry point. */
+    /** Decoder state at an entry point. */
     @SuppressWarnings("ArrayRecordComponent")
     record Known(byte[] records, byte[] window) {}
 

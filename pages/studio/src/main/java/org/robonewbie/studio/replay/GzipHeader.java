@@ -1,6 +1,6 @@
 package org.robonewbie.studio.replay;
 
-/** What stands before the packed bytes of a gzip file (RFC 1952). */
+/** Header of a gzip file (RFC 1952). */
 final class GzipHeader {
 
     private static final int FIXED_BYTES = 10;
@@ -11,7 +11,7 @@ final class GzipHeader {
 
     private GzipHeader() {}
 
-    /** Returns how long it is in the first bytes of a file; 0 if there are too few of them. */
+    /** Returns the length of the header; 0 if the bytes are too few. */
     static int length(byte[] bytes, int count) {
         if (count < FIXED_BYTES) {
             return 0;

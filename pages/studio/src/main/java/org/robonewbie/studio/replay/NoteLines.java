@@ -9,28 +9,28 @@ import org.robonewbie.protocol.telemetry.TelemetryItem.Picture;
 import org.robonewbie.protocol.telemetry.TelemetryLine;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 
-/** Chooses what is kept beside a recording of what robots log and draw, so that a replay shows it, and writes it as lines of JSON. */
+/** Selects the log entries and drawings that are stored beside a recording, and writes them as JSON lines. */
 public final class NoteLines {
 
-    private static final int MOST_ENTRIES = 2000;
-    private static final int MOST_LETTERS = 400;
-    private static final int MOST_DRAWN_LETTERS = 4_000_000;
+    private static final int MAX_ENTRIES = 2000;
+    private static final int MAX_CHARACTERS = 400;
+    private static final int MAX_DRAWN_CHARACTERS = 4_000_000;
     private static final double PICTURE_SECONDS = 0.099;
 
     private final Map<String, Double> lastPictures = new HashMap<>();
     private int entries;
-    private int drawnLetters;
+    private int drawnCharacters;
 
     /**
-     * Writes an entry of a log, of which a run has at most two thousand, or a picture, of which each robot has at most ten per
-     * second, up to four million letters in a run.
+     * Converts a message. A run keeps at most 2,000 log entries. It keeps at most ten drawings per second of each robot and four million
+     * characters of them.
      *
-     * @param message what a robot tells
-     * @return the line; empty if it is not kept
+     * @param message telemetry of a robot
+     * @return the line; empty if the message is not kept
      */
     public Optional<String> of(TelemetryMessage message) {
         if (message.item() instanceof LogEntry entry) {
-            return entry.level().equals("DEBUG") || entries >= MOST_ENTRIES
+            return entry.level().equals("DEBUG") || entries >= MAX_ENTRIES
                     ? Optional.empty()
                     : Optional.of(line(message, entry));
         }
@@ -45,7 +45,7 @@ public final class NoteLines {
         line.addProperty("level", entry.level());
         line.addProperty(
                 "text",
-                entry.text().substring(0, Math.min(MOST_LETTERS, entry.text().length())));
+                entry.text().substring(0, Math.min(MAX_CHARACTERS, entry.text().length())));
         return line.toString();
     }
 
@@ -59,10 +59,10 @@ public final class NoteLines {
         JsonObject json = new JsonObject();
         json.addProperty("drawn", TelemetryLine.write(message));
         String line = json.toString();
-        if (drawnLetters + line.length() > MOST_DRAWN_LETTERS) {
+        if (drawnCharacters + line.length() > MAX_DRAWN_CHARACTERS) {
             return Optional.empty();
         }
-        drawnLetters += line.length();
+        drawnCharacters += line.length();
         return Optional.of(line);
     }
 

@@ -12,16 +12,15 @@ import java.util.zip.Inflater;
 import org.robonewbie.simulator.recording.RecordingState;
 
 /**
- * Reads a packed recording as far as it goes and finds places in it at which one can begin to read. The file may grow between two
- * calls: reading goes on where it has ended.
+ * Incremental reader of a compressed recording that collects random-access points. The file may grow between two calls.
  *
- * <p>Such places are where the simulator has brought the file up to date: there the packed bytes {@code 00 00 FF FF} end a block
- * (RFC 1951, an empty stored block), so that what follows begins with a whole byte.
+ * <p>Random-access points are where the simulator has flushed the file: the compressed bytes {@code 00 00 FF FF} end a block there
+ * (RFC 1951, an empty stored block), so that the following block starts at a byte boundary.
  */
 final class PackedReader {
 
     private static final int CHUNK_BYTES = 1 << 16;
-    private static final int MOST_OUTPUT_BYTES = 1 << 16;
+    private static final int MAX_OUTPUT_BYTES = 1 << 16;
     private static final int BYTES_BETWEEN_POINTS = 1 << 18;
     private static final int MARK = 0x0000FFFF;
 
@@ -29,17 +28,17 @@ final class PackedReader {
     private final RecordingState state = new RecordingState(watch);
     private final UnpackedWindow window = new UnpackedWindow();
     private final Inflater inflater = new Inflater(true);
-    private final byte[] output = new byte[MOST_OUTPUT_BYTES];
+    private final byte[] output = new byte[MAX_OUTPUT_BYTES];
     private final List<EntryPoint> points = new ArrayList<>();
     private long read;
     private boolean damaged;
     private int lastFour = -1;
 
     /**
-     * Reads on.
+     * Continues to read.
      *
      * @param file the recording
-     * @param untilNanos when to pause, by {@link System#nanoTime}
+     * @param untilNanos deadline in terms of {@link System#nanoTime}
      * @return whether the end of the file was reached
      */
     boolean readOn(Path file, long untilNanos) throws IOException {
@@ -67,7 +66,7 @@ final class PackedReader {
         return true;
     }
 
-    /** Returns where the packed bytes begin; that is the first entry point. */
+    /** Adds the first entry point and returns the offset of the compressed bytes. */
     private int begin(ByteBuffer chunk) throws IOException {
         byte[] head = new byte[chunk.position()];
         chunk.duplicate().flip().get(head);
@@ -108,7 +107,7 @@ final class PackedReader {
         }
     }
 
-    /** {@return how many bytes of the file have been read} */
+    /** {@return the number of bytes of the file that have been read} */
     long read() {
         return read;
     }

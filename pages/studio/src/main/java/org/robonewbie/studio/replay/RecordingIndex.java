@@ -22,16 +22,15 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.simulator.file.RecordingGroup;
 
 /**
- * What there is in a recording and where, so that a page can begin to read at any moment of it. It is made once by reading the
- * whole recording and then kept beside it as {@code NAME.index}, unless the recording is so small that this is not worth a file.
- * That of a run that goes on grows with it. The recording itself is never changed.
+ * Index of a recording, by which a page can start to read at any cycle. Built once by reading the whole recording, and stored as
+ * {@code NAME.index} beside large ones. The index of a running recording grows with it. The recording itself is never changed.
  */
 final class RecordingIndex {
 
     private static final String MAGIC = "RoboNewbie index 1";
     private static final long WORTH_A_FILE_BYTES = 1_000_000;
     private static final int FINGERPRINT_BYTES = 4096;
-    private static final int MOST_PIECE_BYTES = 4_000_000;
+    private static final int MAX_PIECE_BYTES = 4_000_000;
     private static final int BUFFER_BYTES = 1 << 16;
 
     private final Optional<PackedReader> reader;
@@ -48,7 +47,7 @@ final class RecordingIndex {
         this.whole = reader.isEmpty();
     }
 
-    /** Opens the index of a recording: the one beside it if it fits, else an empty one that {@link #readOn} fills. */
+    /** Opens the index of a recording: the stored one if it matches, else an empty one to be filled by {@link #readOn}. */
     static RecordingIndex open(Path recording) throws IOException {
         Optional<RecordingIndex> kept = load(recording);
         if (kept.isPresent()) {
@@ -59,11 +58,11 @@ final class RecordingIndex {
     }
 
     /**
-     * Reads what the index does not know yet.
+     * Continues to build the index.
      *
-     * @param recording where the recording is now
-     * @param milliseconds after which to pause
-     * @throws IllegalArgumentException if it is no recording
+     * @param recording the current file of the recording
+     * @param milliseconds time limit of this call
+     * @throws IllegalArgumentException if the file is not a recording
      */
     synchronized void readOn(Path recording, long milliseconds) throws IOException {
         if (reader.isEmpty() || (whole && Files.size(recording) == reader.get().read())) {
@@ -78,7 +77,7 @@ final class RecordingIndex {
         }
     }
 
-    /** Whether a file is still the one that was read. */
+    /** Returns whether a file is still the indexed one. */
     synchronized boolean fits(Path recording) throws IOException {
         long size = Files.size(recording);
         boolean isLongEnough =
@@ -94,18 +93,18 @@ final class RecordingIndex {
         return whole;
     }
 
-    /** {@return index of the first cycle behind each entry point} */
+    /** {@return index of the first cycle after each entry point} */
     synchronized int[] firstMoments() {
         return points.stream().mapToInt(EntryPoint::firstMoment).toArray();
     }
 
     /**
-     * Reads a piece of the recording, from an entry point to the next one.
+     * Reads the part of the recording between two entry points.
      *
      * @param recording the recording
-     * @param piece number of the entry point
-     * @param skipped how many bytes of the piece are known already
-     * @return records of the recording, behind others that say how things stood; nothing if all is known
+     * @param piece number of the first entry point
+     * @param skipped number of bytes of the part to skip
+     * @return records of the recording, preceded by records that describe the state at the entry point; empty at the end
      */
     byte[] piece(Path recording, int piece, long skipped) throws IOException {
         List<EntryPoint> known;
@@ -132,7 +131,7 @@ final class RecordingIndex {
             ByteBuffer packed = ByteBuffer.allocate(BUFFER_BYTES);
             byte[] output = new byte[BUFFER_BYTES];
             long rest = length;
-            while (rest > 0 && piece.size() < skipped + MOST_PIECE_BYTES) {
+            while (rest > 0 && piece.size() < skipped + MAX_PIECE_BYTES) {
                 int count = inflater.inflate(output, 0, (int) Math.min(rest, output.length));
                 piece.write(output, 0, count);
                 rest -= count;
@@ -144,7 +143,7 @@ final class RecordingIndex {
                 }
             }
         } catch (DataFormatException endOfWhatIsGood) {
-            // What came before the break is good.
+            // Bytes before the damage are valid.
         } finally {
             inflater.end();
         }
@@ -201,7 +200,7 @@ final class RecordingIndex {
         }
     }
 
-    /** Tells recordings apart: by their first bytes, and by their last ones, in which gzip has its checksum. */
+    /** Identifies a recording by its first bytes, and by its last ones, which contain the gzip checksum. */
     private static long fingerprint(Path recording, long size) throws IOException {
         CRC32 sum = new CRC32();
         sum.update(bytesAt(recording, 0, FINGERPRINT_BYTES));

@@ -6,14 +6,14 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import org.robonewbie.simulator.file.RecordingGroup;
 
-/** The indexes of the recordings that pages have looked at last. */
+/** LRU cache of recording indexes. */
 final class RecordingIndexes {
 
-    private static final int MOST = 40;
+    private static final int CAPACITY = 40;
 
-    private final Map<Path, RecordingIndex> known = new LinkedHashMap<>(MOST, 0.75f, true);
+    private final Map<Path, RecordingIndex> known = new LinkedHashMap<>(CAPACITY, 0.75f, true);
 
-    /** {@return the index of a recording, as far as it is made} */
+    /** {@return the index of a recording, which may be incomplete} */
     RecordingIndex of(Path recording) throws IOException {
         Path key = RecordingGroup.of(recording).beside("");
         synchronized (known) {
@@ -25,7 +25,7 @@ final class RecordingIndexes {
         RecordingIndex fresh = RecordingIndex.open(recording);
         synchronized (known) {
             known.put(key, fresh);
-            while (known.size() > MOST) {
+            while (known.size() > CAPACITY) {
                 known.remove(known.keySet().iterator().next());
             }
         }

@@ -17,18 +17,18 @@ import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.studio.file.PlainFile;
 
 /**
- * All places in which the studio finds recordings: the user's shelf, the project, and a file that was opened by its name. Only what
- * is found here can be reached from a page, so that no path leads out of these folders.
+ * All places in which the studio finds recordings: the user's repository, the project, and a file opened by name. Pages can reach only
+ * the recordings found here, so that no path leads out of these folders.
  *
- * @param repository where runs are recorded by themselves; empty if nothing is recorded
+ * @param repository automatically recorded runs; empty if nothing is recorded
  * @param projects folders of the project
- * @param opened a recording that lies elsewhere
+ * @param opened a recording in any other folder
  */
 record RecordingPlaces(Optional<RecordingRepository> repository, List<Path> projects, Optional<Path> opened) {
 
     private static final long STILL_RUNNING_MILLIS = 4000;
 
-    /** {@return all recordings by the names under which pages know them; the newest of the shelf come first} */
+    /** {@return all recordings by the names that pages use; the newest of the repository come first} */
     Map<String, Path> all() throws IOException {
         Map<String, Path> all = new LinkedHashMap<>();
         for (Path file : files()) {
@@ -79,7 +79,7 @@ record RecordingPlaces(Optional<RecordingRepository> repository, List<Path> proj
         return Optional.ofNullable(all().get(name));
     }
 
-    /** Whether a recording belongs to the project: by its place, or because it was made there. */
+    /** Returns whether a recording belongs to the project: by its folder, or because it was made there. */
     boolean isOfProject(Path file, String madeIn) {
         return projects.stream().anyMatch(folder -> isIn(file, folder))
                 || (!madeIn.isEmpty()
@@ -92,12 +92,12 @@ record RecordingPlaces(Optional<RecordingRepository> repository, List<Path> proj
         return folder.toAbsolutePath().normalize().equals(file.getParent());
     }
 
-    /** Whether a recording has its end. */
+    /** Returns whether a recording is complete. */
     static boolean isFinished(Path file) {
         return !file.toString().endsWith(AtomicFile.UNFINISHED);
     }
 
-    /** Whether a recording is still being written. */
+    /** Returns whether a recording is still being written. */
     static boolean isRunning(Path file) {
         try {
             long age =

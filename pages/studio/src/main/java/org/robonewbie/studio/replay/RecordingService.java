@@ -19,8 +19,8 @@ import org.robonewbie.simulator.file.RecordingGroup;
 import org.robonewbie.simulator.file.RecordingRepository;
 
 /**
- * What people do with recordings: give them other names, stars and bookmarks, delete them and bring them back. A deleted one lies
- * for an hour in the folder {@code .removed} beside the others.
+ * Renames, stars, bookmarks, deletes and restores recordings. A deleted recording stays for an hour in the folder {@code .removed}
+ * beside the others.
  */
 final class RecordingService {
 
@@ -37,17 +37,16 @@ final class RecordingService {
         places.projects().forEach(RecordingService::emptyBin);
     }
 
-    /** Gives a recording another name. */
     synchronized void rename(String from, String to) throws IOException {
         RecordingGroup group = finished(from);
         if (from.equals(to)) {
             return;
         }
-        refuse(to);
+        requireValid(to);
         group.moveTo(folderOf(group.recording()), to);
     }
 
-    /** Takes a recording away; it can be brought back. */
+    /** Moves a recording to the bin. */
     synchronized void remove(String name) throws IOException {
         RecordingGroup group = finished(name);
         Path folder = folderOf(group.recording());
@@ -60,57 +59,57 @@ final class RecordingService {
         removed.put(name, moved);
     }
 
-    /** Brings a recording back that was taken away. */
+    /** Restores a recording from the bin. */
     synchronized void bringBack(String name) throws IOException {
         RecordingGroup group = removed.get(name);
         if (group == null || !Files.exists(group.recording())) {
             throw new IllegalArgumentException(
-                    "The recording \"" + name + "\" cannot be brought back: it was deleted more than an hour ago.");
+                    "The recording \"" + name + "\" cannot be restored: it was deleted more than an hour ago.");
         }
-        refuseTaken(name);
+        requireUnused(name);
         group.moveTo(folderOf(folderOf(group.recording())), group.name());
         removed.remove(name);
     }
 
-    /** Changes what is noted beside a recording. */
+    /** Changes the metadata of a recording. */
     synchronized void note(String name, UnaryOperator<RecordingAbout> change) throws IOException {
         Path recording = find(name);
         try {
             change.apply(RecordingAbout.of(recording)).write(recording);
         } catch (IOException e) {
-            throw new IOException(
-                    "nothing can be written into " + recording.getParent() + " (" + e.getMessage() + ")", e);
+            throw new IOException("cannot write to " + recording.getParent() + " (" + e.getMessage() + ")", e);
         }
     }
 
     private Path find(String name) throws IOException {
         return places.find(name)
                 .orElseThrow(
-                        () -> new IllegalArgumentException("There is no such recording any more. Choose another one."));
+                        () -> new IllegalArgumentException("This recording no longer exists. Choose another one."));
     }
 
     private RecordingGroup finished(String name) throws IOException {
         Path file = find(name);
         if (RecordingPlaces.isRunning(file)) {
             throw new IllegalArgumentException(
-                    "\"" + name + "\" is being recorded now. End the run first, or reset it in the room Field.");
+                    "\"" + name + "\" is still being recorded. Stop the run first, or reset it in the room Field.");
         }
         return RecordingGroup.of(file);
     }
 
-    private void refuse(String name) throws IOException {
+    private void requireValid(String name) throws IOException {
         boolean looksLikeFile = name.endsWith(AtomicFile.UNFINISHED) || name.endsWith(RecordingRepository.ENDING);
         if (!NAME.matcher(name).matches() || looksLikeFile || !FileName.isPortable(name)) {
             throw new IllegalArgumentException(
                     "A recording cannot be named \"" + name
                             + "\". Use letters, digits, blanks and . , ( ) + - _, at most 80, beginning with a letter or digit.");
         }
-        refuseTaken(name);
+        requireUnused(name);
     }
 
-    private void refuseTaken(String name) throws IOException {
+    private void requireUnused(String name) throws IOException {
         if (places.find(name).isPresent()) {
-            throw new IllegalArgumentException("There is a recording \"" + name + "\" already. Choose another name.");
+            throw new IllegalArgumentException(
+                    "There is already a recording named \"" + name + "\". Choose another name.");
         }
     }
 
@@ -118,7 +117,7 @@ final class RecordingService {
         return Objects.requireNonNull(file.toAbsolutePath().getParent());
     }
 
-    /** Deletes what has lain in the bin for longer than an hour; a bin that cannot be emptied stays as it is. */
+    /** Empties a bin that has been unchanged for an hour; errors are ignored. */
     private static void emptyBin(Path folder) {
         Path bin = folder.resolve(REMOVED);
         try (Stream<Path> files = Files.list(bin)) {

@@ -27,23 +27,23 @@ import org.robonewbie.studio.file.Answer;
 import org.robonewbie.studio.file.PathPart;
 
 /**
- * Serves recordings to the pages, and does with them what people want.
+ * HTTP endpoint for recordings.
  *
  * <pre>
- * GET /api/recordings                 all recordings, the newest first, with what people have noted
- * GET /api/cards/NAME                 its teams, score, length, events, and the ways of ball and robots
- * GET /api/index/NAME                 all of that, and at which cycles its pieces begin; at once, even if not all is read yet
- * GET /api/index/NAME?events=M&amp;pieces=N    only what has come since so many were known
+ * GET /api/recordings                 all recordings with their metadata, the newest first
+ * GET /api/cards/NAME                 summary: teams, score, length, events, and the trails of ball and robots
+ * GET /api/index/NAME                 the summary and the first cycle of each piece; returns immediately, even if incomplete
+ * GET /api/index/NAME?events=M&amp;pieces=N    only what follows the first M events and N pieces
  * GET /api/pieces/NAME?piece=N&amp;skip=M   the N-th piece without its first M bytes
- * GET /api/log/NAME                   the recording as the log of a SimSpark server, packed with gzip
- * GET /api/notes/NAME?skip=M          what robots logged and drew meanwhile, one line of JSON each, without the first M bytes
+ * GET /api/log/NAME                   the recording as a log of a SimSpark server, compressed with gzip
+ * GET /api/notes/NAME?skip=M          log entries and drawings as JSON lines, without the first M bytes
  * GET /api/models                     the bodies of all robot types
  * PUT /api/recordings/NAME?was=OLD    renames the recording OLD
- * PUT /api/recordings/NAME?removed=yes     brings a deleted one back
- * DELETE /api/recordings/NAME         deletes it
- * PUT, DELETE /api/stars/NAME         gives it a star, which keeps it, or takes the star away
+ * PUT /api/recordings/NAME?removed=yes     restores a deleted recording
+ * DELETE /api/recordings/NAME         deletes the recording
+ * PUT, DELETE /api/stars/NAME         sets or removes the star, which protects the recording from automatic deletion
  * PUT /api/bookmarks/NAME?seconds=T&amp;note=TEXT    adds a bookmark
- * DELETE /api/bookmarks/NAME?seconds=T     takes it away
+ * DELETE /api/bookmarks/NAME?seconds=T     removes the bookmark
  * </pre>
  */
 public final class ReplayApi extends Handler.Abstract {
@@ -53,8 +53,8 @@ public final class ReplayApi extends Handler.Abstract {
     private static final List<String> CHANGED = List.of("recordings", "stars", "bookmarks");
     private static final List<String> METHODS = List.of("GET", "PUT", "DELETE");
     private static final String BYTES = "application/octet-stream";
-    private static final long PATIENCE_MILLIS = 250;
-    private static final String GONE = "There is no such recording any more. Choose another one.";
+    private static final long TIME_LIMIT_MILLIS = 250;
+    private static final String GONE = "This recording no longer exists. Choose another one.";
 
     private final RecordingPlaces places;
     private final RecordingService service;
@@ -62,11 +62,11 @@ public final class ReplayApi extends Handler.Abstract {
     private final String models;
 
     /**
-     * Opens the room.
+     * Creates the endpoint.
      *
-     * @param repository where runs are recorded by themselves; empty if nothing is recorded
-     * @param projects folders of the project in which there may be recordings
-     * @param opened a recording that lies elsewhere
+     * @param repository automatically recorded runs; empty if nothing is recorded
+     * @param projects folders of the project that may contain recordings
+     * @param opened a recording in any other folder
      * @param models the bodies of all robot types as JSON, by type
      */
     public ReplayApi(
@@ -97,7 +97,7 @@ public final class ReplayApi extends Handler.Abstract {
         } catch (IllegalArgumentException | DamagedRecordingException refused) {
             answer = Answer.refused(409, refused.getMessage());
         } catch (IOException problem) {
-            String text = "This cannot be done with the recording: " + problem.getMessage()
+            String text = "The recording cannot be read or written: " + problem.getMessage()
                     + ". Is its folder writable, and is there room on the disk?";
             answer = Answer.refused(500, text);
         }
@@ -164,7 +164,7 @@ public final class ReplayApi extends Handler.Abstract {
 
     private String index(Path file, Fields parameters) throws IOException {
         RecordingIndex index = indexes.of(file);
-        index.readOn(file, PATIENCE_MILLIS);
+        index.readOn(file, TIME_LIMIT_MILLIS);
         boolean isFirst = parameters.getValue("events") == null;
         RunSummary known = index.summary();
         JsonObject json = isFirst ? new Gson().toJsonTree(known).getAsJsonObject() : new JsonObject();
@@ -208,16 +208,16 @@ public final class ReplayApi extends Handler.Abstract {
                 return seconds;
             }
         } catch (NumberFormatException none) {
-            // refused below
+            // Refused below.
         }
-        throw new IllegalArgumentException("The moment of the bookmark is missing. Load the page again.");
+        throw new IllegalArgumentException("The time of the bookmark is missing. Load the page again.");
     }
 
     /**
-     * Looks up a recording.
+     * Finds a recording.
      *
      * @param name its name in the list
-     * @return its file; empty if there is none of that name
+     * @return its file; empty if there is none
      */
     public Optional<Path> recording(String name) {
         try {
@@ -239,7 +239,7 @@ public final class ReplayApi extends Handler.Abstract {
         return json.toString();
     }
 
-    /** Empty if the file has just gone. */
+    /** Describes a recording; empty if the file has just been deleted. */
     private Optional<JsonObject> describe(String name, Path file) throws IOException {
         try {
             RecordingAbout about = RecordingAbout.of(file);

@@ -16,8 +16,8 @@ import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.studio.file.PlainFile;
 
 /**
- * Stores the robots' log lines and drawings next to the recording of the run, one line of JSON each, so that a replay shows them
- * on its time line and in its field. They are not part of the recording, which is the same for the same seed whoever watches.
+ * Stores the robots' log entries and drawings as JSON lines beside the recording of the run. They are not part of the recording, so
+ * that the recording depends on the seed only, not on the watched robots.
  */
 public final class RunNotes {
 
@@ -27,18 +27,18 @@ public final class RunNotes {
     private boolean diskFull;
 
     /**
-     * Opens the notes of the run that is being recorded.
+     * Creates the notes of the run that is being recorded.
      *
-     * @param repository where the recordings are; empty if nothing is recorded
+     * @param repository the recordings; empty if nothing is recorded
      */
     public RunNotes(Optional<RecordingRepository> repository) {
         this.repository = repository;
     }
 
     /**
-     * Keeps a line of a log or a picture, if there is a recording to which it belongs.
+     * Stores a log entry or drawing if there is a recording to which it belongs.
      *
-     * @param message what a robot tells
+     * @param message telemetry of a robot
      */
     public void keep(TelemetryMessage message) {
         if (!diskFull) {
@@ -59,7 +59,7 @@ public final class RunNotes {
         }
     }
 
-    /** Opens the notes of the recording that is being written, and deletes notes whose recording is gone. */
+    /** Finds the notes file of the running recording, and deletes notes whose recording no longer exists. */
     private Optional<Path> begin() throws IOException {
         if (repository.isEmpty()) {
             return Optional.empty();
@@ -75,17 +75,17 @@ public final class RunNotes {
                 .map(RunNotes::of);
     }
 
-    /** The notes that belong to a recording. */
+    /** The notes file of a recording. */
     static Path of(Path recording) {
         return RecordingGroup.of(recording).beside(RecordingGroup.NOTES);
     }
 
     /**
-     * Reads the notes of a recording, without those that are known already.
+     * Reads the notes of a recording.
      *
      * @param recording the recording
-     * @param skipped how many bytes are known
-     * @return the lines behind them, only whole ones; nothing if there are no notes
+     * @param skipped number of bytes to skip
+     * @return complete lines only; empty if there are no notes
      */
     static byte[] read(Path recording, long skipped) throws IOException {
         if (!Files.isRegularFile(of(recording)) || !PlainFile.isInItsFolder(of(recording))) {

@@ -5,20 +5,20 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * What people want to know of a recording before they open it, and what a page needs to open it at any moment.
+ * Summary of a recording for its preview card, and the data that a page needs to open it at any cycle.
  *
  * @param count number of its cycles
- * @param firstCycle number of the first one since the start of the simulation
+ * @param firstCycle simulation cycle of its first frame
  * @param left name of the left team, empty if there was none
  * @param right name of the right team, empty if there was none
- * @param score goals of the left and of the right team at the end
- * @param robots how many robots took part at most at the same time
+ * @param score final score of the left and the right team
+ * @param robots maximum number of robots at the same time
  * @param pitch length and width of the field in metres
- * @param ball way of the ball
- * @param ways of the robots
- * @param events what happened, the earliest first
- * @param rosters who was on the pitch, and in how many cycles
- * @param header of the recording
+ * @param ball trail of the ball
+ * @param ways trails of the robots
+ * @param events events in chronological order
+ * @param rosters line-ups with the number of cycles of each
+ * @param header header of the recording
  */
 record RunSummary(
         int count,
@@ -35,40 +35,39 @@ record RunSummary(
         Map<String, String> header) {
 
     /**
-     * The way of a robot.
+     * Trail of a robot.
      *
-     * @param side 0 without a team, 1 for the left team, 2 for the right one
-     * @param places x and y in metres, evenly over the time in which it was there
+     * @param side 0 without a team, 1 for the left team, 2 for the right team
+     * @param places x and y in metres, sampled evenly over its presence
      */
     record Way(int side, List<List<Double>> places) {}
 
     /**
-     * Something that happened.
+     * An event in the recording.
      *
-     * @param index of the cycle in the recording
+     * @param index index of the cycle in the recording
      * @param kind goal, foul, playmode or fall
-     * @param text what the recording says of it
+     * @param text description from the recording
      */
     record Event(int index, String kind, String text) {}
 
     /**
-     * Robots that were on the pitch together.
+     * Line-up of robots.
      *
-     * @param robots in the order of the recording
-     * @param cycles for how long
+     * @param robots the robots in the order of the recording
+     * @param cycles number of cycles
      */
     record Roster(List<Member> robots, int cycles) {}
 
     /**
-     * A robot as pages know it.
+     * A robot of a line-up.
      *
-     * @param type such as {@code TYPE_0}
-     * @param number on its shirt
+     * @param type body type such as {@code TYPE_0}
+     * @param number player number
      * @param team name of its team
      */
     record Member(String type, int number, String team) {}
 
-    /** {@return all of it as JSON} */
     String json() {
         return new Gson().toJson(this);
     }
@@ -77,7 +76,7 @@ record RunSummary(
         return new Gson().fromJson(json, RunSummary.class);
     }
 
-    /** {@return what stands on its card, as JSON} */
+    /** {@return the part for the preview card, as JSON} */
     String card() {
         return new Gson()
                 .toJson(new RunSummary(

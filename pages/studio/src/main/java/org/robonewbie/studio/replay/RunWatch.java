@@ -10,7 +10,7 @@ import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.simulator.recording.ListedRobot;
 import org.robonewbie.simulator.recording.RecordingState;
 
-/** Watches a recording while it is read and gathers what there is to know of it. */
+/** Builds the summary of a recording while it is being read. */
 final class RunWatch implements RecordingState.Listener {
 
     private static final List<String> KINDS = List.of("goal", "foul", "playmode");
@@ -76,7 +76,7 @@ final class RunWatch implements RecordingState.Listener {
         return steps / RecordingState.STEPS_PER_METRE;
     }
 
-    /** {@return the number of cycles so far} */
+    /** {@return the number of cycles read so far} */
     int count() {
         return count;
     }

@@ -3,10 +3,10 @@ package org.robonewbie.studio.replay;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A way over the pitch, in at most 256 places however long the run is: later ones are farther apart in time. */
+/** Trail over the pitch with at most 256 points; the sampling interval doubles whenever the limit is reached. */
 final class Trail {
 
-    private static final int MOST_PLACES = 256;
+    private static final int MAX_PLACES = 256;
     private static final double HUNDREDTHS = 100;
 
     private final List<List<Double>> places = new ArrayList<>();
@@ -16,7 +16,7 @@ final class Trail {
     void add(double x, double y) {
         if (cycles % cyclesPerPlace == 0) {
             places.add(List.of(rounded(x), rounded(y)));
-            if (places.size() == MOST_PLACES) {
+            if (places.size() == MAX_PLACES) {
                 dropEverySecond();
             }
         }
@@ -24,10 +24,10 @@ final class Trail {
     }
 
     private void dropEverySecond() {
-        for (int i = 0; i < MOST_PLACES / 2; i++) {
+        for (int i = 0; i < MAX_PLACES / 2; i++) {
             places.set(i, places.get(2 * i));
         }
-        places.subList(MOST_PLACES / 2, MOST_PLACES).clear();
+        places.subList(MAX_PLACES / 2, MAX_PLACES).clear();
         cyclesPerPlace *= 2;
     }
 
@@ -35,7 +35,7 @@ final class Trail {
         return Math.round(metres * HUNDREDTHS) / HUNDREDTHS;
     }
 
-    /** {@return the places, x and y in metres, evenly over the run} */
+    /** {@return points with x and y in metres, sampled evenly over the run} */
     List<List<Double>> places() {
         return List.copyOf(places);
     }

@@ -1,6 +1,6 @@
 package org.robonewbie.studio.replay;
 
-/** The last 32 KiB of an unpacked stream, to which the packed bytes that follow may refer. */
+/** Sliding window of DEFLATE: the last 32 KiB of the uncompressed stream, to which following bytes may refer. */
 final class UnpackedWindow {
 
     private static final int BYTES = 1 << 15;
@@ -15,7 +15,7 @@ final class UnpackedWindow {
         written += count;
     }
 
-    /** {@return how many bytes there were so far} */
+    /** {@return the total number of bytes added} */
     long written() {
         return written;
     }

@@ -1,7 +1,7 @@
 /**
- * The server's side of the replay: recordings for the pages. Read {@link org.robonewbie.studio.replay.ReplayApi} first.
+ * Server side of the replay. Start with {@link org.robonewbie.studio.replay.ReplayApi}.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.studio.replay;

@@ -12,33 +12,33 @@ import java.util.Optional;
 import java.util.TreeMap;
 
 /**
- * What teams have drawn for RoboViz: sets of shapes with two buffers each. Shapes go to the hidden one and appear at the next swap
- * of their set, which empties the new hidden one, so that a swap without shapes erases. May be used by any thread.
+ * Drawings of teams in RoboViz's model: sets of shapes with double buffering. Shapes go to the back buffer and appear at the next swap of
+ * their set. A swap clears the new back buffer, so that a swap without shapes erases the set. Thread-safe.
  */
 public final class RoboVizFeed {
 
-    /** The set of the texts above robots, which need no swap. */
+    /** Name of the set of texts above robots, which need no swap. */
     static final String AGENT_TEXTS = "texts above robots";
 
-    private static final int MOST_SETS = 300;
-    private static final int MOST_SHAPES = 2000;
+    private static final int MAX_SETS = 300;
+    private static final int MAX_SHAPES = 2000;
 
     private final Map<String, List<RoboVizCommand.Draw>> hidden = new LinkedHashMap<>();
     private final Map<String, Sheet> shown = new TreeMap<>();
     private final Map<String, RoboVizCommand.AgentText> agentTexts = new TreeMap<>();
     private int revision;
 
-    /** What is to be seen of a set, and since which revision of the board. */
+    /** Front buffer of a set, and the revision of its last change. */
     private record Sheet(int revision, JsonArray shapes) {}
 
-    /** Creates an empty board. */
+    /** Creates an empty feed. */
     public RoboVizFeed() {}
 
-    synchronized void obey(Collection<RoboVizCommand> commands) {
-        commands.forEach(this::obey);
+    synchronized void execute(Collection<RoboVizCommand> commands) {
+        commands.forEach(this::execute);
     }
 
-    private void obey(RoboVizCommand command) {
+    private void execute(RoboVizCommand command) {
         if (command instanceof RoboVizCommand.Draw draw) {
             draw(draw);
         } else if (command instanceof RoboVizCommand.Swap swap) {
@@ -50,11 +50,11 @@ public final class RoboVizFeed {
 
     private void draw(RoboVizCommand.Draw draw) {
         List<RoboVizCommand.Draw> shapes = hidden.get(draw.set());
-        if (shapes == null && hidden.size() < MOST_SETS) {
+        if (shapes == null && hidden.size() < MAX_SETS) {
             shapes = new ArrayList<>();
             hidden.put(draw.set(), shapes);
         }
-        if (shapes != null && shapes.size() < MOST_SHAPES) {
+        if (shapes != null && shapes.size() < MAX_SHAPES) {
             shapes.add(draw);
         }
     }
@@ -106,16 +106,16 @@ public final class RoboVizFeed {
         return json;
     }
 
-    /** {@return how often the board has changed} */
+    /** {@return the number of changes so far} */
     public synchronized int revision() {
         return revision;
     }
 
     /**
-     * Writes the sets that have changed.
+     * Returns the sets that have changed since a revision.
      *
-     * @param known the revision that a page knows, 0 for none
-     * @return one JSON object for the page; empty if there is nothing new
+     * @param known the last revision that a page has received, 0 for none
+     * @return one JSON object; empty if nothing has changed
      */
     public synchronized Optional<String> since(int known) {
         JsonObject sets = new JsonObject();

@@ -7,16 +7,16 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 
 /**
- * Listens for drawings in RoboViz's protocol, on this computer only.
+ * UDP receiver of drawings in RoboViz's protocol, on the loopback interface only.
  *
  * <pre>{@code
- * RoboVizPort port = RoboVizPort.open(RoboVizPort.USUAL, studio.drawings());
+ * RoboVizPort port = RoboVizPort.open(RoboVizPort.DEFAULT, studio.drawings());
  * }</pre>
  */
 public final class RoboVizPort implements AutoCloseable {
 
-    /** Where teams send their drawings. */
-    public static final int USUAL = 32769;
+    /** Default UDP port of RoboViz. */
+    public static final int DEFAULT = 32769;
 
     private final DatagramSocket socket;
     private final RoboVizFeed board;
@@ -27,12 +27,12 @@ public final class RoboVizPort implements AutoCloseable {
     }
 
     /**
-     * Begins to listen.
+     * Starts to receive.
      *
      * @param port UDP port of 127.0.0.1, 0 for any free one
-     * @param board where the drawings appear
+     * @param board receives the drawings
      * @return the open port
-     * @throws IOException if it cannot be opened; the message says what to do
+     * @throws IOException if the port cannot be opened; the message says what to do
      */
     public static RoboVizPort open(int port, RoboVizFeed board) throws IOException {
         try {
@@ -50,20 +50,20 @@ public final class RoboVizPort implements AutoCloseable {
         }
     }
 
-    /** {@return the number of the port} */
+    /** {@return the UDP port} */
     public int number() {
         return socket.getLocalPort();
     }
 
     private void listen() {
-        byte[] bytes = new byte[RoboVizReader.LONGEST];
+        byte[] bytes = new byte[RoboVizReader.MAX_DATAGRAM_BYTES];
         while (!socket.isClosed()) {
             try {
                 DatagramPacket datagram = new DatagramPacket(bytes, bytes.length);
                 socket.receive(datagram);
-                board.obey(RoboVizReader.read(bytes, datagram.getLength()));
+                board.execute(RoboVizReader.read(bytes, datagram.getLength()));
             } catch (IOException closedOrBroken) {
-                // A closed port ends the loop; a broken datagram is left out.
+                // A closed port ends the loop; a malformed datagram is ignored.
             }
         }
     }

@@ -9,18 +9,18 @@ import java.util.Locale;
 import org.robonewbie.nao.TeamSide;
 
 /**
- * Reads datagrams of RoboViz's drawing protocol. Numbers are six ASCII characters, colours three bytes, texts UTF-8 that ends with a
- * zero byte. The first command that cannot be read makes the rest of its datagram be ignored, as in RoboViz.
+ * Parser of RoboViz's drawing protocol. Numbers are six ASCII characters, colours three bytes, texts zero-terminated UTF-8. As in RoboViz,
+ * the first malformed command discards the rest of its datagram.
  */
 final class RoboVizReader {
 
-    /** Longer datagrams are cut. */
-    static final int LONGEST = 512;
+    /** Longer datagrams are truncated. */
+    static final int MAX_DATAGRAM_BYTES = 512;
 
     private static final int NUMBER_BYTES = 6;
-    private static final double FARTHEST = 1e4;
+    private static final double MAX_COORDINATE = 1e4;
     private static final int RIGHT_TEAM = 128;
-    private static final int MOST_PLAYERS = 11;
+    private static final int MAX_PLAYERS = 11;
     private static final String[] SHAPES = {"circle", "line", "point", "sphere", "polygon"};
     private static final int[] NUMBERS = {4, 7, 4, 4};
     private static final int POLYGON = 4;
@@ -31,9 +31,9 @@ final class RoboVizReader {
         this.bytes = bytes;
     }
 
-    /** Returns all commands up to the first faulty one. */
+    /** Returns all commands before the first malformed one. */
     static List<RoboVizCommand> read(byte[] datagram, int length) {
-        RoboVizReader reader = new RoboVizReader(ByteBuffer.wrap(datagram, 0, Math.min(length, LONGEST)));
+        RoboVizReader reader = new RoboVizReader(ByteBuffer.wrap(datagram, 0, Math.min(length, MAX_DATAGRAM_BYTES)));
         List<RoboVizCommand> commands = new ArrayList<>();
         try {
             while (reader.bytes.hasRemaining()) {
@@ -111,7 +111,7 @@ final class RoboVizReader {
 
     private int robot() throws FaultyException {
         int robot = number8();
-        if (robot % RIGHT_TEAM >= MOST_PLAYERS) {
+        if (robot % RIGHT_TEAM >= MAX_PLAYERS) {
             throw new FaultyException();
         }
         return robot;
@@ -140,7 +140,7 @@ final class RoboVizReader {
         bytes.get(letters);
         try {
             double value = Double.parseDouble(new String(letters, StandardCharsets.US_ASCII).strip());
-            if (Math.abs(value) <= FARTHEST) {
+            if (Math.abs(value) <= MAX_COORDINATE) {
                 return value;
             }
         } catch (NumberFormatException noNumber) {

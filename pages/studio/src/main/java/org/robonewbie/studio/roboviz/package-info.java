@@ -1,8 +1,7 @@
 /**
- * Takes what teams draw for RoboViz: datagrams of its drawing protocol (UDP port 32769). Read {@link
- * org.robonewbie.studio.roboviz.RoboVizPort} first.
+ * Drawings in RoboViz's protocol (UDP port 32769). Start with {@link org.robonewbie.studio.roboviz.RoboVizPort}.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.studio.roboviz;

@@ -5,36 +5,36 @@ import org.robonewbie.nao.SoccerField;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.state.WorldState;
 
-/** The running simulation, as scenes need it. */
+/** A running simulation whose state can be saved and restored. */
 public interface RestorableSimulation {
 
     /** {@return the pitch} */
     SoccerField field();
 
     /**
-     * {@return the present state}
-     * @throws IllegalStateException if there was none yet
+     * {@return the current state}
+     * @throws IllegalStateException if the simulation has not started
      */
     WorldSnapshot now();
 
-    /** {@return the present state to the bit; empty where it cannot be saved, as in a server of another process} */
+    /** {@return the bit-exact state; empty if the simulation cannot save it, for example in another process} */
     Optional<WorldState> save();
 
     /**
-     * Goes on from a state, with the clock stopped: to the bit if it was saved so and the same robots play now, else nearly.
-     * Puppets stand in for robots that do not play now.
+     * Restores a checkpoint and pauses the clock. The restoration is exact if the checkpoint has an exact state and the same robots play
+     * now, else approximate. Puppets replace robots that have left.
      *
-     * @param moment the state
-     * @return how much of it is as it was
-     * @throws IllegalStateException if that is not possible; the message says why
+     * @param moment the checkpoint
+     * @return how exact the restoration is
+     * @throws IllegalStateException if the checkpoint cannot be restored; the message gives the reason
      */
-    Restored goOnFrom(Checkpoint moment);
+    Restored restore(Checkpoint moment);
 
     /**
-     * How much of a kept moment is back.
+     * Result of a restoration.
      *
-     * @param exact whether the world is as it was to the bit; else speeds are estimated
-     * @param agents how many agents have taken on their own states, which they offered when the moment was saved
+     * @param exact whether the world is restored bit for bit; else velocities are estimated
+     * @param agents number of agents that have restored their own states
      */
     record Restored(boolean exact, int agents) {}
 }

@@ -18,18 +18,18 @@ import org.robonewbie.studio.file.Answer;
 import org.robonewbie.studio.file.PathPart;
 
 /**
- * Stores scenes and starts from them, and from any moment of a recording.
+ * HTTP endpoint for scenes: saves them, and continues from them or from any cycle of a recording.
  *
  * <pre>
- * GET  /api/scenes                  the names of all scenes
- * PUT  /api/scenes/NAME             saves the present state; header Replace: yes overwrites an older scene
+ * GET  /api/scenes                  names of all scenes
+ * PUT  /api/scenes/NAME             saves the current state; header Replace: yes overwrites an existing scene
  * PUT  /api/scenes/NAME?was=OLD     renames the scene OLD
- * DELETE /api/scenes/NAME           removes it; this can be undone
- * POST /api/scenes/NAME             continues from it
- * POST /api/start/RECORDING?moment=N    continues from the N-th moment of a recording
+ * DELETE /api/scenes/NAME           deletes the scene; can be undone
+ * POST /api/scenes/NAME             restores the scene
+ * POST /api/start/RECORDING?moment=N    continues from the N-th cycle of a recording
  * </pre>
  *
- * <p>The answer to the last two says whether the world is now as it was to the bit, and how many agents have taken on their own states.
+ * <p>The last two return whether the state is exact and how many agents have restored their own states.
  */
 public final class SceneApi extends Handler.Abstract {
 
@@ -41,12 +41,12 @@ public final class SceneApi extends Handler.Abstract {
     private final Function<String, Optional<Path>> recordings;
 
     /**
-     * Opens the room.
+     * Creates the endpoint.
      *
-     * @param folder where scenes are saved; it need not exist
+     * @param folder folder of the saved scenes; it need not exist
      * @param world the running simulation
-     * @param done takes what was done to the files, so that it can be undone
-     * @param recordings finds recordings by their names
+     * @param done receives changes of files for the undo stack
+     * @param recordings finds recordings by name
      */
     public SceneApi(
             Path folder,
@@ -71,8 +71,8 @@ public final class SceneApi extends Handler.Abstract {
         } catch (UnwritableFileException unwritable) {
             Answer.refused(500, unwritable.getMessage()).send(response, callback);
         } catch (IOException problem) {
-            String text = "The scene cannot be used: " + problem.getMessage() + ". Is the folder " + folder.folder()
-                    + " writable, and is there room on the disk?";
+            String text = "The scene cannot be read or written: " + problem.getMessage() + ". Is the folder "
+                    + folder.folder() + " writable, and is there room on the disk?";
             Answer.refused(500, text).send(response, callback);
         }
         return true;
@@ -93,7 +93,7 @@ public final class SceneApi extends Handler.Abstract {
         Path file = recordings
                 .apply(name)
                 .orElseThrow(
-                        () -> new IllegalArgumentException("There is no such recording any more. Choose another one."));
+                        () -> new IllegalArgumentException("This recording no longer exists. Choose another one."));
         String why = file.toString().endsWith(AtomicFile.UNFINISHED)
                 ? " on the disk yet. Try again in a second."
                 : SceneService.ENDS_BEFORE;
@@ -107,7 +107,7 @@ public final class SceneApi extends Handler.Abstract {
             return Long.parseLong(
                     String.valueOf(Request.extractQueryParameters(request).getValue("moment")));
         } catch (NumberFormatException noNumber) {
-            throw new IllegalArgumentException("The moment to start from is missing. Load the page again.", noNumber);
+            throw new IllegalArgumentException("The cycle to start from is missing. Load the page again.", noNumber);
         }
     }
 

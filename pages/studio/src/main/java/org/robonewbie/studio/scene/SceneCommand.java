@@ -2,12 +2,12 @@ package org.robonewbie.studio.scene;
 
 import java.io.IOException;
 
-/** What was done to a scene that is kept. */
+/** Undoable commands for saved scenes. */
 final class SceneCommand {
 
     private SceneCommand() {}
 
-    /** Removes a scene. */
+    /** Deletes a scene and returns the command that undoes it. */
     static UndoableCommand removed(SceneStore store, String scene) throws IOException {
         SceneStore.Removed first = store.remove(scene);
         return new UndoableCommand() {
@@ -32,7 +32,7 @@ final class SceneCommand {
         };
     }
 
-    /** Remembers that a scene was renamed. */
+    /** Returns the command for a renaming that has been done. */
     static UndoableCommand renamed(SceneStore store, String from, String to) {
         return new UndoableCommand() {
             @Override

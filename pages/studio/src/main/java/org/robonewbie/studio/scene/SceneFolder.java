@@ -23,9 +23,9 @@ import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.studio.file.PlainFile;
 
 /**
- * The folder of saved scenes. A scene is a recording of one cycle, so whatever shows recordings shows it too.
+ * Folder of saved scenes. A scene is a recording of one cycle, so that every viewer of recordings can show it.
  *
- * @param folder where the files are; it need not exist
+ * @param folder the folder; it need not exist
  */
 record SceneFolder(Path folder) implements SceneStore {
 
@@ -51,7 +51,7 @@ record SceneFolder(Path folder) implements SceneStore {
     public void save(String name, SoccerField field, Checkpoint moment, boolean replace) throws IOException {
         Path file = file(name);
         if (!replace) {
-            refuseTaken(name);
+            requireUnused(name);
         }
         Files.createDirectories(folder);
         try {
@@ -70,7 +70,7 @@ record SceneFolder(Path folder) implements SceneStore {
         }
     }
 
-    /** Whenever this process is killed, no scene has the exact state of another one. */
+    /** Replaces the files in an order that never pairs a scene with the exact state of another one, even if the process is killed. */
     private static void replace(Path scene, boolean hasState) throws IOException {
         Files.deleteIfExists(exact(scene));
         AtomicFile.moveIntoPlace(scene);
@@ -84,18 +84,18 @@ record SceneFolder(Path folder) implements SceneStore {
         Path kept = removed(name);
         move(file(name), kept, name);
         return () -> {
-            refuseTaken(name);
+            requireUnused(name);
             move(kept, file(name), name);
         };
     }
 
     @Override
     public void rename(String from, String to) throws IOException {
-        refuseTaken(to);
+        requireUnused(to);
         move(file(from), file(to), from);
     }
 
-    private void refuseTaken(String name) {
+    private void requireUnused(String name) {
         if (Files.exists(file(name))) {
             throw SceneStore.taken(name);
         }
@@ -122,7 +122,7 @@ record SceneFolder(Path folder) implements SceneStore {
         }
     }
 
-    /** Reads the state to the bit; a scene without, or with one of another version, is still good for a start nearby. */
+    /** Loads the exact state. Without one, or with one of another version, the scene can still be restored approximately. */
     private static Optional<WorldState> exactState(Path scene) throws IOException {
         try {
             return Files.isRegularFile(exact(scene)) ? Optional.of(StateFile.read(exact(scene))) : Optional.empty();
@@ -131,12 +131,12 @@ record SceneFolder(Path folder) implements SceneStore {
         }
     }
 
-    /** Scenes that were saved from a living world have the world's state to the bit beside them. */
+    /** File of the exact state, present if the scene was saved from a running world. */
     private static Path exact(Path scene) {
         return scene.resolveSibling(scene.getFileName() + StateFile.ENDING);
     }
 
-    /** Several scenes of one name can be removed, one after the other. */
+    /** Returns an unused file name, since several scenes of one name can be deleted one after the other. */
     private Path removed(String name) {
         Path first = file(name).resolveSibling(name + REMOVED);
         Path kept = first;
@@ -154,11 +154,11 @@ record SceneFolder(Path folder) implements SceneStore {
         Path file = folder.resolve(name + RecordingRepository.ENDING);
         if (Files.exists(file) && !PlainFile.isInItsFolder(file)) {
             throw new IllegalArgumentException(
-                    "The scene \"" + name + "\" is a link to a place outside of " + folder + ". Choose another one.");
+                    "The scene \"" + name + "\" is a link to a place outside " + folder + ". Choose another one.");
         }
         if (Files.exists(file) && !Files.isRegularFile(file)) {
             throw new IllegalArgumentException(
-                    "The scene \"" + name + "\" is no regular file in " + folder + ". Choose another one.");
+                    "The scene \"" + name + "\" is not a regular file in " + folder + ". Choose another one.");
         }
         return file;
     }

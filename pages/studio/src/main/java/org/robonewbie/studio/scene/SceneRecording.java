@@ -11,7 +11,7 @@ import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.simulator.recording.RecordingWriter;
 
-/** A scene is a recording of one cycle, so whatever shows recordings shows it too; and each moment of a recording is one. */
+/** Conversion between scenes and recordings: a scene is a recording of one cycle, and each cycle of a recording is a scene. */
 final class SceneRecording {
 
     private static final int FRAMES_FOR_VELOCITY = 2;
@@ -25,7 +25,7 @@ final class SceneRecording {
         }
     }
 
-    /** The bytes of a recording that is not packed. */
+    /** The bytes of an uncompressed recording. */
     static byte[] toBytes(SoccerField field, WorldSnapshot state) {
         Memory recording = new Memory();
         write(recording, field, state);
@@ -43,16 +43,16 @@ final class SceneRecording {
 
         @Override
         public void flush() {
-            // it is there already
+            // Bytes are in memory already.
         }
 
         @Override
         public void close() {
-            // it stays
+            // The content remains readable.
         }
     }
 
-    /** Reads a moment; empty if there is no such moment. */
+    /** Reads a cycle of a recording; empty if there is no such cycle. */
     static Optional<Checkpoint> moment(RecordingReader reader, long index) throws IOException {
         Optional<WorldSnapshot> before = Optional.empty();
         for (long i = 0; i <= index; i++) {

@@ -12,17 +12,17 @@ import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.simulator.state.WorldState;
 
-/** Scenes in memory, which somebody else keeps for longer, such as a browser. Each one is some bytes: a recording and the exact state. */
+/** In-memory store of scenes with a persistent backing store, such as a browser's. A scene is a recording and the exact state, as bytes. */
 public final class SceneRepository implements SceneStore {
 
     private final TreeMap<String, byte[]> scenes = new TreeMap<>();
     private final Keeper keeper;
 
-    /** Keeps scenes for longer than this shelf. */
+    /** The persistent backing store. */
     public interface Keeper {
 
         /**
-         * Keeps a scene, which may take the place of another one of its name.
+         * Saves or replaces a scene.
          *
          * @param name its name
          * @param scene its bytes
@@ -30,7 +30,7 @@ public final class SceneRepository implements SceneStore {
         void keep(String name, byte[] scene);
 
         /**
-         * Forgets a scene.
+         * Deletes a scene.
          *
          * @param name its name
          */
@@ -38,21 +38,21 @@ public final class SceneRepository implements SceneStore {
     }
 
     /**
-     * Begins an empty shelf.
+     * Creates an empty repository.
      *
-     * @param keeper is told what changes
+     * @param keeper the persistent backing store
      */
     public SceneRepository(Keeper keeper) {
         this.keeper = keeper;
     }
 
-    /** Empties the shelf, whose keeper is about to fill it. */
+    /** Removes all scenes from memory. */
     public void clear() {
         scenes.clear();
     }
 
     /**
-     * Takes what the keeper has.
+     * Loads a scene from the backing store into memory.
      *
      * @param name name of a scene
      * @param scene its bytes
@@ -69,7 +69,7 @@ public final class SceneRepository implements SceneStore {
     @Override
     public void save(String name, SoccerField field, Checkpoint moment, boolean replace) {
         if (!replace) {
-            refuseTaken(name);
+            requireUnused(name);
         }
         byte[] shown = SceneRecording.toBytes(field, moment.state());
         StateWriter out = new StateWriter();
@@ -94,7 +94,7 @@ public final class SceneRepository implements SceneStore {
         }
     }
 
-    /** A scene without an exact state, or with one of another version, is still good for a start nearby. */
+    /** Without an exact state, or with one of another version, the scene can still be restored approximately. */
     private static Optional<WorldState> state(byte[] exact) {
         try {
             return exact.length == 0 ? Optional.empty() : Optional.of(WorldState.ofBytes(exact));
@@ -105,7 +105,7 @@ public final class SceneRepository implements SceneStore {
 
     @Override
     public void rename(String from, String to) {
-        refuseTaken(to);
+        requireUnused(to);
         byte[] scene = find(from);
         forget(from);
         put(to, scene);
@@ -116,7 +116,7 @@ public final class SceneRepository implements SceneStore {
         byte[] scene = find(name);
         forget(name);
         return () -> {
-            refuseTaken(name);
+            requireUnused(name);
             put(name, scene);
         };
     }
@@ -129,7 +129,7 @@ public final class SceneRepository implements SceneStore {
         return scene;
     }
 
-    private void refuseTaken(String name) {
+    private void requireUnused(String name) {
         if (scenes.containsKey(name)) {
             throw SceneStore.taken(name);
         }

@@ -7,10 +7,10 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.robonewbie.simulator.recording.RecordingReader;
 
-/** Saves scenes, and lets the world go on from them. The answers are JSON objects for the page. */
+/** Saves and restores scenes. Answers are JSON objects for the page. */
 public final class SceneService {
 
-    /** Why a whole recording may lack a moment. */
+    /** End of the message about a complete recording that lacks a cycle. */
     public static final String ENDS_BEFORE = ": it ends before, or is damaged there. Choose an earlier one.";
 
     private static final String DONE = "{}";
@@ -21,12 +21,12 @@ public final class SceneService {
     private final Consumer<UndoableCommand> done;
 
     /**
-     * Opens the desk.
+     * Creates the service.
      *
-     * @param store where scenes are kept
-     * @param place how to call that place
+     * @param store the saved scenes
+     * @param place description of the store for the user
      * @param world the running simulation
-     * @param done takes what was done to the scenes, so that it can be undone
+     * @param done receives changes of scenes for the undo stack
      */
     public SceneService(SceneStore store, String place, RestorableSimulation world, Consumer<UndoableCommand> done) {
         this.store = store;
@@ -36,23 +36,23 @@ public final class SceneService {
     }
 
     /**
-     * Answers a request.
+     * Handles a request.
      *
-     * @param method PUT saves or renames, DELETE removes, POST goes back to a scene, all others list them
+     * @param method PUT saves or renames, DELETE deletes, POST restores, any other method lists the scenes
      * @param name the scene
-     * @param old the scene that is renamed; empty if none is
-     * @param replace whether saving overwrites an older scene
+     * @param old previous name of a scene to be renamed; else empty
+     * @param replace whether saving overwrites an existing scene
      * @return the answer
      * @throws IOException if a scene cannot be read or written
-     * @throws IllegalArgumentException if that cannot be; the message says why
-     * @throws IllegalStateException if the world cannot be put into the state of the scene; the message says why
+     * @throws IllegalArgumentException if the request is refused; the message gives the reason
+     * @throws IllegalStateException if the scene cannot be restored; the message gives the reason
      */
     public String answer(String method, String name, Optional<String> old, boolean replace) throws IOException {
         switch (method) {
             case "PUT" -> put(name, old, replace);
             case "DELETE" -> done.accept(SceneCommand.removed(store, name));
             case "POST" -> {
-                return written(world.goOnFrom(store.load(name)));
+                return written(world.restore(store.load(name)));
             }
             default -> {
                 return list();
@@ -71,27 +71,21 @@ public final class SceneService {
     }
 
     /**
-     * Goes on from a moment of a recording.
+     * Continues from a cycle of a recording.
      *
-     * @param recording the recording, before its first cycle
-     * @param moment number of the moment, from 0
-     * @param why what to say of a recording that has no such moment
-     * @return how much of it is back, as one JSON object
+     * @param recording the recording, positioned before its first cycle
+     * @param moment index of the cycle, from 0
+     * @param why end of the message if there is no such cycle
+     * @return what was restored, as one JSON object
      * @throws IOException if the recording cannot be read
-     * @throws IllegalArgumentException if it has no such moment
-     * @throws IllegalStateException if the world cannot be put into that state; the message says why
+     * @throws IllegalArgumentException if there is no such cycle
+     * @throws IllegalStateException if the state cannot be restored; the message gives the reason
      */
     public String start(RecordingReader recording, long moment, String why) throws IOException {
-        return written(world.goOnFrom(SceneRecording.moment(recording, moment)
-                .orElseThrow(() -> new IllegalArgumentException("The recording has no moment " + moment + why))));
+        return written(world.restore(SceneRecording.moment(recording, moment)
+                .orElseThrow(() -> new IllegalArgumentException("The recording has no cycle " + moment + why))));
     }
 
-    /**
-     * Writes how much of a kept moment is back.
-     *
-     * @param restored how much
-     * @return one JSON object
-     */
     private static String written(RestorableSimulation.Restored restored) {
         JsonObject json = new JsonObject();
         json.addProperty("exact", restored.exact());

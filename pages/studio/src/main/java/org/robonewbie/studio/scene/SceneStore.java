@@ -4,17 +4,17 @@ import java.io.IOException;
 import java.util.List;
 import org.robonewbie.nao.SoccerField;
 
-/** Where scenes are kept, each with a name of its own. */
+/** Store of named scenes. */
 public interface SceneStore {
 
-    /** How a scene comes back that was taken away. */
+    /** Handle of a deleted scene. */
     interface Removed {
 
         /**
-         * Brings the scene back.
+         * Restores the scene.
          *
          * @throws IOException if it cannot be written
-         * @throws IllegalArgumentException if its name is taken meanwhile; the message says so
+         * @throws IllegalArgumentException if its name is in use again
          */
         void bringBack() throws IOException;
     }
@@ -32,68 +32,68 @@ public interface SceneStore {
      *
      * @param name its name
      * @param field the pitch
-     * @param moment what is kept
-     * @param replace whether an older scene of this name is overwritten
+     * @param moment the checkpoint to save
+     * @param replace whether an existing scene of this name is overwritten
      * @throws IOException if it cannot be written
-     * @throws IllegalArgumentException if the name is impossible or taken; the message says so
+     * @throws IllegalArgumentException if the name is invalid or in use
      */
     void save(String name, SoccerField field, Checkpoint moment, boolean replace) throws IOException;
 
     /**
-     * Reads a scene.
+     * Loads a scene.
      *
      * @param name its name
-     * @return what was kept
+     * @return the checkpoint
      * @throws IOException if it cannot be read
-     * @throws IllegalArgumentException if there is none or it is damaged; the message says so
+     * @throws IllegalArgumentException if it is missing or damaged
      */
     Checkpoint load(String name) throws IOException;
 
     /**
-     * Gives a scene another name.
+     * Renames a scene.
      *
-     * @param from its name
-     * @param to its name from now on
-     * @throws IOException if that cannot be written
-     * @throws IllegalArgumentException if there is no such scene, or the other name is impossible or taken; the message says so
+     * @param from the old name
+     * @param to the new name
+     * @throws IOException if the scene cannot be renamed
+     * @throws IllegalArgumentException if there is no such scene, or the new name is invalid or in use
      */
     void rename(String from, String to) throws IOException;
 
     /**
-     * Takes a scene away.
+     * Deletes a scene.
      *
      * @param name its name
-     * @return how it comes back
-     * @throws IOException if that cannot be written
-     * @throws IllegalArgumentException if there is no such scene; the message says so
+     * @return a handle by which the scene can be restored
+     * @throws IOException if it cannot be deleted
+     * @throws IllegalArgumentException if there is no such scene
      */
     Removed remove(String name) throws IOException;
 
     /**
-     * Refuses a name that another scene has.
+     * Creates the exception for a name in use.
      *
      * @param name the name
-     * @return what to throw
+     * @return the exception
      */
     static IllegalArgumentException taken(String name) {
-        return new IllegalArgumentException("There is a scene \"" + name + "\" already. Choose another name.");
+        return new IllegalArgumentException("There is already a scene named \"" + name + "\". Choose another name.");
     }
 
     /**
-     * Refuses a scene that is not there.
+     * Creates the exception for a missing scene.
      *
      * @param name its name
-     * @return what to throw
+     * @return the exception
      */
     static IllegalArgumentException gone(String name) {
-        return new IllegalArgumentException("There is no scene \"" + name + "\" any more. Load the page again.");
+        return new IllegalArgumentException("The scene \"" + name + "\" no longer exists. Load the page again.");
     }
 
     /**
-     * Refuses a scene that cannot be read.
+     * Creates the exception for a damaged scene.
      *
      * @param name its name
-     * @return what to throw
+     * @return the exception
      */
     static IllegalArgumentException damaged(String name) {
         return new IllegalArgumentException("The scene \"" + name + "\" is damaged.");

@@ -6,50 +6,49 @@ import java.util.Deque;
 import java.util.Optional;
 
 /**
- * The last changes made in the studio, so that each can be taken back and done again, the newest first. A new change makes
- * an end of those that were taken back. Used by one thread at a time.
+ * Undo and redo stacks of bounded size. A new change clears the redo stack. Not thread-safe.
  */
 public final class UndoStack {
 
-    /** More than one remembers; the state of a world with 22 robots takes some hundred kilobytes. */
-    static final int MOST = 50;
+    /** Capacity; the state of a world with 22 robots takes some hundred kilobytes. */
+    static final int CAPACITY = 50;
 
     private final Deque<UndoableCommand> done = new ArrayDeque<>();
     private final Deque<UndoableCommand> undone = new ArrayDeque<>();
 
     /**
-     * Remembers a change.
+     * Pushes a change.
      *
-     * @param command what was just done
+     * @param command a command that has just been executed
      */
     public void add(UndoableCommand command) {
         undone.clear();
         done.push(command);
-        if (done.size() > MOST) {
+        if (done.size() > CAPACITY) {
             done.removeLast();
         }
     }
 
-    /** Forgets everything, since another world is there. */
+    /** Clears both stacks because another world is shown. */
     public void clear() {
         done.clear();
         undone.clear();
     }
 
-    /** {@return the name of what would be taken back; empty for nothing} */
+    /** {@return the name of the next command to undo; empty for none} */
     public String nextUndo() {
         return Optional.ofNullable(done.peek()).map(UndoableCommand::name).orElse("");
     }
 
-    /** {@return the name of what would be done again; empty for nothing} */
+    /** {@return the name of the next command to redo; empty for none} */
     public String nextRedo() {
         return Optional.ofNullable(undone.peek()).map(UndoableCommand::name).orElse("");
     }
 
     /**
-     * Takes the newest change back.
+     * Undoes the latest change.
      *
-     * @return what has happened, as a sentence
+     * @return a sentence for the user
      * @throws IOException if a file cannot be changed; the change stays done
      */
     public String undo() throws IOException {
@@ -63,9 +62,9 @@ public final class UndoStack {
     }
 
     /**
-     * Does the change again that was taken back last.
+     * Redoes the change that was undone last.
      *
-     * @return what has happened, as a sentence
+     * @return a sentence for the user
      * @throws IOException if a file cannot be changed; the change stays undone
      */
     public String redo() throws IOException {
@@ -75,7 +74,7 @@ public final class UndoStack {
         }
         String remark = command.redo();
         done.push(undone.pop());
-        return sentence("Done again: ", command, remark);
+        return sentence("Redone: ", command, remark);
     }
 
     private static String sentence(String beginning, UndoableCommand command, String remark) {

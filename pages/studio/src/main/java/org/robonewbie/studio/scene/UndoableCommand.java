@@ -2,25 +2,25 @@ package org.robonewbie.studio.scene;
 
 import java.io.IOException;
 
-/** Something that a person has done to the world or to a file, and that can be taken back. */
+/** A change of the world or of a file that can be undone. */
 public interface UndoableCommand {
 
-    /** {@return what was done, in words such as "ball moved"} */
+    /** {@return description such as "ball moved"} */
     String name();
 
     /**
-     * Takes the change back.
+     * Undoes the change.
      *
-     * @return what people should know of it; empty if all is as it was before
-     * @throws IOException if a file cannot be changed; the message says why
+     * @return a remark for the user; empty if the previous state is restored exactly
+     * @throws IOException if a file cannot be changed; the message gives the reason
      */
     String undo() throws IOException;
 
     /**
-     * Does it once more after it was taken back.
+     * Redoes the change after it was undone.
      *
-     * @return what people should know of it; empty if all is as it was after it
-     * @throws IOException if a file cannot be changed; the message says why
+     * @return a remark for the user; empty if the later state is restored exactly
+     * @throws IOException if a file cannot be changed; the message gives the reason
      */
     String redo() throws IOException;
 }

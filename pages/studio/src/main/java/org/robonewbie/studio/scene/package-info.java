@@ -1,8 +1,8 @@
 /**
- * Continues the simulation from a moment that was kept: a saved scene or any cycle of a recording. Read {@link
- * org.robonewbie.studio.scene.SceneService} first.
+ * Continues the simulation from a saved scene or from any cycle of a recording. Start with {@link
+ * org.robonewbie.studio.scene.SceneService}.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.studio.scene;

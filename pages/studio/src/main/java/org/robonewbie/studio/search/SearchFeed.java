@@ -6,7 +6,7 @@ import com.google.gson.JsonObject;
 import java.util.List;
 import org.robonewbie.studio.board.EventBus;
 
-/** Where a search reports its progress to all pages that watch it. Thread-safe. */
+/** Publishes the progress of an optimisation to all pages that watch it. Thread-safe. */
 public final class SearchFeed extends EventBus {
 
     private final Gson gson = new Gson();
@@ -14,7 +14,7 @@ public final class SearchFeed extends EventBus {
     private final JsonArray rounds = new JsonArray();
 
     /**
-     * Creates an empty board.
+     * Creates a feed without rounds.
      *
      * @param task the task of the search
      */
@@ -26,21 +26,21 @@ public final class SearchFeed extends EventBus {
     }
 
     /**
-     * Writes down how well the start does.
+     * Publishes the objective value of the initial parameters.
      *
      * @param value in the unit of the objective
      */
     public synchronized void begins(double value) {
         known.addProperty("before", value);
-        tellWhole();
+        publishAll();
     }
 
     /**
-     * Writes down what a round has reached.
+     * Publishes the result of a round.
      *
      * @param round the round
-     * @param numbers where the search is now
-     * @param place what shows the present state of the search, such as {@code #motion/kick-so-far}; empty for nothing
+     * @param numbers current values of the parameters
+     * @param place page that shows the current result, such as {@code #motion/kick-so-far}; may be empty
      */
     public synchronized void reached(SearchRound round, List<SearchNumber> numbers, String place) {
         JsonObject news = new JsonObject();
@@ -51,21 +51,21 @@ public final class SearchFeed extends EventBus {
         known.add("numbers", news.get("numbers"));
         news.addProperty("place", place);
         known.addProperty("place", place);
-        tell(news.toString());
+        publish(news.toString());
     }
 
     /**
-     * Writes down what came out.
+     * Publishes the final result.
      *
-     * @param value of the result, in the unit of the objective
+     * @param value objective value of the result
      * @param words the outcome in a sentence
-     * @param place what shows the result, as for {@link #reached}
+     * @param place page that shows the result, as for {@link #reached}
      */
     public synchronized void ends(double value, String words, String place) {
         known.addProperty("after", value);
         known.addProperty("outcome", words);
         known.addProperty("place", place);
-        tellWhole();
+        publishAll();
     }
 
     @Override

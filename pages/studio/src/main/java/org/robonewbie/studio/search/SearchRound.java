@@ -1,15 +1,15 @@
 package org.robonewbie.studio.search;
 
 /**
- * What one round of a search has reached.
+ * Result of one round (generation) of an optimisation.
  *
  * @param number from 1
- * @param best value of its best candidate
- * @param mean mean value of its candidates
- * @param success share of its trials that succeed, 0 to 1
- * @param step size of the cloud from which the next candidates are drawn (sigma)
- * @param trialsPerSecond 0 if it was tried before an interruption
- * @param secondsLeft how long the rest will take
+ * @param best value of the best candidate
+ * @param mean mean value of all candidates
+ * @param success success rate of the trials, 0 to 1
+ * @param step step size of the search distribution (sigma)
+ * @param trialsPerSecond throughput; 0 if the round was loaded from before an interruption
+ * @param secondsLeft estimated remaining time
  */
 public record SearchRound(
         int number,

@@ -1,7 +1,7 @@
 /**
- * The page on which a search for better numbers is watched. {@link org.robonewbie.studio.search.SearchFeed} first.
+ * Progress page of an optimisation. Start with {@link org.robonewbie.studio.search.SearchFeed}.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.studio.search;

@@ -14,7 +14,7 @@ import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
 
-/** A running trial as it is drawn on a {@link TrialWall}: from above, several times a second. */
+/** Top view of a running trial for a {@link TrialWall}, several times a second. */
 final class TrialPicture implements SimulationObserver {
 
     private static final long INTERVAL_NANOS = TimeUnit.MILLISECONDS.toNanos(TrialWall.PICTURE_MILLIS / 2);
@@ -27,12 +27,12 @@ final class TrialPicture implements SimulationObserver {
     private long takenNanos = System.nanoTime() - INTERVAL_NANOS;
 
     /**
-     * Begins to watch a trial.
+     * Starts to observe a trial.
      *
      * @param id name of the trial
-     * @param teams who takes part
+     * @param teams names of the teams
      * @param simulation the trial
-     * @param studio the address at which the trial is shown alone
+     * @param studio address of the page that shows only this trial
      */
     TrialPicture(String id, List<String> teams, SimulationControl simulation, String studio) {
         this.id = id;
@@ -62,12 +62,12 @@ final class TrialPicture implements SimulationObserver {
         latest = snapshot;
     }
 
-    /** What does not change while the trial runs. */
+    /** Data that do not change while the trial runs. */
     JsonObject facts() {
         return facts;
     }
 
-    /** Where everybody is now; empty before the first cycle. */
+    /** Current positions; empty before the first cycle. */
     Optional<JsonObject> moment() {
         return Optional.ofNullable(latest).map(this::written);
     }

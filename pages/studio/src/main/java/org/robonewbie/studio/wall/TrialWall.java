@@ -16,12 +16,11 @@ import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.studio.board.EventBus;
 
 /**
- * The wall of a contest: each running trial in a tile, and beside them the table, which grows with each trial that is over.
- * Thread-safe.
+ * Overview page of a contest: one tile for each running trial, and the table of results. Thread-safe.
  */
 public final class TrialWall extends EventBus implements AutoCloseable {
 
-    /** How long a picture of the trials stands until the next one is sent. */
+    /** Interval between two pictures of the trials. */
     static final long PICTURE_MILLIS = 80;
 
     private final Gson gson = new Gson();
@@ -33,7 +32,7 @@ public final class TrialWall extends EventBus implements AutoCloseable {
     private final Future<?> painting;
 
     /**
-     * Creates the wall of a contest that has not begun.
+     * Creates the wall of a contest that has not started.
      *
      * @param title the contest's title
      * @param rule the rule in one or two sentences
@@ -54,40 +53,40 @@ public final class TrialWall extends EventBus implements AutoCloseable {
     }
 
     /**
-     * Writes down how the contest stands.
+     * Publishes the table.
      *
-     * @param table the table
+     * @param table the current table
      */
     public synchronized void stands(WallTable table) {
         known.add("table", gson.toJsonTree(table));
-        tellWhole();
+        publishAll();
     }
 
     /**
-     * Shows a trial in a tile while it runs.
+     * Adds the tile of a trial that starts.
      *
      * @param id name of the trial
-     * @param teams who takes part
+     * @param teams names of the teams
      * @param simulation the trial
-     * @param studio the address at which the trial is shown alone
+     * @param studio address of the page that shows only this trial
      */
     public synchronized void begins(String id, List<String> teams, SimulationControl simulation, URI studio) {
         running.put(id, new TrialPicture(id, teams, simulation, studio.toString()));
-        tellWhole();
+        publishAll();
     }
 
     /**
-     * Ends the tile of a trial; its last picture stays until another trial needs the place.
+     * Stops updating the tile of a trial; its last picture remains until another trial needs the tile.
      *
      * @param id name of the trial
      */
     public synchronized void ends(String id) {
         Optional.ofNullable(running.remove(id)).ifPresent(TrialPicture::leave);
-        tellWhole();
+        publishAll();
     }
 
     /**
-     * Writes down what came out of a trial.
+     * Publishes the result of a trial.
      *
      * @param id name of the trial
      * @param words the outcome
@@ -97,17 +96,17 @@ public final class TrialWall extends EventBus implements AutoCloseable {
         result.addProperty("id", id);
         result.addProperty("words", words);
         results.add(result);
-        tellWhole();
+        publishAll();
     }
 
     /**
-     * Writes down that the contest is over.
+     * Publishes the end of the contest.
      *
-     * @param words where its results are
+     * @param words location of the results
      */
     public synchronized void isOver(String words) {
         known.addProperty("outcome", words);
-        tellWhole();
+        publishAll();
     }
 
     @Override
@@ -122,15 +121,15 @@ public final class TrialWall extends EventBus implements AutoCloseable {
         if (isWatched() && !running.isEmpty()) {
             JsonArray moments = new JsonArray();
             running.values().forEach(trial -> trial.moment().ifPresent(moments::add));
-            tellMoments(moments);
+            publishMoments(moments);
         }
     }
 
-    private void tellMoments(JsonArray moments) {
+    private void publishMoments(JsonArray moments) {
         JsonObject news = new JsonObject();
         news.addProperty("kind", "moments");
         news.add("moments", moments);
-        tell(news.toString());
+        publish(news.toString());
     }
 
     @Override

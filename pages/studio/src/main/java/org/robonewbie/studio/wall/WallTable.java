@@ -3,31 +3,31 @@ package org.robonewbie.studio.wall;
 import java.util.List;
 
 /**
- * How a contest stands.
+ * Table of a contest.
  *
- * @param over the number of trials that are over
- * @param planned the number of trials that are known by now
- * @param columns what the cells of each row mean
- * @param rows one for each team, the best first
+ * @param over number of finished trials
+ * @param planned number of trials planned so far
+ * @param columns column headings
+ * @param rows one row per team, the best first
  */
 public record WallTable(int over, int planned, List<String> columns, List<Place> rows) {
 
-    /** Makes the lists unmodifiable. */
+    /** Defensively copies the lists. */
     public WallTable {
         columns = List.copyOf(columns);
         rows = List.copyOf(rows);
     }
 
     /**
-     * The place of one team.
+     * Row of one team.
      *
-     * @param rank 1 is the best; shared by equals
+     * @param rank 1 is the best; ties share a rank
      * @param team its name
-     * @param cells one text for each column
+     * @param cells one text per column
      */
     public record Place(int rank, String team, List<String> cells) {
 
-        /** Makes the list unmodifiable. */
+        /** Defensively copies the list. */
         public Place {
             cells = List.copyOf(cells);
         }

@@ -1,8 +1,7 @@
 /**
- * The page on which the trials of a contest are watched, all that run and the table. {@link org.robonewbie.studio.wall.TrialWall}
- * first.
+ * Overview page of a contest with all running trials and the table. Start with {@link org.robonewbie.studio.wall.TrialWall}.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.studio.wall;

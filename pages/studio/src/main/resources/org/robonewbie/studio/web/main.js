@@ -1,4 +1,4 @@
-/** Starts the studio. Tests, and people who are curious, find it in the browser's console as `studio`. */
+/** Starts the studio and exposes it in the browser's console as `studio`, for tests and debugging. */
 import { Studio } from './studio.js';
 
 const studio = new Studio(new URLSearchParams(location.search));

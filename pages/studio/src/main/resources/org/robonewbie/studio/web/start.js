@@ -1,27 +1,27 @@
 /**
- * Lets the browser paint the page before the scripts run and the graphics are set up, which takes a while without a graphics
- * card. To wait for a frame is not enough: it is painted by the same process that then sets up the graphics, after it.
+ * Lets the browser paint the page before the scripts run and set up WebGL, which is slow without a graphics card. Waiting for an animation
+ * frame is not enough: the process that paints it is the one that then sets up WebGL.
  */
 
-const PATIENCE_MILLISECONDS = 1000;
+const TIMEOUT_MILLISECONDS = 1000;
 
-/** A page that nobody looks at is not painted, so one does not wait for ever. */
+/** A hidden page is not painted, so the wait has a timeout. */
 const painted = new Promise((done) => {
   const watch = new PerformanceObserver(done);
   watch.observe({ type: 'paint', buffered: true });
-  setTimeout(done, PATIENCE_MILLISECONDS);
+  setTimeout(done, TIMEOUT_MILLISECONDS);
 });
 
 /** @param {Error} error @returns {never} */
-function sayWhatIsMissing(error) {
+function showLoadError(error) {
   const place = document.getElementById('stage-opening');
   if (place) {
-    place.textContent = 'The page has not arrived whole. Is the program still running? Then load the page again.';
+    place.textContent = 'The page did not load completely. If the program is still running, reload the page.';
   }
   throw error;
 }
 
 await painted;
-await import('./main.js').catch(sayWhatIsMissing);
+await import('./main.js').catch(showLoadError);
 
 export {};

@@ -1,4 +1,4 @@
-/** The studio: brings connection, picture, rooms and panels together. */
+/** The studio: connects the simulation, picture, rooms and panels. */
 import { FieldRoom } from './field/field-room.js';
 import { overSocket } from './live/connection.js';
 import { Session } from './live/session.js';
@@ -6,10 +6,10 @@ import { Commentary } from './panels/commentary.js';
 import { CoursePanel } from './panels/course-panel.js';
 import { byId } from './panels/elements.js';
 import { watchFreeSpace } from './panels/free-space.js';
-import { FIELD_MOUSE, fieldDeeds, listenToKeys } from './panels/keys.js';
+import { FIELD_MOUSE, fieldActions, listenToKeys } from './panels/keys.js';
 import { FirstSteps } from './panels/first-steps.js';
 import { Happenings } from './panels/happenings.js';
-import { banner, notes, reportMistakes, tell } from './panels/messages.js';
+import { banner, notes, reportMistakes, showBanner } from './panels/messages.js';
 import { Mistakes } from './panels/mistakes.js';
 import { PuppetPanel } from './panels/puppet-panel.js';
 import { RoomController } from './panels/room-controller.js';
@@ -19,12 +19,12 @@ import { scenePanel } from './panels/scene-panel.js';
 import { scoreBoardPanel } from './panels/score-board.js';
 import { cameraPanel, trainerPanel } from './panels/side.js';
 import { themeSwitch } from './panels/theme.js';
-import { timeLineDeeds, timeLinePanel } from './panels/time-line.js';
+import { timeLineActions, timeLinePanel } from './panels/time-line.js';
 import { timeActions, transportPanel } from './panels/transport.js';
 import { Workspace } from './panels/workspace.js';
 import { message } from './state/studio-state.js';
 
-/** Nobody reads faster than that, and letting the browser lay out texts costs time that pictures need. */
+/** Faster updates are unreadable, and text layout takes time that the picture needs. */
 const PANEL_MILLISECONDS = 90;
 const LOOK_MILLISECONDS = 500;
 const LONGEST_TURN_SECONDS = 0.2;
@@ -47,13 +47,13 @@ export class Studio {
     reportMistakes(this.note);
     this.session = new Session({
       begun: () => (this.rooms?.forget(), this.field?.board.clear()),
-      telemetry: (news) => this.rooms.hear(news),
+      telemetry: (news) => this.rooms.receive(news),
       happened: (event, teams) => this.happenings?.add(event, teams),
-      drawn: (sets) => this.field.board.hear(sets),
-      mistaken: (mistake) => this.mistakes?.add(mistake),
+      drawn: (sets) => this.field.board.receive(sets),
+      diagnostic: (mistake) => this.mistakes?.add(mistake),
       note: this.note,
     });
-    tell(message(this.state, 0));
+    showBanner(message(this.state, 0));
     this.firstSteps = new FirstSteps();
     this.field = new FieldRoom(this.session, options.get('quality'), {
       isSteered: () => ['field', 'robot', 'program'].includes(this.room()) && this.session.shown.tense === 'live',
@@ -67,9 +67,9 @@ export class Studio {
     this.room = roomsPanel((entered) => this.#enter(entered));
   }
 
-  /** Furnishes the page, calls the simulator and begins to draw. */
+  /** Builds the page, connects to the simulator and starts drawing. */
   start() {
-    this.#furnish();
+    this.#build();
     this.#listen();
     setInterval(() => {
       this.connection.checkSilence();
@@ -92,12 +92,12 @@ export class Studio {
     return this.field.view;
   }
 
-  get desk() {
-    return this.field.desk;
+  get camera() {
+    return this.field.cameraController;
   }
 
-  get hand() {
-    return this.field.hand;
+  get pointer() {
+    return this.field.pointer;
   }
 
   get chooser() {
@@ -137,13 +137,13 @@ export class Studio {
     const robots = this.state.scene?.robots ?? [];
     const index = robots.findIndex((player) => player.team === team && player.number === number);
     if (index >= 0) {
-      this.desk.choose(index);
+      this.camera.choose(index);
     }
     location.hash = '#robot';
   };
 
-  /** Asks for another picture after something was done to it. @template {unknown[]} A @param {(...given: A) => void} action */
-  #touching(action) {
+  /** Wraps an action so that the picture is redrawn afterwards. @template {unknown[]} A @param {(...given: A) => void} action */
+  #withRedraw(action) {
     return (/** @type {A} */ ...given) => {
       action(...given);
       this.touch();
@@ -154,10 +154,10 @@ export class Studio {
     return new RoomController({
       note: this.note,
       quality: () => this.chooser.quality,
-      robotOfRun: () => this.session.robot(this.desk.chosen),
+      robotOfRun: () => this.session.robot(this.camera.chosen),
       send: this.send,
       goLive: this.goLive,
-      camera: () => this.desk,
+      camera: () => this.camera,
       hasClock: () => this.state.scene?.clock !== false,
       robots: () => this.session.shown.scene?.robots ?? [],
       goTo: (seconds) => this.session.travel((cursor) => cursor.goTo(seconds * CYCLES_PER_SECOND)),
@@ -165,27 +165,32 @@ export class Studio {
     });
   }
 
-  #furnish() {
+  #build() {
     const shadows = this.options.get('shadows') === 'on';
-    const setShadows = this.#touching((/** @type {boolean} */ on) => this.view.setShadows(on));
+    const setShadows = this.#withRedraw((/** @type {boolean} */ on) => this.view.setShadows(on));
     const puppet = new PuppetPanel({
       now: () => this.state,
-      chosen: () => this.desk.chosen,
-      choose: this.#touching((/** @type {number} */ index) => this.desk.choose(index)),
+      chosen: () => this.camera.chosen,
+      choose: this.#withRedraw((/** @type {number} */ index) => this.camera.choose(index)),
       isHere: () => this.room() === 'field',
       send: this.send,
     });
     this.#draws = [
       scoreBoardPanel(),
       transportPanel(this.time),
-      cameraPanel(this.desk, { choose: this.field.chooseCamera, shadows, setShadows, show: this.field.showBeside }),
+      cameraPanel(this.camera, {
+        choose: this.field.chooseCamera,
+        shadows,
+        setShadows,
+        show: this.field.showBeside,
+      }),
       trainerPanel(this.send),
       scenePanel(this.note, this.goLive),
       banner(),
       (shown) => puppet.draw(shown),
     ];
     this.happenings = new Happenings();
-    this.commentary = new Commentary(this.session, (text) => this.happenings?.tell(text));
+    this.commentary = new Commentary(this.session, (text) => this.happenings?.show(text));
     this.mistakes = new Mistakes(this.#lookInside);
     this.puppet = puppet;
     this.course = new CoursePanel(this.note, this.goLive, this.field.showGhost);
@@ -194,15 +199,15 @@ export class Studio {
 
   #listen() {
     const field = {
-      actions: [...fieldDeeds(this.field.looks, this.time, this.send), this.drawings.action],
+      actions: [...fieldActions(this.field.looks, this.time, this.send), this.drawings.action],
       mouse: FIELD_MOUSE,
     };
     listenToKeys(() => {
       const keys = this.rooms.keys(this.room(), field);
-      const more = this.room() === 'replay' ? [this.drawings.action] : timeLineDeeds(this.cursor, this.touch);
+      const more = this.room() === 'replay' ? [this.drawings.action] : timeLineActions(this.cursor, this.touch);
       return { ...keys, actions: [...keys.actions, ...more] };
     });
-    const setTheme = this.#touching((/** @type {'light' | 'dark'} */ theme) => {
+    const setTheme = this.#withRedraw((/** @type {'light' | 'dark'} */ theme) => {
       this.view.setTheme(theme);
       this.motion?.setTheme(theme);
     });
@@ -210,9 +215,9 @@ export class Studio {
     window.addEventListener('beforeunload', (event) => this.rooms.isAtRisk && event.preventDefault());
     const setCovered = (/** @type {import('./field/field-view.js').FieldView['covered']} */ covered) => {
       this.view.setCovered(covered);
-      this.desk.refit();
+      this.camera.refit();
     };
-    watchFreeSpace(this.view.stage, this.#touching(setCovered));
+    watchFreeSpace(this.view.stage, this.#withRedraw(setCovered));
   }
 
   /** @param {import('./panels/rooms.js').RoomName} entered */
@@ -233,7 +238,7 @@ export class Studio {
     }
   }
 
-  /** Draws if anything has changed. Nothing is drawn while the world and the eye stand still. */
+  /** Redraws if anything has changed; nothing is drawn while world and camera are still. */
   #turn = (/** @type {number} */ now) => {
     requestAnimationFrame(this.#turn);
     if (this.#hasDrawn) {
@@ -250,7 +255,7 @@ export class Studio {
     }
   };
 
-  /** @param {number} now milliseconds @param {number} seconds since the last turn */
+  /** @param {number} now milliseconds @param {number} seconds since the last call */
   #turnRoom(now, seconds) {
     const here = this.room();
     this.#hasDrawn = this.#mustDraw(here, now, seconds);
@@ -262,7 +267,7 @@ export class Studio {
       this.view.refine(now);
     }
     if (this.workspace.split.isOn && this.robot && this.room() !== 'program') {
-      this.workspace.agreeOnRobot(this.desk, this.robot.watch);
+      this.workspace.agreeOnRobot(this.camera, this.robot.watch);
       this.robot.turn(this.session.shown, this.cursor, now);
     }
   }
@@ -275,7 +280,7 @@ export class Studio {
     return here !== 'motion' && (this.session.stale || this.field.isMoving(now));
   }
 
-  /** @param {number} now milliseconds @param {number} seconds since the last turn */
+  /** @param {number} now milliseconds @param {number} seconds since the last call */
   #drawPicture(now, seconds) {
     const recorded = this.room() === 'replay' ? this.replay?.picture : undefined;
     if (recorded) {

@@ -14,7 +14,7 @@ class PlainFileTest {
     private Path place;
 
     @Test
-    void knowsFilesThatAreLinksToOtherPlaces() throws IOException {
+    void detectsLinksOutOfTheFolder() throws IOException {
         Path folder = Files.createDirectory(place.resolve("folder"));
         Path secret = Files.writeString(place.resolve("secret"), "hush");
         Path file = Files.writeString(folder.resolve("file"), "text");

@@ -22,7 +22,7 @@ import org.robonewbie.simulator.monitor.RecordedLog;
 import org.robonewbie.simulator.recording.RecordedCycle;
 import org.robonewbie.simulator.recording.RecordingReader;
 
-/** Reads what a real rcssserver3d has sent to its monitors. */
+/** Reads logs of a real rcssserver3d. */
 class MonitorLogReaderTest {
 
     private static final Path ORIGINAL = Path.of(
@@ -89,7 +89,7 @@ class MonitorLogReaderTest {
     }
 
     @Test
-    void recordingThatBecameALogComesBack() throws IOException {
+    void recordingSurvivesTheRoundTripThroughALog() throws IOException {
         List<RecordedCycle> first = convert(ORIGINAL);
         Path log = folder.resolve("again.log");
         RecordedLog.write(folder.resolve("log.rec"), log);
@@ -116,7 +116,7 @@ class MonitorLogReaderTest {
 
         assertThatThrownBy(() -> MonitorLogReader.convert(file, folder.resolve("none.rec")))
                 .isInstanceOf(IOException.class)
-                .hasMessageContaining("is no log of a SimSpark server: no line of it tells a whole scene.");
+                .hasMessageContaining("is not a log of a SimSpark server: it contains no complete scene.");
         assertThat(folder.resolve("none.rec")).doesNotExist();
     }
 }

@@ -118,7 +118,7 @@ class MonitoredSimulationTest implements SimulationObserver {
         return snapshot;
     }
 
-    /** Waits until the robot has come to its place; what is ordered for it before that is lost or undone. */
+    /** Waits until the robot has reached its line-up position; orders before that are lost or overridden. */
     private void awaitRobotAtItsPlace() throws InterruptedException {
         await(now -> !now.robots().isEmpty()
                 && now.robots().get(0).body().position().distanceTo(new Vector3(-1, 0.5, 0.4)) < 0.2);
@@ -142,7 +142,7 @@ class MonitoredSimulationTest implements SimulationObserver {
     }
 
     @Test
-    void whatStandsOnThePitchIsSeen() throws InterruptedException {
+    void obstaclesOnThePitchAreFound() throws InterruptedException {
         WorldSnapshot snapshot = await(now -> !now.things().isEmpty());
 
         Thing original = Landscape.BOX.things().get(0);
@@ -190,11 +190,11 @@ class MonitoredSimulationTest implements SimulationObserver {
     void clockOfAnotherProcessCannotBeStopped() {
         assertThat(watched.hasClock()).isFalse();
         assertThatThrownBy(() -> watched.order(new Order.Pause()))
-                .hasMessage("A monitor cannot stop or speed up a server of another process.");
+                .hasMessage("The clock of a simulation in another process cannot be paused or sped up.");
     }
 
     @Test
-    void serverThatStartsAgainIsFound() throws Exception {
+    void reconnectsToARestartedServer() throws Exception {
         await(now -> !now.robots().isEmpty());
         int port = server.monitorPort().orElseThrow();
         server.close();

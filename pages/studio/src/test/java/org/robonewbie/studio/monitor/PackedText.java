@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.zip.GZIPInputStream;
 
-/** Reads a text that is packed with gzip. */
+/** Reads text compressed with gzip. */
 final class PackedText {
 
     private PackedText() {}

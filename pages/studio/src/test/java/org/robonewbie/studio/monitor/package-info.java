@@ -1,3 +1,3 @@
-/** Tests of the package that watches other servers. */
+/** Tests of the monitor client. */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.studio.monitor;

@@ -21,7 +21,7 @@ class PhysicalTrialTest {
     }
 
     @Test
-    void refusesWhatIsNoMotion() {
+    void refusesInvalidMotions() {
         assertThatExceptionOfType(RefusedException.class)
                 .isThrownBy(() -> PhysicalTrial.json("400 1 2\n", "standing"))
                 .withMessageContaining("line 1");

@@ -1,3 +1,3 @@
-/** Tests of what the motion editor asks of the studio. */
+/** Tests of the motion editor's server side. */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.studio.motion;

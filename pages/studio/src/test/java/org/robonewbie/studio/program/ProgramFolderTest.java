@@ -19,7 +19,7 @@ import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.studio.file.PageFolder;
 import org.robonewbie.studio.file.RefusedException;
 
-/** Programs are read and written in their folder only, and never over what another program has written. */
+/** Programs are read and written in their folder only, and never overwrite changes of another program. */
 class ProgramFolderTest {
 
     @TempDir
@@ -69,7 +69,7 @@ class ProgramFolderTest {
 
     @Test
     @Timeout(20)
-    void fileThatIsNoProgramIsLeftOutAloneAndNeverOpened() throws IOException, InterruptedException {
+    void irregularFileIsSkippedAndNeverOpened() throws IOException, InterruptedException {
         folder.overwrite("Kick.java", bytes("class Kick {}"));
         Path pipe = folder.folder().resolve("Pipe.java");
         assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
@@ -102,15 +102,15 @@ class ProgramFolderTest {
     }
 
     @Test
-    void whatAnotherProgramHasWrittenIsKept() throws IOException {
+    void changesOfAnotherProgramAreKept() throws IOException {
         String seen = folder.write("A.java", bytes("class A {}"), "");
         folder.overwrite("A.java", bytes("class A { int other; }"));
 
         assertThatThrownBy(() -> folder.write("A.java", bytes("class A { int mine; }"), seen))
                 .hasMessage(
-                        "\"A.java\" was changed by another program since it was opened here. Load it again, or save under another name.");
+                        "\"A.java\" was changed by another program after it was opened here. Load it again or save it under another name.");
         assertThatThrownBy(() -> folder.write("A.java", bytes("class A { int mine; }"), ""))
-                .hasMessage("There is a file \"A.java\" already. Choose another name.");
+                .hasMessage("There is already a file named \"A.java\". Choose another name.");
         assertThat(folder.folder().resolve("A.java")).hasContent("class A { int other; }");
     }
 }

@@ -41,7 +41,7 @@ class RecordingIndexTest {
     @TempDir
     private Path folder;
 
-    /** A run in which each joint moves in each cycle. */
+    /** A run in which every joint moves in every cycle. */
     private Path restlessMatch(boolean ends) throws IOException {
         Path file = folder.resolve("match.rec");
         Random random = new Random(5);
@@ -129,7 +129,7 @@ class RecordingIndexTest {
         RecordingIndex kept = RecordingIndex.open(file);
 
         assertThat(folder.resolve("match.index")).exists();
-        assertThat(Files.readAllBytes(file)).as("the recording stays as it is").isEqualTo(recording);
+        assertThat(Files.readAllBytes(file)).as("the recording is unchanged").isEqualTo(recording);
         assertThat(kept.isWhole()).isTrue();
         assertThat(kept.summary()).isEqualTo(first);
         recording[recording.length - 6] ^= 1;
@@ -138,7 +138,7 @@ class RecordingIndexTest {
     }
 
     @Test
-    void damagedIndexIsMadeOnceMore() throws IOException {
+    void damagedIndexIsRebuilt() throws IOException {
         Path file = restlessMatch(true);
         read(file);
         byte[] index = Files.readAllBytes(folder.resolve("match.index"));
@@ -149,7 +149,7 @@ class RecordingIndexTest {
     }
 
     @Test
-    void summaryTellsTeamsScoreEventsAndWays() throws IOException {
+    void summaryHasTeamsScoreEventsAndTrails() throws IOException {
         RunSummary summary = read(restlessMatch(true)).summary();
 
         assertThat(summary.count()).isEqualTo(CYCLES);
@@ -186,7 +186,7 @@ class RecordingIndexTest {
     }
 
     @Test
-    void somethingElseIsRefusedInWords() throws IOException {
+    void otherFilesAreRefused() throws IOException {
         Path file = folder.resolve("text.rec");
         ByteArrayOutputStream packed = new ByteArrayOutputStream();
         try (GZIPOutputStream out = new GZIPOutputStream(packed)) {
@@ -224,7 +224,7 @@ class RecordingIndexTest {
         }
     }
 
-    /** What each cycle says; a piece is read behind the beginning of a recording that says nothing. */
+    /** The content of each cycle; a later piece is appended to the header of an empty recording. */
     private static List<String> cyclesOf(byte[] bytes, boolean isLater) {
         List<String> cycles = new ArrayList<>();
         RecordingState state = new RecordingState(new RecordingState.Listener() {

@@ -3,7 +3,7 @@ package org.robonewbie.studio.roboviz;
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 
-/** Writes datagrams as teams do. */
+/** Builder of RoboViz datagrams. */
 public final class Datagram {
 
     private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();

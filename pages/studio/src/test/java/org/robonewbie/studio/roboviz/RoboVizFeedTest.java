@@ -11,11 +11,11 @@ class RoboVizFeedTest {
     private final RoboVizFeed board = new RoboVizFeed();
 
     private void draw(String set, double x) {
-        board.obey(List.of(new RoboVizCommand.Draw(set, "point", List.of(x, 0.0, 0.0, 5.0), "#ff0000", 1, "")));
+        board.execute(List.of(new RoboVizCommand.Draw(set, "point", List.of(x, 0.0, 0.0, 5.0), "#ff0000", 1, "")));
     }
 
     private void swap(String prefix) {
-        board.obey(List.of(new RoboVizCommand.Swap(prefix)));
+        board.execute(List.of(new RoboVizCommand.Swap(prefix)));
     }
 
     @Test
@@ -45,14 +45,14 @@ class RoboVizFeedTest {
 
     @Test
     void textAboveARobotNeedsNoSwap() {
-        board.obey(List.of(new RoboVizCommand.AgentText(TeamSide.RIGHT, 7, "#ffffff", "attack")));
+        board.execute(List.of(new RoboVizCommand.AgentText(TeamSide.RIGHT, 7, "#ffffff", "attack")));
         assertThat(board.since(0))
                 .hasValueSatisfying(json -> assertThat(json)
                         .contains("\"side\":\"right\",\"number\":7")
                         .contains("attack"));
         int before = board.revision();
 
-        board.obey(List.of(new RoboVizCommand.AgentText(TeamSide.RIGHT, 7, "#ffffff", "")));
+        board.execute(List.of(new RoboVizCommand.AgentText(TeamSide.RIGHT, 7, "#ffffff", "")));
 
         assertThat(board.since(before))
                 .hasValueSatisfying(json -> assertThat(json).doesNotContain("attack"));

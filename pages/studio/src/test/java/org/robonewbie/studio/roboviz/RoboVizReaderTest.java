@@ -57,7 +57,7 @@ class RoboVizReaderTest {
     }
 
     @Test
-    void robotOfTheRightTeamIsNamedByTheHighestBit() {
+    void highestBitSelectsTheRightTeam() {
         assertThat(read(new Datagram()
                         .bytes(2, 1, 128 + 6, 1, 2, 3)
                         .text("attack")

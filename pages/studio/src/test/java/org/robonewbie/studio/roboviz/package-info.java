@@ -1,3 +1,3 @@
-/** Tests of drawings in the protocol of RoboViz. */
+/** Tests of drawings in RoboViz's protocol. */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.studio.roboviz;

@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.Objects;
 import org.junit.jupiter.api.Test;
 
-/** A scene that the studio of the first preview of version 2.0.0 (commit 5fc1aa37) saved from an empty pitch. */
+/** A scene saved by the studio of the first preview of version 2.0.0 (commit 5fc1aa37) from an empty pitch. */
 class FormerScenesTest {
 
     @Test

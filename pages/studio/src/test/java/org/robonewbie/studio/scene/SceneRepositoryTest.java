@@ -63,7 +63,7 @@ class SceneRepositoryTest {
         }
 
         @Override
-        public Restored goOnFrom(Checkpoint moment) {
+        public Restored restore(Checkpoint moment) {
             moment.exact().ifPresent(world::goOnFrom);
             return new Restored(moment.exact().isPresent(), 0);
         }
@@ -76,7 +76,7 @@ class SceneRepositoryTest {
     }
 
     @Test
-    void sceneComesBackToTheBitFromWhatTheKeeperHas() throws IOException {
+    void sceneIsRestoredExactlyFromTheBackingStore() throws IOException {
         Vector3 before = world.snapshot(true, 1).ballPosition();
         ask("PUT", "Corner");
         world.order(new Order.MoveBall(Vector3.ZERO, Vector3.ZERO));
@@ -89,7 +89,7 @@ class SceneRepositoryTest {
     }
 
     @Test
-    void stateOfAnotherVersionIsStillGoodForAStartNearby() throws IOException {
+    void stateOfAnotherVersionIsRestoredApproximately() throws IOException {
         service.answer("PUT", "Corner", Optional.empty(), false);
         byte[] scene = Objects.requireNonNull(kept.get("Corner"));
         int version = indexOf(scene, "RNSTATE") + "RNSTATE".length();
@@ -123,11 +123,11 @@ class SceneRepositoryTest {
         repository.take("Broken", new byte[] {1, 2, 3});
 
         assertThatThrownBy(() -> ask("PUT", "Corner"))
-                .hasMessage("There is a scene \"Corner\" already. Choose another name.");
+                .hasMessage("There is already a scene named \"Corner\". Choose another name.");
         assertThatThrownBy(() -> ask("POST", "Kick"))
-                .hasMessage("There is no scene \"Kick\" any more. Load the page again.");
+                .hasMessage("The scene \"Kick\" no longer exists. Load the page again.");
         assertThatThrownBy(() -> ask("DELETE", "Kick"))
-                .hasMessage("There is no scene \"Kick\" any more. Load the page again.");
+                .hasMessage("The scene \"Kick\" no longer exists. Load the page again.");
         assertThatThrownBy(() -> ask("POST", "Broken")).hasMessage("The scene \"Broken\" is damaged.");
     }
 
@@ -141,7 +141,7 @@ class SceneRepositoryTest {
                 .isEqualTo("{\"exact\":false,\"agents\":0}");
         assertThatThrownBy(() -> service.start(recording(bytes), 1, SceneService.ENDS_BEFORE))
                 .hasMessage(
-                        "The recording has no moment 1: it ends before, or is damaged there. Choose an earlier one.");
+                        "The recording has no cycle 1: it ends before, or is damaged there. Choose an earlier one.");
         assertThatThrownBy(() -> recording(new byte[9]))
                 .hasMessageStartingWith("This is not a recording of RoboNewbie");
     }

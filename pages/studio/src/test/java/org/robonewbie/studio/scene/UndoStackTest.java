@@ -35,14 +35,14 @@ class UndoStackTest {
     }
 
     @Test
-    void newestDeedIsUndoneFirstAndDoneAgain() throws IOException {
+    void newestCommandIsUndoneFirstAndRedone() throws IOException {
         history.add(command("ball moved"));
         history.add(command("reset"));
 
         assertThat(history.undo()).isEqualTo("Undone: reset.");
         assertThat(history.undo()).isEqualTo("Undone: ball moved.");
         assertThat(history.undo()).isEqualTo("There is nothing to undo.");
-        assertThat(history.redo()).isEqualTo("Done again: ball moved. Speeds are estimated.");
+        assertThat(history.redo()).isEqualTo("Redone: ball moved. Speeds are estimated.");
 
         assertThat(happened).containsExactly("undo reset", "undo ball moved", "redo ball moved");
         assertThat(history.nextUndo()).isEqualTo("ball moved");
@@ -50,7 +50,7 @@ class UndoStackTest {
     }
 
     @Test
-    void newDeedEndsWhatCouldBeDoneAgain() throws IOException {
+    void newCommandClearsTheRedoStack() throws IOException {
         history.add(command("ball moved"));
         history.undo();
 
@@ -61,8 +61,8 @@ class UndoStackTest {
     }
 
     @Test
-    void onlyTheLastDeedsAreRemembered() throws IOException {
-        for (int number = 0; number < 2 * UndoStack.MOST; number++) {
+    void stackIsBounded() throws IOException {
+        for (int number = 0; number < 2 * UndoStack.CAPACITY; number++) {
             history.add(command("change " + number));
         }
 
@@ -72,11 +72,11 @@ class UndoStackTest {
             undone++;
         }
 
-        assertThat(undone).isEqualTo(UndoStack.MOST);
+        assertThat(undone).isEqualTo(UndoStack.CAPACITY);
     }
 
     @Test
-    void deedThatCannotBeUndoneStaysDone() {
+    void commandThatCannotBeUndoneStaysDone() {
         history.add(new UndoableCommand() {
             @Override
             public String name() {

@@ -1,3 +1,3 @@
-/** Tests of what can be undone. */
+/** Tests of saved scenes and undo. */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.studio.scene;

@@ -17,10 +17,10 @@ import javax.tools.DiagnosticListener;
 import javax.tools.JavaFileManager;
 import javax.tools.JavaFileObject;
 import org.jspecify.annotations.Nullable;
-import org.robonewbie.app.hint.FrameworkNames;
-import org.robonewbie.app.hint.Hints;
-import org.robonewbie.studio.completion.Completion;
-import org.robonewbie.studio.completion.Proposal;
+import org.robonewbie.programs.completion.Completion;
+import org.robonewbie.programs.completion.Proposal;
+import org.robonewbie.programs.hint.FrameworkNames;
+import org.robonewbie.programs.hint.Hints;
 
 /** One run of {@code javac}. */
 final class Compilation {
@@ -42,9 +42,9 @@ final class Compilation {
     /**
      * Compiles files.
      *
-     * @param files the libraries; gets the classes
-     * @param sources the files with Java
-     * @return what javac has to say, in its order
+     * @param files the libraries; receives the class files
+     * @param sources the source files
+     * @return the diagnostics in javac's order
      */
     static List<Remark> of(MemoryFiles files, List<JavaFileObject> sources) {
         files.forgetMade();
@@ -53,7 +53,7 @@ final class Compilation {
         try {
             compiler.compile(com.sun.tools.javac.util.List.from(sources));
         } catch (Throwable failure) {
-            throw new IllegalStateException("The compiler itself has failed: " + failure, failure);
+            throw new IllegalStateException("The compiler has crashed: " + failure, failure);
         }
         compiler.close();
         Hints known = hints(files);
@@ -63,10 +63,10 @@ final class Compilation {
     }
 
     /**
-     * What javac says.
+     * A diagnostic.
      *
-     * @param diagnostic its own words
-     * @param hint what to do; empty if nothing is to be added
+     * @param diagnostic javac's diagnostic
+     * @param hint advice for beginners; may be empty
      */
     record Remark(Diagnostic<? extends JavaFileObject> diagnostic, String hint) {}
 
@@ -74,15 +74,13 @@ final class Compilation {
         boolean placed =
                 diagnostic.getSource() instanceof MemoryFile && diagnostic.getStartPosition() != Diagnostic.NOPOS;
         String place = placed
-                ? ((MemoryFile) diagnostic.getSource())
-                        .text()
-                        .substring((int) diagnostic.getStartPosition(), (int) diagnostic.getEndPosition())
+                ? ((MemoryFile) diagnostic.getSource()).text().substring((int) diagnostic.getStartPosition(), (int)
+                        diagnostic.getEndPosition())
                 : "";
-        return new Hints.Remark(
-                String.valueOf(diagnostic.getCode()), place, diagnostic.getMessage(Locale.ENGLISH));
+        return new Hints.Remark(String.valueOf(diagnostic.getCode()), place, diagnostic.getMessage(Locale.ENGLISH));
     }
 
-    /** The library is always the same, so its names are read once. */
+    /** The framework's names are read only once, since the library never changes. */
     private static Hints hints(MemoryFiles files) {
         Hints known = hints == null ? new Hints(names(files)) : hints;
         hints = known;
@@ -99,12 +97,12 @@ final class Compilation {
     }
 
     /**
-     * Proposes what could be written.
+     * Returns completion proposals.
      *
      * @param files the libraries
-     * @param sources the files with Java, the first one with a word that nobody writes at the place
-     * @param begun what of the word is there
-     * @return proposals; instead of its documentation each has a tab, its class, a tab and its key
+     * @param sources the source files, the first one with a placeholder at the cursor
+     * @param begun the part of the identifier before the cursor
+     * @return proposals; in place of its documentation each has a tab, the class name, a tab and the key
      */
     static List<Proposal> proposals(MemoryFiles files, List<JavaFileObject> sources, String begun) {
         Context context = new Compilation(files).context;
@@ -118,9 +116,8 @@ final class Compilation {
         compiler.attribute(compiler.todo);
         Completion.Compiler known = new Completion.Compiler(
                 JavacTrees.instance(context), JavacElements.instance(context), JavacTypes.instance(context));
-        List<Proposal> proposals =
-                Completion.of(
-                        known, asked, begun, (className, key) -> "\t" + className + "\t" + key, FrameworkNames.TYPES);
+        List<Proposal> proposals = Completion.of(
+                known, asked, begun, (className, key) -> "\t" + className + "\t" + key, FrameworkNames.TYPES);
         compiler.close();
         return proposals;
     }

@@ -9,12 +9,12 @@ import java.util.List;
 import java.util.Locale;
 import javax.tools.Diagnostic;
 import javax.tools.JavaFileObject;
-import org.robonewbie.studio.completion.BegunWord;
-import org.robonewbie.studio.completion.Proposal;
+import org.robonewbie.programs.completion.BegunWord;
+import org.robonewbie.programs.completion.Proposal;
 import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
 
-/** What the scripts of the page call; each exported method becomes a function of the compiled program. */
+/** Functions that the page's scripts call; each exported method becomes a function of the WebAssembly module. */
 public final class CompilerInPage {
 
     private static final MemoryFiles FILES = new MemoryFiles();
@@ -25,16 +25,16 @@ public final class CompilerInPage {
     private CompilerInPage() {}
 
     /**
-     * Does nothing: the page calls the functions.
+     * Does nothing; the page calls the exported functions.
      *
      * @param args none
      */
     public static void main(String[] args) {}
 
     /**
-     * Takes the class libraries.
+     * Loads the class libraries.
      *
-     * @param library file after file: its name, the number of its bytes, and these
+     * @param library concatenated files, each with its name, the number of its bytes, and its content
      * @throws IOException never
      */
     @JSExport
@@ -54,9 +54,9 @@ public final class CompilerInPage {
     }
 
     /**
-     * Takes a file with Java.
+     * Adds a source file.
      *
-     * @param path its name with folders and ending
+     * @param path its path with extension
      * @param text its text
      */
     @JSExport
@@ -65,9 +65,9 @@ public final class CompilerInPage {
     }
 
     /**
-     * Compiles the files that were taken, and forgets them.
+     * Compiles the added files and removes them.
      *
-     * @return the number of remarks
+     * @return the number of diagnostics
      */
     @JSExport
     public static int compile() {
@@ -78,11 +78,10 @@ public final class CompilerInPage {
     }
 
     /**
-     * Returns a remark as tab-separated words: kind, file, line, first and last character of the place, what to do about it, and
-     * the text.
+     * Returns a diagnostic as tab-separated fields: kind, file, line, first and last character, hint, and message.
      *
      * @param index from 0
-     * @return the remark
+     * @return the diagnostic
      */
     @JSExport
     public static String remark(int index) {
@@ -94,10 +93,10 @@ public final class CompilerInPage {
     }
 
     /**
-     * Looks for what could be written in a file that was taken, and forgets all that were taken.
+     * Computes completion proposals for an added file and removes all added files.
      *
      * @param path the file
-     * @param at index of the place
+     * @param at index of the cursor
      * @return the number of proposals
      */
     @JSExport
@@ -124,8 +123,8 @@ public final class CompilerInPage {
     }
 
     /**
-     * Returns a proposal as tab-separated words: what is listed, parameters and type, kind, what is written, its documentation
-     * if the program itself has it, else nothing and then class and key of it.
+     * Returns a proposal as tab-separated fields: label, detail, kind, inserted text, and documentation. Without documentation in the
+     * program itself, an empty field, the class name and the key of the documentation follow instead.
      *
      * @param index from 0
      * @return the proposal
@@ -142,15 +141,14 @@ public final class CompilerInPage {
                 proposal.documentation());
     }
 
-    /** {@return the names of the class files that were made, separated by blanks} */
+    /** {@return the names of the compiled class files, separated by blanks} */
     @JSExport
     public static String classFiles() {
-        return String.join(
-                " ", FILES.made().stream().map(MemoryFile::path).toList());
+        return String.join(" ", FILES.made().stream().map(MemoryFile::path).toList());
     }
 
     /**
-     * Returns a class that was made.
+     * Returns a compiled class file.
      *
      * @param index from 0, in the order of {@link #classFiles}
      * @return the class file

@@ -15,7 +15,7 @@ import javax.lang.model.element.Modifier;
 import javax.lang.model.element.NestingKind;
 import javax.tools.JavaFileObject;
 
-/** A source or class file that lives in memory. */
+/** An in-memory source or class file. */
 final class MemoryFile implements JavaFileObject {
 
     private final String path;
@@ -25,7 +25,7 @@ final class MemoryFile implements JavaFileObject {
     /**
      * Creates a file.
      *
-     * @param path its name with folders and ending, such as {@code java/lang/String.class}
+     * @param path its path with extension, such as {@code java/lang/String.class}
      * @param content its bytes
      */
     MemoryFile(String path, byte[] content) {
@@ -37,28 +37,27 @@ final class MemoryFile implements JavaFileObject {
                 .orElse(Kind.OTHER);
     }
 
-    /** {@return the name with folders and ending} */
+    /** {@return its path with extension} */
     String path() {
         return path;
     }
 
-    /** {@return the name of its folder with dots, empty for none} */
+    /** {@return the package name, empty for the default package} */
     String packageName() {
         int end = path.lastIndexOf('/');
         return end < 0 ? "" : path.substring(0, end).replace('/', '.');
     }
 
-    /** {@return the name of the class in it, with dots between folders} */
+    /** {@return the qualified name of the class in it} */
     String className() {
         return path.substring(0, path.length() - kind.extension.length()).replace('/', '.');
     }
 
-    /** {@return its bytes} */
     byte[] content() {
         return content;
     }
 
-    /** {@return its bytes as a text} */
+    /** {@return its content as UTF-8 text} */
     String text() {
         return new String(content, StandardCharsets.UTF_8);
     }
@@ -68,7 +67,7 @@ final class MemoryFile implements JavaFileObject {
         return kind;
     }
 
-    /** A file of this page may hold a public class of any name: what somebody pastes need not fit to the file. */
+    /** A source file may contain a public class of any name, since pasted text need not match the file name. */
     @Override
     public boolean isNameCompatible(String simpleName, Kind wanted) {
         String file = simpleName + wanted.extension;

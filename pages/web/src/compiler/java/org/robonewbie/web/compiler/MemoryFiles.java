@@ -12,14 +12,14 @@ import javax.tools.JavaFileObject;
 import javax.tools.StandardLocation;
 
 /**
- * All files that the compiler sees: Java's class library as the one module {@code java.base}, RoboNewbie's as the class path, and the
- * classes that it makes.
+ * In-memory file manager of the compiler: Java's class library as the single module {@code java.base}, RoboNewbie's classes as the class
+ * path, and the compiled classes as output.
  */
 final class MemoryFiles implements JavaFileManager {
 
     private static final String BASE = "java.base";
 
-    /** The module with Java's class library. */
+    /** Location of the module with Java's class library. */
     private static final Location JAVA = new Location() {
         @Override
         public String getName() {
@@ -39,7 +39,7 @@ final class MemoryFiles implements JavaFileManager {
     /**
      * Adds a class of a library.
      *
-     * @param path its name with folders and ending
+     * @param path its path with extension
      * @param content the class file
      */
     void add(String path, byte[] content) {
@@ -50,12 +50,12 @@ final class MemoryFiles implements JavaFileManager {
                 .add(file);
     }
 
-    /** {@return the classes that were made, since {@link #forgetMade} was called} */
+    /** {@return the class files compiled since the last call of {@link #forgetMade}} */
     List<MemoryFile> made() {
         return made;
     }
 
-    /** Begins with no made class. */
+    /** Removes all compiled class files. */
     void forgetMade() {
         made.clear();
     }
@@ -128,7 +128,7 @@ final class MemoryFiles implements JavaFileManager {
     @Override
     public FileObject getFileForOutput(
             Location location, String packageName, String relativeName, FileObject sibling) {
-        throw new UnsupportedOperationException("The compiler in the page makes class files only.");
+        throw new UnsupportedOperationException("The compiler in the page produces class files only.");
     }
 
     @Override

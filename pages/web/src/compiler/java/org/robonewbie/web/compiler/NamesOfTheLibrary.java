@@ -11,9 +11,9 @@ import javax.lang.model.element.ElementKind;
 import javax.lang.model.element.Modifier;
 import javax.lang.model.element.TypeElement;
 import javax.lang.model.util.Elements;
-import org.robonewbie.app.hint.FrameworkNames;
+import org.robonewbie.programs.hint.FrameworkNames;
 
-/** Reads out of RoboNewbie's classes what students may have meant. */
+/** Collects candidates for misspelt names from RoboNewbie's classes. */
 final class NamesOfTheLibrary {
 
     private final Elements elements;
@@ -28,7 +28,7 @@ final class NamesOfTheLibrary {
     /**
      * Reads the names.
      *
-     * @param elements what the compiler knows of classes and their members
+     * @param elements the compiler's classes and members
      * @return the names
      */
     static FrameworkNames read(Elements elements) {

@@ -5,7 +5,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** Which compiled classes students' programs may use in the page. */
+/** Allowlist of the compiled classes that students' programs may use in the page. */
 public final class ProgramLibrary {
 
     private static final String LANGUAGE =
@@ -45,10 +45,10 @@ public final class ProgramLibrary {
     }
 
     /**
-     * Says whether programs may use a class.
+     * Returns whether programs may use a class.
      *
-     * @param name of the class, with dots, and dollars before inner classes
-     * @return whether they may
+     * @param name binary name of the class
+     * @return whether it is allowed
      */
     public static boolean has(String name) {
         int end = name.lastIndexOf('.');
@@ -59,7 +59,7 @@ public final class ProgramLibrary {
                 || folder.equals("java.util.function");
     }
 
-    /** {@return the names of the classes of Java's library} */
+    /** {@return the names of the allowed classes of Java's library} */
     public static Set<String> javaClasses() {
         return JAVA;
     }

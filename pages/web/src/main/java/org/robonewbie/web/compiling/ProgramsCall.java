@@ -5,25 +5,25 @@ import java.util.Set;
 import org.teavm.extension.introspect.IntrospectMember;
 import org.teavm.extension.spi.reflection.SimpleReflectionPolicy;
 
-/** Keeps in the compiled program, with its name, whatever a student's program may call. */
+/** TeaVM policy that keeps everything that students' programs may call accessible by reflection. */
 public final class ProgramsCall extends SimpleReflectionPolicy {
 
-    /** Set while the part of the page is compiled that runs no programs of students. */
+    /** Set while the module without students' programs is being compiled. */
     static final boolean WITHOUT_PROGRAMS = Boolean.getBoolean("robonewbie.withoutPrograms");
 
-    /** What begins a simulator, which the page carries out in another way, and what makes threads wait for each other. */
+    /** Methods that start a simulator, which the page replaces, and those by which threads wait for each other. */
     private static final Set<String> OTHERWISE =
             Set.of("Nao.connect", "Agent.run", "Agent.runTogether", "Object.wait", "Object.notify", "Object.notifyAll");
 
-    /** All that programs may ask a class for; some of its other methods are translated wrongly by TeaVM 0.15.0. */
+    /** The available methods of {@code Class}; TeaVM 0.15.0 translates some of the others incorrectly. */
     private static final Set<String> OF_CLASS =
             Set.of("getName", "getSimpleName", "isInstance", "toString", "desiredAssertionStatus");
 
-    /** Where TeaVM's library, which is of Java 21, declares what Java 17 declares in {@code Deque}, {@code List} and their like. */
+    /** Interfaces of Java 21 in TeaVM's library that declare methods of {@code Deque}, {@code List} and similar types. */
     private static final Set<String> SEQUENCED =
             Set.of("java.util.SequencedCollection", "java.util.SequencedSet", "java.util.SequencedMap");
 
-    /** Creates the policy; TeaVM finds it by its name. */
+    /** Creates the policy; TeaVM finds it by name. */
     public ProgramsCall() {}
 
     @Override

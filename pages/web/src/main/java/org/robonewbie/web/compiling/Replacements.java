@@ -5,8 +5,8 @@ import org.teavm.extension.spi.substitution.SimpleSubstitutionPolicy;
 import org.teavm.extension.spi.substitution.SubstitutionSink;
 
 /**
- * Puts classes of this module in the place of those that TeaVM's class library lacks, or has with mistakes: {@code java.util.HexFormat} becomes {@code
- * org.robonewbie.web.library.java.util.HexFormat}, and {@code StudentCode} becomes {@code PageStudentCode}.
+ * TeaVM policy that replaces classes by those of this module where TeaVM's library lacks them or has bugs: {@code java.util.HexFormat}
+ * becomes {@code org.robonewbie.web.library.java.util.HexFormat}, and {@code StudentCode} becomes {@code PageStudentCode}.
  */
 public final class Replacements extends SimpleSubstitutionPolicy {
 
@@ -23,7 +23,7 @@ public final class Replacements extends SimpleSubstitutionPolicy {
             "org.robonewbie.agent.running.Surroundings",
             "org.robonewbie.nao.motion.file.MotionFiles");
 
-    /** Creates the policy; TeaVM finds it by its name. */
+    /** Creates the policy; TeaVM finds it by name. */
     public Replacements() {}
 
     @Override

@@ -5,10 +5,10 @@ import java.util.stream.Stream;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.teavm.extension.spi.resources.ResourcesPolicy;
 
-/** Names the resources that go into the compiled program: the motions, and the German words of the judge. */
+/** TeaVM policy that adds resources to the module: the motions, and the German findings and hints. */
 public final class ShippedFiles implements ResourcesPolicy {
 
-    /** Creates the policy; TeaVM finds it by its name. */
+    /** Creates the policy; TeaVM finds it by name. */
     public ShippedFiles() {}
 
     @Override
@@ -16,11 +16,11 @@ public final class ShippedFiles implements ResourcesPolicy {
         Stream<String> motions = new ShippedMotions().names().stream().map(name -> name + ".txt");
         return Stream.concat(
                         Stream.concat(Stream.of("index"), motions).map(file -> "motions/" + file),
-                        ProgramsCall.WITHOUT_PROGRAMS ? Stream.of() : wordsOfTheJudge())
+                        ProgramsCall.WITHOUT_PROGRAMS ? Stream.of() : translations())
                 .toArray(String[]::new);
     }
 
-    private static Stream<String> wordsOfTheJudge() {
+    private static Stream<String> translations() {
         return Stream.of("hints-de.txt", "findings-de.txt").map(file -> "org/robonewbie/exercises/" + file);
     }
 }

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.web.library.java.util.Formatter;
 
-/** The page writes values as Java does. */
+/** Formatting in the page gives the same results as in Java. */
 class FormatterTest {
 
     private static final int MANY = 20_000;
@@ -99,7 +99,7 @@ class FormatterTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"%d", "%x", "%c", "%q", "%", "%s %s", "%3$s", "%<s"})
-    void mistakeIsToldAsInJava(String format) {
+    void formatErrorsAreThoseOfJava(String format) {
         Throwable there = catchThrowable(() -> String.format(Locale.ROOT, format, 1.5));
 
         assertThatIllegalArgumentException()

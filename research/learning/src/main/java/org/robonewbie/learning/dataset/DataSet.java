@@ -7,7 +7,6 @@ import com.google.gson.JsonParser;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -15,15 +14,16 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
 import org.robonewbie.nao.file.AtomicFile;
-import org.robonewbie.nao.file.UnwritableFileException;
+import org.robonewbie.trial.batch.Journal;
 
 /**
- * A folder of tables about many runs: {@code cycles/run-00001.parquet} and so on, {@code events/run-00001.parquet} and so on,
- * {@code runs.parquet}, and {@code dataset.json}, which explains them all. Each file is there completely or not at all.
+ * A folder of tables about many runs: {@code cycles/run-00001.csv} and so on, {@code events/run-00001.csv} and so on,
+ * {@code runs.csv}, and {@code dataset.json}, which explains them all. Each file is there completely or not at all.
  *
  * <pre>{@code
- * DataSet set = DataSet.create(folder, TableFormat.PARQUET, false, facts);
+ * DataSet set = DataSet.create(folder, false, facts);
  * try (RunTables tables = set.begin(1, seed)) {
  *     simulator.control().addObserver(tables); // then let the simulation run to its end
  *     set.add(tables.finish());
@@ -41,60 +41,57 @@ public final class DataSet {
     private static final String JOURNAL = "runs.txt";
 
     private final Path folder;
-    private final TableFormat format;
     private final CycleTable table;
     private final Map<String, String> facts;
     private final RunFiles cycles;
     private final RunFiles events;
     private final Map<Integer, RunResult> runs = new TreeMap<>();
+    private @Nullable Journal journal;
 
-    private DataSet(Path folder, TableFormat format, boolean withMessages, Map<String, String> facts) {
+    private DataSet(Path folder, boolean withMessages, Map<String, String> facts) {
         this.folder = folder;
-        this.format = format;
         this.table = new CycleTable(withMessages);
         this.facts = new LinkedHashMap<>(facts);
-        this.cycles = new RunFiles(folder.resolve(CYCLES), format);
-        this.events = new RunFiles(folder.resolve(EVENTS), format);
+        this.cycles = new RunFiles(folder.resolve(CYCLES));
+        this.events = new RunFiles(folder.resolve(EVENTS));
     }
 
     /**
      * Takes part in a data set that another process has created: for writing the tables of single runs.
      *
      * @param folder the folder
-     * @param format how its tables are written
      * @param withMessages whether the messages of robots and programs are kept as text too
      * @param facts what it records about how it was made
      * @return the data set
      */
-    public static DataSet joined(Path folder, TableFormat format, boolean withMessages, Map<String, String> facts) {
-        return new DataSet(folder, format, withMessages, facts);
+    public static DataSet joined(Path folder, boolean withMessages, Map<String, String> facts) {
+        return new DataSet(folder, withMessages, facts);
     }
 
     /**
      * Creates a data set in a folder that has none yet, or goes on with one that was broken off: its complete runs are kept.
      *
      * @param folder the folder; it is created if it is missing
-     * @param format how its tables are written
      * @param withMessages whether the messages of robots and programs are kept as text too
      * @param facts what it records about how it was made, such as versions and settings
      * @return the data set
      * @throws IOException if the folder cannot be written
      * @throws IllegalArgumentException if there is a complete data set already, or one that was made in another way
      */
-    public static DataSet create(Path folder, TableFormat format, boolean withMessages, Map<String, String> facts)
-            throws IOException {
-        DataSet set = new DataSet(folder, format, withMessages, facts);
+    public static DataSet create(Path folder, boolean withMessages, Map<String, String> facts) throws IOException {
+        DataSet set = new DataSet(folder, withMessages, facts);
         if (Files.exists(folder.resolve(DESCRIPTION))) {
-            set.goOn();
-            return set;
+            set.refuseAnother();
+        } else {
+            Files.createDirectories(folder.resolve(CYCLES));
+            Files.createDirectories(folder.resolve(EVENTS));
+            set.describe(false);
         }
-        Files.createDirectories(folder.resolve(CYCLES));
-        Files.createDirectories(folder.resolve(EVENTS));
-        set.describe(false);
+        set.resume();
         return set;
     }
 
-    private void goOn() throws IOException {
+    private void refuseAnother() throws IOException {
         JsonObject found = JsonParser.parseString(Files.readString(folder.resolve(DESCRIPTION)))
                 .getAsJsonObject();
         if (found.get("complete").getAsBoolean()) {
@@ -109,9 +106,6 @@ public final class DataSet {
                     folder + " holds a data set that is not complete and was made in another way: "
                             + difference(found, wanted) + ". Name another folder, or delete it first.");
         }
-        if (Files.exists(folder.resolve(JOURNAL))) {
-            keep(Files.readString(folder.resolve(JOURNAL)));
-        }
     }
 
     private static String difference(JsonObject found, JsonObject wanted) {
@@ -124,12 +118,13 @@ public final class DataSet {
                 .orElse("it tells more");
     }
 
-    /** Takes over each run whose line and tables are complete; the last line may have been broken off. */
-    private void keep(String journal) throws IOException {
+    /** Keeps each run whose line and tables are complete. */
+    private void resume() throws IOException {
+        Journal opened = Journal.open(folder.resolve(JOURNAL), "");
+        journal = opened;
         Set<Integer> complete = cycles.present();
         complete.retainAll(events.present());
-        journal.substring(0, journal.lastIndexOf('\n') + 1)
-                .lines()
+        opened.lines().stream()
                 .map(RunResult::read)
                 .flatMap(Optional::stream)
                 .filter(found -> complete.contains(found.run()))
@@ -156,11 +151,8 @@ public final class DataSet {
      * @throws IOException if a file cannot be written
      */
     public RunTables begin(int run, long seed) throws IOException {
-        Map<String, String> known = new LinkedHashMap<>(facts);
-        known.put("run", Integer.toString(run));
-        known.put("seed", Long.toString(seed));
-        TableFile ofCycles = format.begin(cycles.of(run), table.columns(), known);
-        TableFile ofEvents = format.begin(events.of(run), RunTables.eventColumns(), known);
+        TableFile ofCycles = new TableFile(cycles.of(run), table.columns());
+        TableFile ofEvents = new TableFile(events.of(run), RunTables.eventColumns());
         return new RunTables(run, seed, table, ofCycles, ofEvents);
     }
 
@@ -171,21 +163,12 @@ public final class DataSet {
      * @throws IOException if a file cannot be written
      */
     public synchronized void add(RunResult result) throws IOException {
-        if (result.hasTables()) {
-            note(result);
-        } else {
+        if (!result.hasTables()) {
             discard(result.run());
+        } else if (journal != null) {
+            journal.add(result.line());
         }
         runs.put(result.run(), result);
-    }
-
-    private void note(RunResult result) throws IOException {
-        Path journal = folder.resolve(JOURNAL);
-        try {
-            Files.writeString(journal, result.line() + "\n", StandardOpenOption.CREATE, StandardOpenOption.APPEND);
-        } catch (IOException unwritable) {
-            throw UnwritableFileException.of(journal, unwritable);
-        }
     }
 
     /**
@@ -222,15 +205,15 @@ public final class DataSet {
         for (int first = 1; first <= last; first += runsPerFile) {
             int end = Math.min(last, first + runsPerFile - 1);
             if (end > first) {
-                Map<String, String> known = new LinkedHashMap<>(facts);
-                known.put("run", first + " to " + end);
-                cycles.join(first, end, table.columns(), known);
-                events.join(first, end, RunTables.eventColumns(), known);
+                cycles.join(first, end, table.columns());
+                events.join(first, end, RunTables.eventColumns());
             }
         }
         writeRuns();
         describe(true);
-        Files.deleteIfExists(folder.resolve(JOURNAL));
+        if (journal != null) {
+            journal.delete();
+        }
     }
 
     /**
@@ -244,7 +227,7 @@ public final class DataSet {
     }
 
     private void writeRuns() throws IOException {
-        try (TableFile file = format.begin(folder.resolve("runs"), RunResult.columns(), facts)) {
+        try (TableFile file = new TableFile(folder.resolve("runs" + TableFile.EXTENSION), RunResult.columns())) {
             for (RunResult run : runs.values()) {
                 file.add(run.row());
             }
@@ -265,9 +248,9 @@ public final class DataSet {
         facts.forEach(all::addProperty);
         all.addProperty("runs", runs());
         JsonObject tables = new JsonObject();
-        tables.add(CYCLES, described("cycles/run-*." + format, table.columns()));
-        tables.add(EVENTS, described("events/run-*." + format, RunTables.eventColumns()));
-        tables.add("runs", described("runs." + format, RunResult.columns()));
+        tables.add(CYCLES, described("cycles/run-*" + TableFile.EXTENSION, table.columns()));
+        tables.add(EVENTS, described("events/run-*" + TableFile.EXTENSION, RunTables.eventColumns()));
+        tables.add("runs", described("runs" + TableFile.EXTENSION, RunResult.columns()));
         all.add("tables", tables);
         return all;
     }

@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -21,22 +20,21 @@ import org.robonewbie.nao.file.AtomicFile;
  * The files of a folder that hold the tables of single runs ({@code run-00001.csv}) or of several ({@code run-00001-to-00010.csv}).
  *
  * @param folder the folder
- * @param format how they are written
  */
-record RunFiles(Path folder, TableFormat format) {
+record RunFiles(Path folder) {
 
-    private static final Pattern NAME = Pattern.compile("run-(\\d+)(?:-to-(\\d+))?\\.(\\w+)");
+    private static final Pattern NAME = Pattern.compile("run-(\\d+)(?:-to-(\\d+))?\\.csv");
 
     /** A file with the tables of some runs that follow each other. */
     private record Span(Path file, int first, int last) {}
 
-    /** Where the table of a run goes, without the extension of the format. */
+    /** Where the table of a run goes. */
     Path of(int run) {
-        return folder.resolve(String.format(Locale.ROOT, "run-%05d", run));
+        return folder.resolve(String.format(Locale.ROOT, "run-%05d.csv", run));
     }
 
     private Path of(int first, int last) {
-        return folder.resolve(String.format(Locale.ROOT, "run-%05d-to-%05d", first, last));
+        return folder.resolve(String.format(Locale.ROOT, "run-%05d-to-%05d.csv", first, last));
     }
 
     /** The numbers of all runs whose tables are there. */
@@ -48,17 +46,17 @@ record RunFiles(Path folder, TableFormat format) {
 
     /** Deletes what a program has left behind that was ended while it wrote. */
     void discard(int run) throws IOException {
-        Files.deleteIfExists(AtomicFile.part(format.named(of(run))));
+        Files.deleteIfExists(AtomicFile.part(of(run)));
     }
 
     /** Joins the tables of runs that follow each other into one file. What an earlier call has done is not done again. */
-    void join(int first, int last, List<Column> columns, Map<String, String> facts) throws IOException {
+    void join(int first, int last, List<Column> columns) throws IOException {
         List<Span> parts = spans().stream()
                 .filter(span -> span.first >= first && span.last <= last)
                 .toList();
-        Path joined = format.named(of(first, last));
+        Path joined = of(first, last);
         if (!Files.exists(joined)) {
-            try (TableFile table = format.begin(of(first, last), columns, facts)) {
+            try (TableFile table = new TableFile(joined, columns)) {
                 append(table, parts);
                 table.finish();
             }
@@ -92,7 +90,7 @@ record RunFiles(Path folder, TableFormat format) {
 
     private Optional<Span> span(Path file) {
         Matcher name = NAME.matcher(file.getFileName().toString());
-        if (!name.matches() || !name.group(3).equals(format.toString())) {
+        if (!name.matches()) {
             return Optional.empty();
         }
         int first = Integer.parseInt(name.group(1));

@@ -1,26 +1,45 @@
 package org.robonewbie.learning.dataset;
 
+import java.io.BufferedInputStream;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Collectors;
 import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.nao.text.Csv;
 
-/** A table that is being written. Under its own name it appears only when it is complete. */
-public abstract class TableFile implements AutoCloseable {
+/**
+ * A table that is being written: comma-separated values as in RFC 4180, in UTF-8 with lines that end with a line feed. Under its own name it
+ * appears only when it is complete.
+ */
+public final class TableFile implements AutoCloseable {
+
+    /** Extension of the names of tables. */
+    static final String EXTENSION = ".csv";
 
     private final Path file;
     private final Path part;
     private final List<Column> columns;
     private final OutputStream out;
 
+    /**
+     * Begins a table.
+     *
+     * @param file where it appears when it is {@link #finish finished}
+     * @param columns its columns, whose names are the first line
+     * @throws IOException if the file cannot be written
+     */
     TableFile(Path file, List<Column> columns) throws IOException {
         this.file = file;
         this.part = AtomicFile.part(file);
         this.columns = List.copyOf(columns);
         this.out = new BufferedOutputStream(AtomicFile.begin(file));
+        writeLine(columns.stream().<Object>map(Column::name).toList());
     }
 
     /**
@@ -30,12 +49,23 @@ public abstract class TableFile implements AutoCloseable {
      * @throws IOException if it cannot be written
      * @throws IllegalArgumentException if there are more or fewer cells than columns
      */
-    public final void add(List<Object> cells) throws IOException {
+    public void add(List<Object> cells) throws IOException {
         if (cells.size() != columns.size()) {
             throw new IllegalArgumentException("A row of " + cells.size() + " cells for a table with " + columns.size()
                     + " columns (" + file + ").");
         }
-        write(cells);
+        writeLine(cells);
+    }
+
+    /** Appends all rows of a finished table with the same columns. */
+    void append(Path other) throws IOException {
+        try (InputStream in = new BufferedInputStream(Files.newInputStream(other))) {
+            int next = in.read();
+            while (next >= 0 && next != '\n') {
+                next = in.read();
+            }
+            in.transferTo(out);
+        }
     }
 
     /**
@@ -43,15 +73,14 @@ public abstract class TableFile implements AutoCloseable {
      *
      * @throws IOException if that fails
      */
-    public final void finish() throws IOException {
-        writeEnd();
+    public void finish() throws IOException {
         out.close();
         AtomicFile.moveIntoPlace(file);
     }
 
     /** Discards the table unless it is finished. */
     @Override
-    public final void close() throws IOException {
+    public void close() throws IOException {
         try {
             out.close();
         } finally {
@@ -59,18 +88,15 @@ public abstract class TableFile implements AutoCloseable {
         }
     }
 
-    abstract void write(List<Object> cells) throws IOException;
-
-    /** Appends all rows of a finished table of the same format and columns. */
-    abstract void append(Path other) throws IOException;
-
-    abstract void writeEnd() throws IOException;
-
-    final List<Column> columns() {
-        return columns;
+    private void writeLine(List<Object> cells) throws IOException {
+        String line = cells.stream().map(TableFile::text).collect(Collectors.joining(",", "", "\n"));
+        out.write(line.getBytes(StandardCharsets.UTF_8));
     }
 
-    final OutputStream out() {
-        return out;
+    private static String text(Object cell) {
+        if (cell instanceof Double number && number.isNaN()) {
+            return "";
+        }
+        return cell instanceof Number ? cell.toString() : Csv.cell(cell.toString());
     }
 }

@@ -1,5 +1,6 @@
 package org.robonewbie.learning.optimise;
 
+import java.io.Serializable;
 import java.util.Locale;
 import java.util.Random;
 import org.robonewbie.agent.Agent;
@@ -22,7 +23,8 @@ import org.robonewbie.trial.measure.Standing;
  * @param spreadMetres how much the places of robot and ball vary; the robot's heading varies by 60 degrees for each metre of it
  * @param seconds how long a trial lasts at most
  */
-public record AgentScene(Vector3 place, double degrees, Vector3 ball, double spreadMetres, double seconds) {
+public record AgentScene(Vector3 place, double degrees, Vector3 ball, double spreadMetres, double seconds)
+        implements Serializable {
 
     private static final double DEGREES_FOR_EACH_METRE = 60;
 

@@ -1,7 +1,6 @@
 package org.robonewbie.learning.optimise;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -13,88 +12,84 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.zip.CRC32;
 import org.robonewbie.learning.optimise.Generation.Score;
-import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.trial.batch.Journal;
 
 /**
- * The memory of an optimisation: what it searches for, and in each line the costs of all candidates of a generation and, after
- * a bar, its score for people. Since the same costs lead to the same candidates, this is all it takes to continue exactly where
- * it was interrupted. The file is rewritten after each generation, atomically. Behind another bar each line has a checksum of itself and
- * all that stands before it, so that a damaged number is not taken for a true one; lines without one are read too.
+ * The journal of an optimisation: the costs of all candidates of each generation and, after a bar, its score for display. Since the same
+ * costs lead to the same candidates, a search resumes from it exactly. Behind another bar each line has a checksum of the file up to
+ * there; lines without one are read too.
  */
-final class Checkpoint {
+final class Checkpoint implements AutoCloseable {
 
     private static final String BAR = " | ";
 
     private final Path file;
+    private final Journal journal;
+    private final CRC32 sum = new CRC32();
     private final List<Line> generations = new ArrayList<>();
-    private final StringBuilder content;
 
-    private Checkpoint(Path file, String question) {
+    private Checkpoint(Path file, String header) throws IOException {
         this.file = file;
-        this.content = new StringBuilder(question).append('\n');
+        this.journal = Journal.open(file, header);
+        note(header + "\n");
+        journal.lines().forEach(this::read);
     }
 
-    /** Begins with nothing. */
-    static Checkpoint begin(Path file, String question) {
-        return new Checkpoint(file, question);
+    /** Begins a new search; an earlier checkpoint is deleted. */
+    static Checkpoint begin(Path file, String header) throws IOException {
+        Files.deleteIfExists(file);
+        return new Checkpoint(file, header);
     }
 
     /**
-     * Remembers what was reached before.
+     * Opens the checkpoint of an interrupted search.
      *
-     * @throws IllegalArgumentException if the file belongs to another optimisation or cannot be understood
+     * @throws IllegalArgumentException if it belongs to another search or is damaged
      */
-    static Checkpoint resume(Path file, String question) throws IOException {
+    static Checkpoint resume(Path file, String header) throws IOException {
         if (!Files.exists(file)) {
             throw new IllegalArgumentException(
                     "There is nothing to resume: " + file + " does not exist. Leave out --resume.");
         }
-        List<String> lines = Files.readAllLines(file, StandardCharsets.UTF_8);
-        if (lines.isEmpty() || !lines.get(0).equals(question)) {
-            throw new IllegalArgumentException(file + " belongs to another optimisation:\n  "
-                    + (lines.isEmpty() ? "(empty file)" : lines.get(0)) + "\nand not to:\n  " + question
-                    + "\nGive the same options as before, or leave out --resume.");
-        }
-        Checkpoint checkpoint = new Checkpoint(file, question);
-        lines.stream().skip(1).forEach(checkpoint::read);
-        return checkpoint;
+        return new Checkpoint(file, header);
     }
 
     private void read(String text) {
         String[] parts = text.split(Pattern.quote(BAR), -1);
         Line line = line(text, parts);
-        if (parts.length > 2 && !parts[2].equals(checksum(line))) {
+        String checksum = checksum(line);
+        if (parts.length > 2 && !parts[2].equals(checksum)) {
             throw new IllegalArgumentException(
                     file + " is damaged: the checksum of \"" + text + "\" does not fit. Leave out --resume.");
         }
-        keep(line);
-    }
-
-    private void keep(Line line) {
-        String checksum = checksum(line);
-        content.append(line).append(BAR).append(checksum).append('\n');
         generations.add(line);
     }
 
+    /** Adds a line to the running checksum and returns the checksum. */
     private String checksum(Line next) {
-        CRC32 sum = new CRC32();
-        sum.update((content.toString() + next).getBytes(StandardCharsets.UTF_8));
-        return String.format(Locale.ROOT, "%08x", sum.getValue());
+        note(next.toString());
+        String checksum = String.format(Locale.ROOT, "%08x", sum.getValue());
+        note(BAR + checksum + "\n");
+        return checksum;
     }
 
-    /** All generations so far. */
+    private void note(String text) {
+        sum.update(text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    /** The generations of earlier runs. */
     List<Line> generations() {
         return List.copyOf(generations);
     }
 
-    /** Adds a generation and writes the file. */
-    void add(double[] costs, Score score) {
-        keep(new Line(costs.clone(), score));
-        try {
-            AtomicFile.write(file, content.toString());
-        } catch (IOException e) {
-            throw new UncheckedIOException("Cannot write " + file + ".", e);
-        }
+    void add(double[] costs, Score score) throws IOException {
+        Line line = new Line(costs.clone(), score);
+        journal.add(line + BAR + checksum(line));
+    }
+
+    @Override
+    public void close() throws IOException {
+        journal.close();
     }
 
     private Line line(String text, String... parts) {
@@ -117,7 +112,7 @@ final class Checkpoint {
         return Arrays.stream(numbers).mapToObj(Double::toString).collect(Collectors.joining(" "));
     }
 
-    /** What is known of one generation. */
+    /** The result of one generation. */
     @SuppressWarnings("ArrayRecordComponent")
     record Line(double[] costs, Score score) {
 

@@ -1,5 +1,6 @@
 package org.robonewbie.learning.optimise;
 
+import java.io.Serializable;
 import java.util.Arrays;
 import java.util.List;
 
@@ -10,7 +11,7 @@ import java.util.List;
  * @param success share of the trials that ended as they should, 0 to 1
  * @param flaws what is wrong with it besides, in parts of what the candidate is worth; 0 is nothing
  */
-public record Evaluation(double value, double success, double flaws) {
+public record Evaluation(double value, double success, double flaws) implements Serializable {
 
     private static final double COST_OF_FAILURE = 2;
     private static final double WEIGHT_OF_WORST = 0.3;

@@ -6,10 +6,10 @@ package org.robonewbie.learning.optimise;
  * @param number from 1
  * @param of how many there will be
  * @param score how its candidates did
- * @param cloud from where the next generation will be drawn
+ * @param distribution of the candidates of the next generation
  * @param pace how fast the search is; {@link Pace#UNKNOWN} for a generation from before an interruption
  */
-public record Generation(int number, int of, Score score, Cloud cloud, Pace pace) {
+public record Generation(int number, int of, Score score, SearchDistribution distribution, Pace pace) {
 
     /**
      * How the candidates of a generation did.

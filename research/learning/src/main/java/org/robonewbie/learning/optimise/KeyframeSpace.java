@@ -73,17 +73,17 @@ final class KeyframeSpace {
     }
 
     /** Explains the numbers of the motion that belongs to coordinates. */
-    List<SubjectNumber> numbers(double[] coordinates) {
+    List<Parameter> numbers(double[] coordinates) {
         List<Keyframe> keyframes = motion(coordinates).keyframes();
-        List<SubjectNumber> numbers = new ArrayList<>();
+        List<Parameter> numbers = new ArrayList<>();
         for (int i = 0; i < joints.size(); i++) {
             Keyframe keyframe = keyframes.get(i);
             String place = "keyframe " + (i + 1) + ", ";
-            numbers.add(new SubjectNumber(place + "time", "ms", keyframe.durationMillis(), MILLIS_PER_COORDINATE));
+            numbers.add(new Parameter(place + "time", "ms", keyframe.durationMillis(), MILLIS_PER_COORDINATE));
             for (Joint joint : joints.get(i)) {
                 double degrees = keyframe.posture().degrees(joint);
                 String name = joint.name().toLowerCase(Locale.ROOT).replace('_', ' ');
-                numbers.add(new SubjectNumber(place + name, "degrees", degrees, DEGREES_PER_COORDINATE));
+                numbers.add(new Parameter(place + name, "degrees", degrees, DEGREES_PER_COORDINATE));
             }
         }
         return numbers;

@@ -1,6 +1,7 @@
 package org.robonewbie.learning.optimise;
 
 import java.io.IOException;
+import java.io.Serializable;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -12,16 +13,17 @@ import java.util.stream.LongStream;
 import org.robonewbie.learning.optimise.Generation.Pace;
 import org.robonewbie.learning.optimise.Generation.Score;
 import org.robonewbie.learning.search.AskAndTell;
-import org.robonewbie.learning.series.ExperimentEngine;
+import org.robonewbie.trial.batch.BatchRunner;
+import org.robonewbie.trial.batch.Job;
+import org.robonewbie.trial.batch.ThreadRunner;
 
 /**
- * Improves a subject with respect to an objective: candidates around the present state are tried under several circumstances,
- * and the distribution from which they are drawn moves towards the better ones. At the end start and result are compared in
- * trials that the search has never seen.
+ * Optimises a parametrization for an objective. Each candidate is evaluated with several seeds, and the search distribution moves
+ * towards the better ones. At the end start and result are compared with seeds that the search has not used.
  *
  * <pre>{@code
  * Objective far = Objective.named("kick-distance", classes);
- * var optimisation = new Optimisation(new MotionSubject("kick-right", file, far), far, plan, output);
+ * var optimisation = new Optimisation(new MotionParametrization("kick-right", file, far), far, plan, output);
  * OptimisationResult result = optimisation.run(false, System.out::println);
  * }</pre>
  */
@@ -33,53 +35,70 @@ public final class Optimisation {
     private static final int GENERATIONS_WITH_SAME_TRIALS = 2;
     private static final double LEAST_SCALE = 0.01;
 
-    private final Subject subject;
+    private final Parametrization subject;
     private final Objective objective;
     private final OptimisationPlan plan;
     private final Path output;
-    private final Supplier<Evaluator> evaluators;
+    private final Supplier<BatchRunner> runners;
+    private final Job<CandidateTrial, Evaluation> job;
 
     /**
-     * Prepares an optimisation whose trials are carried out by threads of this program.
+     * Prepares an optimisation whose trials run on threads of this program.
      *
      * @param subject what is to be improved
      * @param objective what is measured
      * @param plan the plan of the search
      * @param output where the result is written; the checkpoint lies next to it
      */
-    public Optimisation(Subject subject, Objective objective, OptimisationPlan plan, Path output) {
-        this(subject, objective, plan, output, () -> new Workers(subject, plan.threads()));
+    public Optimisation(Parametrization subject, Objective objective, OptimisationPlan plan, Path output) {
+        this(
+                subject,
+                objective,
+                plan,
+                output,
+                () -> new ThreadRunner(plan.threads()),
+                trial -> subject.evaluate(trial.candidate, trial.seed));
     }
 
     /**
-     * Prepares an optimisation whose trials an engine carries out, which is closed at the end. The result is the same.
+     * Prepares an optimisation whose trials run elsewhere. The result is the same.
      *
-     * @param engine carries out the trials
-     * @param master where, in the engine's own notation; empty for its usual place
+     * @param runner runs the trials, and is closed at the end
      * @param subject what is to be improved
      * @param objective what is measured
      * @param plan the plan of the search
      * @param output where the result is written; the checkpoint lies next to it
      * @return the optimisation
+     * @throws IllegalArgumentException if the subject exists in this program only
      */
     public static Optimisation on(
-            ExperimentEngine engine,
-            String master,
-            Subject subject,
-            Objective objective,
-            OptimisationPlan plan,
-            Path output) {
-        return new Optimisation(subject, objective, plan, output, () -> new EngineEvaluator(subject, engine, master));
+            BatchRunner runner, Parametrization subject, Objective objective, OptimisationPlan plan, Path output) {
+        return new Optimisation(subject, objective, plan, output, () -> runner, job(subject.recipe()));
+    }
+
+    private static Job<CandidateTrial, Evaluation> job(Parametrization.Recipe recipe) {
+        return trial ->
+                recipe.create(Thread.currentThread().getContextClassLoader()).evaluate(trial.candidate, trial.seed);
     }
 
     private Optimisation(
-            Subject subject, Objective objective, OptimisationPlan plan, Path output, Supplier<Evaluator> evaluators) {
+            Parametrization subject,
+            Objective objective,
+            OptimisationPlan plan,
+            Path output,
+            Supplier<BatchRunner> runners,
+            Job<CandidateTrial, Evaluation> job) {
         this.subject = subject;
         this.objective = objective;
         this.plan = plan;
         this.output = output.toAbsolutePath();
-        this.evaluators = evaluators;
+        this.runners = runners;
+        this.job = job;
     }
+
+    /** One trial of a candidate. */
+    @SuppressWarnings("ArrayRecordComponent")
+    private record CandidateTrial(double[] candidate, long seed) implements Serializable {}
 
     /**
      * Searches, compares, and writes the result if it is better than the start.
@@ -90,14 +109,14 @@ public final class Optimisation {
      * @throws IOException if a file cannot be read or written
      */
     public OptimisationResult run(boolean resume, OptimisationListener listener) throws IOException {
-        Checkpoint checkpoint = resume
-                ? Checkpoint.resume(checkpointFile(), question())
-                : Checkpoint.begin(checkpointFile(), question());
-        try (Evaluator workers = evaluators.get()) {
-            Evaluation before = compared(workers, new double[subject.dimension()]);
+        try (Checkpoint checkpoint = resume
+                        ? Checkpoint.resume(checkpointFile(), question())
+                        : Checkpoint.begin(checkpointFile(), question());
+                BatchRunner runner = runners.get()) {
+            Evaluation before = compared(runner, new double[subject.dimension()]);
             listener.begins(before);
-            double[] found = search(workers, checkpoint, scale(before), listener);
-            Evaluation after = compared(workers, found);
+            double[] found = search(runner, checkpoint, scale(before), listener);
+            Evaluation after = compared(runner, found);
             OptimisationResult result =
                     new OptimisationResult(objective, before, after, TRIALS_OF_COMPARISON, subject.advice(found));
             if (result.isBetter()) {
@@ -124,35 +143,35 @@ public final class Optimisation {
         return output.resolveSibling(name.substring(0, name.length() - ending.length()) + "-so-far" + ending);
     }
 
-    private double[] search(Evaluator workers, Checkpoint checkpoint, double scale, OptimisationListener listener)
+    private double[] search(BatchRunner runner, Checkpoint checkpoint, double scale, OptimisationListener listener)
             throws IOException {
-        AskAndTell cloud = plan.search(subject.dimension());
+        AskAndTell search = plan.search(subject.dimension());
         List<Checkpoint.Line> known = checkpoint.generations();
         long begin = System.nanoTime();
         for (int i = 0; i < plan.generations(); i++) {
-            List<double[]> candidates = cloud.ask();
+            List<double[]> candidates = search.ask();
             if (i < known.size()) {
-                cloud.tell(known.get(i).costs());
-                listener.reached(generation(i, known.get(i).score(), cloud, Pace.UNKNOWN));
+                search.tell(known.get(i).costs());
+                listener.reached(generation(i, known.get(i).score(), search, Pace.UNKNOWN));
             } else {
-                List<List<Evaluation>> evaluations = evaluations(workers, candidates, firstSeed(i));
+                List<List<Evaluation>> evaluations = evaluations(runner, candidates, firstSeed(i), plan.trials());
                 double[] costs = evaluations.stream()
                         .mapToDouble(trials -> Evaluation.cost(trials, sign(), scale))
                         .toArray();
                 Score score = score(evaluations, costs);
-                cloud.tell(costs);
+                search.tell(costs);
                 checkpoint.add(costs, score);
-                subject.save(cloud.mean(), Map.of("so far", "generation " + (i + 1)), fileSoFar());
+                subject.save(search.mean(), Map.of("so far", "generation " + (i + 1)), fileSoFar());
                 double seconds = (System.nanoTime() - begin) / 1e9 / (i + 1 - known.size());
                 Pace pace = new Pace(costs.length * plan.trials() / seconds, seconds * (plan.generations() - i - 1));
-                listener.reached(generation(i, score, cloud, pace));
+                listener.reached(generation(i, score, search, pace));
             }
         }
-        return cloud.mean();
+        return search.mean();
     }
 
-    private Generation generation(int index, Score score, AskAndTell cloud, Pace pace) {
-        return new Generation(index + 1, plan.generations(), score, Cloud.of(cloud), pace);
+    private Generation generation(int index, Score score, AskAndTell search, Pace pace) {
+        return new Generation(index + 1, plan.generations(), score, SearchDistribution.of(search), pace);
     }
 
     private static Score score(List<List<Evaluation>> evaluations, double[] costs) {
@@ -164,19 +183,22 @@ public final class Optimisation {
         return new Score(means.get(best).value(), all.value(), all.success());
     }
 
-    private List<List<Evaluation>> evaluations(Evaluator workers, List<double[]> candidates, long firstSeed) {
-        List<Evaluation> all = workers.all(candidates, seeds(firstSeed, plan.trials()));
+    /** Evaluates each candidate with each seed. */
+    private List<List<Evaluation>> evaluations(
+            BatchRunner runner, List<double[]> candidates, long firstSeed, int trials) throws IOException {
+        List<CandidateTrial> all = candidates.stream()
+                .flatMap(candidate -> LongStream.range(firstSeed, firstSeed + trials)
+                        .mapToObj(seed -> new CandidateTrial(candidate, seed)))
+                .toList();
+        List<Evaluation> evaluations = runner.run(all, job);
         return IntStream.range(0, candidates.size())
-                .mapToObj(i -> all.subList(i * plan.trials(), (i + 1) * plan.trials()))
+                .mapToObj(i -> evaluations.subList(i * trials, (i + 1) * trials))
                 .toList();
     }
 
-    private Evaluation compared(Evaluator workers, double[] coordinates) {
-        return Evaluation.mean(workers.all(List.of(coordinates), seeds(SEEDS_OF_COMPARISON, TRIALS_OF_COMPARISON)));
-    }
-
-    private static List<Long> seeds(long first, int count) {
-        return LongStream.range(first, first + count).boxed().toList();
+    private Evaluation compared(BatchRunner runner, double[] coordinates) throws IOException {
+        return Evaluation.mean(evaluations(runner, List.of(coordinates), SEEDS_OF_COMPARISON, TRIALS_OF_COMPARISON)
+                .get(0));
     }
 
     private long firstSeed(int generation) {

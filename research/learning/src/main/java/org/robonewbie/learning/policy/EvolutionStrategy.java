@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Random;
 import java.util.stream.IntStream;
 import org.robonewbie.nao.math.PortableMath;
@@ -11,8 +12,8 @@ import org.robonewbie.nao.math.PortableMath;
 /**
  * An evolution strategy for hundreds of numbers (Salimans et al. 2017): each generation tries pairs of candidates, which lie at
  * opposite sides of the mean, and moves the mean towards the better ones. Candidates count by their rank only, and steps are
- * evened out by Adam (Kingma and Ba 2015). What comes next depends on seed, mean and moments alone, so that a training goes on
- * exactly where it was interrupted.
+ * smoothed by Adam (Kingma and Ba 2015). The next generation depends on seed, mean and moments alone, so that an interrupted search
+ * continues with the same result.
  *
  * <pre>{@code
  * List<double[]> candidates = strategy.ask(state);
@@ -20,51 +21,73 @@ import org.robonewbie.nao.math.PortableMath;
  * }</pre>
  *
  * @param seed chooses the candidates
- * @param pairs how many pairs of candidates a generation has
- * @param spread standard deviation of the candidates, in units
- * @param rate how far the mean moves in a generation, in units
+ * @param antitheticPairs how many pairs of candidates a generation has
+ * @param sigma standard deviation of the candidates, in parts of each number's scale
+ * @param learningRate how far the mean moves in a generation, in parts of each number's scale
  */
-public record EvolutionStrategy(long seed, int pairs, double spread, double rate) {
+public record EvolutionStrategy(long seed, int antitheticPairs, double sigma, double learningRate) {
 
-    private static final double MEMORY = 0.9;
-    private static final double SQUARES_MEMORY = 0.99;
-    private static final double TINY = 1e-8;
+    private static final double BETA_1 = 0.9;
+    private static final double BETA_2 = 0.99;
+    private static final double EPSILON = 1e-8;
 
     /**
-     * Where a training is.
+     * Checks the numbers.
      *
-     * @param generation how many generations have been tried
-     * @param mean the answer so far
-     * @param units by how much each number is usually changed
-     * @param drift mean of the last steps
-     * @param squares mean of their squares
+     * @throws IllegalArgumentException if one is too small
+     */
+    public EvolutionStrategy {
+        if (antitheticPairs < 1 || !(sigma > 0 && learningRate > 0)) {
+            throw new IllegalArgumentException("Pairs, sigma and learning rate have to be greater than 0.");
+        }
+    }
+
+    /** The options of {@code robonewbie learn} that make this strategy. */
+    String words() {
+        return String.format(
+                Locale.ROOT,
+                "--seed %d --pairs %d --sigma %s --learning-rate %s",
+                seed,
+                antitheticPairs,
+                sigma,
+                learningRate);
+    }
+
+    /**
+     * State of a search.
+     *
+     * @param generation number of generations that have been tried
+     * @param mean the present solution
+     * @param scale scale of each number
+     * @param firstMoment mean of the last steps
+     * @param secondMoment mean of the squares of the last steps
      */
     @SuppressWarnings("ArrayRecordComponent")
-    public record State(int generation, double[] mean, double[] units, double[] drift, double[] squares) {
+    public record State(int generation, double[] mean, double[] scale, double[] firstMoment, double[] secondMoment) {
 
         /**
          * Begins.
          *
          * @param mean the first guess
-         * @param units by how much each number is usually changed
+         * @param scale scale of each number
          * @return the state before the first generation
          */
-        public static State begin(double[] mean, double[] units) {
-            return new State(0, mean, units, new double[mean.length], new double[mean.length]);
+        public static State begin(double[] mean, double[] scale) {
+            return new State(0, mean, scale, new double[mean.length], new double[mean.length]);
         }
     }
 
     /**
      * Draws the candidates of the next generation.
      *
-     * @param state where the training is
+     * @param state the state of the search
      * @return two for each pair, one after the other
      */
     public List<double[]> ask(State state) {
         List<double[]> candidates = new ArrayList<>();
         for (double[] noise : noise(state)) {
-            candidates.add(moved(state, noise, spread));
-            candidates.add(moved(state, noise, -spread));
+            candidates.add(moved(state, noise, sigma));
+            candidates.add(moved(state, noise, -sigma));
         }
         return candidates;
     }
@@ -72,7 +95,7 @@ public record EvolutionStrategy(long seed, int pairs, double spread, double rate
     /**
      * Chooses the trial of a candidate; both of a pair get the same one.
      *
-     * @param state where the training is
+     * @param state the state of the search
      * @param candidate its index
      * @return the seed of its trial
      */
@@ -83,32 +106,32 @@ public record EvolutionStrategy(long seed, int pairs, double spread, double rate
     /**
      * Learns from the candidates.
      *
-     * @param state where the training was when they were asked for
+     * @param state the state from which they were drawn
      * @param scores how good each was; more is better
-     * @return where the training is now
+     * @return the next state
      */
     public State tell(State state, double... scores) {
         double[] gradient = gradient(state, ranks(scores));
         int size = gradient.length;
         double[] mean = state.mean().clone();
-        double[] drift = new double[size];
-        double[] squares = new double[size];
+        double[] firstMoment = new double[size];
+        double[] secondMoment = new double[size];
         int generation = state.generation() + 1;
         for (int i = 0; i < size; i++) {
-            drift[i] = MEMORY * state.drift()[i] + (1 - MEMORY) * gradient[i];
-            squares[i] = SQUARES_MEMORY * state.squares()[i] + (1 - SQUARES_MEMORY) * gradient[i] * gradient[i];
-            double way = drift[i] / (1 - PortableMath.pow(MEMORY, generation));
-            double evened = squares[i] / (1 - PortableMath.pow(SQUARES_MEMORY, generation));
-            mean[i] += rate * state.units()[i] * way / (Math.sqrt(evened) + TINY);
+            firstMoment[i] = BETA_1 * state.firstMoment()[i] + (1 - BETA_1) * gradient[i];
+            secondMoment[i] = BETA_2 * state.secondMoment()[i] + (1 - BETA_2) * gradient[i] * gradient[i];
+            double way = firstMoment[i] / (1 - PortableMath.pow(BETA_1, generation));
+            double evened = secondMoment[i] / (1 - PortableMath.pow(BETA_2, generation));
+            mean[i] += learningRate * state.scale()[i] * way / (Math.sqrt(evened) + EPSILON);
         }
-        return new State(generation, mean, state.units(), drift, squares);
+        return new State(generation, mean, state.scale(), firstMoment, secondMoment);
     }
 
     private double[] gradient(State state, double... ranks) {
         double[] gradient = new double[state.mean().length];
         List<double[]> noise = noise(state);
-        for (int k = 0; k < pairs; k++) {
-            double weight = (ranks[2 * k] - ranks[2 * k + 1]) / pairs;
+        for (int k = 0; k < antitheticPairs; k++) {
+            double weight = (ranks[2 * k] - ranks[2 * k + 1]) / antitheticPairs;
             for (int i = 0; i < gradient.length; i++) {
                 gradient[i] += weight * noise.get(k)[i];
             }
@@ -132,7 +155,7 @@ public record EvolutionStrategy(long seed, int pairs, double spread, double rate
     private List<double[]> noise(State state) {
         Random random = new Random(mixed(state));
         List<double[]> noise = new ArrayList<>();
-        for (int k = 0; k < pairs; k++) {
+        for (int k = 0; k < antitheticPairs; k++) {
             double[] one = new double[state.mean().length];
             Arrays.setAll(one, i -> random.nextGaussian());
             noise.add(one);
@@ -147,7 +170,7 @@ public record EvolutionStrategy(long seed, int pairs, double spread, double rate
     private static double[] moved(State state, double[] noise, double distance) {
         double[] candidate = state.mean().clone();
         for (int i = 0; i < candidate.length; i++) {
-            candidate[i] += distance * state.units()[i] * noise[i];
+            candidate[i] += distance * state.scale()[i] * noise[i];
         }
         return candidate;
     }

@@ -1,6 +1,7 @@
 /**
- * Learning by trying: an evolution strategy improves the numbers of a policy, lesson by lesson. Read {@link
- * org.robonewbie.learning.policy.PolicyTraining} first, then {@link org.robonewbie.learning.policy.WalkCourse}, what is learned.
+ * Search for policies: an evolution strategy improves the network of a task, episode by episode. Read {@link
+ * org.robonewbie.learning.policy.PolicySearch} first, then {@link org.robonewbie.learning.policy.PolicyModel}, the numbers that are
+ * searched.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

@@ -21,7 +21,7 @@ public final class RestartingSearch implements AskAndTell {
     private final Random random;
 
     private CovarianceMatrixAdaptation run;
-    private Standstill standstill;
+    private StoppingCriterion standstill;
     private boolean isLarge = true;
     private int largestPopulation;
     private long trialsOfLarge;
@@ -50,7 +50,7 @@ public final class RestartingSearch implements AskAndTell {
         this.largestPopulation = population;
         this.random = new Random(seed);
         this.run = new CovarianceMatrixAdaptation(start, step, population, seed);
-        this.standstill = new Standstill(start.length, population);
+        this.standstill = new StoppingCriterion(start.length, population);
     }
 
     /**
@@ -102,7 +102,7 @@ public final class RestartingSearch implements AskAndTell {
 
     private void begin(int candidates, double firstStep) {
         run = new CovarianceMatrixAdaptation(start, firstStep, candidates, random.nextLong());
-        standstill = new Standstill(start.length, candidates);
+        standstill = new StoppingCriterion(start.length, candidates);
         lastCost = Double.POSITIVE_INFINITY;
     }
 

@@ -41,19 +41,7 @@ public record ExperimentPlan(
     /** Names in a plan that are no parameters of the experiment. */
     private static final List<String> OWN = List.of("experiment", "trials", "seed");
 
-    private static final int MOST_TRIALS = 100_000_000;
-
-    /**
-     * Creates a plan whose parameters are numbers.
-     *
-     * @param experiment full name of a class that implements {@link Experiment}
-     * @param trials the number of trials
-     * @param seed chooses the seeds of all trials
-     * @param values for each parameter the values to be tried
-     */
-    public ExperimentPlan(String experiment, int trials, long seed, LinkedHashMap<String, List<Double>> values) {
-        this(experiment, trials, seed, values, new LinkedHashMap<>());
-    }
+    private static final int MAX_TRIALS = 100_000_000;
 
     /**
      * Reads a plan: a text file with lines {@code name=value}; {@code experiment}, {@code trials} and {@code seed} are known,
@@ -112,9 +100,9 @@ public record ExperimentPlan(
                         wrong);
             }
         }
-        if (experiment.isEmpty() || trials < 1 || trials > MOST_TRIALS) {
+        if (experiment.isEmpty() || trials < 1 || trials > MAX_TRIALS) {
             throw new IllegalArgumentException(
-                    file + ": a plan needs a line experiment=NAME.OF.A.CLASS and trials from 1 to " + MOST_TRIALS
+                    file + ": a plan needs a line experiment=NAME.OF.A.CLASS and trials from 1 to " + MAX_TRIALS
                             + "; it has \"" + experiment + "\" and " + trials + ".");
         }
         return new ExperimentPlan(experiment, trials, seed, values, texts);

@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * One line of the table that is still to be measured.
+ * One trial of a plan: a line of the table.
  *
  * @param number its number, from 0
  * @param seed chooses all that is random in it
@@ -16,23 +16,12 @@ public record PlannedTrial(
         int number, long seed, LinkedHashMap<String, Double> parameters, LinkedHashMap<String, String> texts)
         implements Serializable {
 
-    private static final int MOST_ATTEMPTS = 3;
+    private static final int MAX_ATTEMPTS = 3;
 
     /** Copies the parameters. */
     public PlannedTrial {
         parameters = new LinkedHashMap<>(parameters);
         texts = new LinkedHashMap<>(texts);
-    }
-
-    /**
-     * Plans a trial whose parameters are numbers.
-     *
-     * @param number its number, from 0
-     * @param seed chooses all that is random in it
-     * @param parameters what the plan says for it
-     */
-    public PlannedTrial(int number, long seed, LinkedHashMap<String, Double> parameters) {
-        this(number, seed, parameters, new LinkedHashMap<>());
     }
 
     /** {@return numbers and texts of the plan by name, in the order in which the table has them} */
@@ -42,23 +31,17 @@ public record PlannedTrial(
         return all;
     }
 
-    /**
-     * Carries the trial out; a trial that fails is tried again.
-     *
-     * @param experiment what to do
-     * @return the measured numbers
-     * @throws IllegalStateException if it failed three times; the message names the trial
-     */
-    public double[] run(Experiment experiment) {
+    /** Runs the trial; a trial that fails is tried again. */
+    ExperimentRun.Outcome run(Experiment experiment) {
         for (int attempt = 1; ; attempt++) {
             try {
-                return checked(experiment);
+                return new ExperimentRun.Outcome(checked(experiment), "");
             } catch (Exception failure) {
-                if (attempt == MOST_ATTEMPTS) {
-                    throw new IllegalStateException(
+                if (attempt == MAX_ATTEMPTS) {
+                    return new ExperimentRun.Outcome(
+                            new double[0],
                             "Trial " + number + " (seed " + seed + ", " + all() + ") failed " + attempt + " times: "
-                                    + failure,
-                            failure);
+                                    + failure);
                 }
             }
         }

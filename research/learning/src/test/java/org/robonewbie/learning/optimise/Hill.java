@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.Random;
 
 /** A subject without robot: its value is the height of a hill, seen through some noise. */
-final class Hill implements Subject {
+final class Hill implements Parametrization {
 
     private static final double HEIGHT = 10;
     private static final double NOISE = 0.01;
@@ -36,9 +36,9 @@ final class Hill implements Subject {
     }
 
     @Override
-    public List<SubjectNumber> numbers(double[] coordinates) {
+    public List<Parameter> numbers(double[] coordinates) {
         return Arrays.stream(coordinates)
-                .mapToObj(x -> new SubjectNumber("way", "m", x, 1))
+                .mapToObj(x -> new Parameter("way", "m", x, 1))
                 .toList();
     }
 

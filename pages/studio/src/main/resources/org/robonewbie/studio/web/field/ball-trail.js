@@ -1,15 +1,15 @@
-/** The trail of the ball: dots that fade; where they are far from each other, the ball was fast. */
+/** Ball trail: fading dots; the wider their spacing, the faster the ball was. */
 import * as THREE from 'three';
 import { BallPath } from '../state/ball-path.js';
 
-const MOST_DOTS = 400;
+const MAX_DOTS = 400;
 const DOT_PIXELS = 5;
 const COLOUR = new THREE.Color(0xffe14d);
 
 export class BallTrail {
   #path = new BallPath();
-  #places = new Float32Array(3 * MOST_DOTS);
-  #colours = new Float32Array(4 * MOST_DOTS);
+  #places = new Float32Array(3 * MAX_DOTS);
+  #colours = new Float32Array(4 * MAX_DOTS);
 
   constructor() {
     const geometry = new THREE.BufferGeometry();
@@ -34,13 +34,13 @@ export class BallTrail {
     this.#draw([]);
   }
 
-  /** @param {number} cycle @param {ArrayLike<number>} ball its pose */
+  /** @param {number} cycle @param {ArrayLike<number>} ball pose */
   follow(cycle, ball) {
     this.#path.add(cycle, ball);
-    this.#draw(this.isOn ? this.#path.trail.slice(-MOST_DOTS) : []);
+    this.#draw(this.isOn ? this.#path.trail.slice(-MAX_DOTS) : []);
   }
 
-  /** Sizes are those of the page, whatever the quality. @param {number} pixelRatio */
+  /** Keeps the dots the same size on the page at every quality. @param {number} pixelRatio */
   setPixelRatio(pixelRatio) {
     this.dots.material.size = Math.max(2, DOT_PIXELS * pixelRatio);
   }

@@ -1,10 +1,10 @@
-/** The ball: white with twelve dark pentagons, so that its rolling can be seen. */
+/** The ball: white with twelve dark pentagons, so that its rotation is visible. */
 import * as THREE from 'three';
 
 /** Radius of SimSpark's ball in metres. */
 export const BALL_RADIUS = 0.042;
 
-/** Each edge of the icosahedron is cut into so many parts; a multiple of three gives exact pentagons. */
+/** Segments per edge of the icosahedron; a multiple of three gives exact pentagons. */
 const PARTS = { fine: 9, coarse: 6, tiny: 3 };
 
 /** @returns {THREE.Mesh} */
@@ -38,7 +38,7 @@ export function ballShape(detail) {
   return geometry;
 }
 
-/** The corners of the icosahedron, each in the middle of a dark pentagon. */
+/** The vertices of the icosahedron, each the centre of a dark pentagon. */
 function pentagonCentres() {
   const places = new THREE.IcosahedronGeometry(1, 0).getAttribute('position');
   /** @type {Map<string, THREE.Vector3>} */
@@ -57,8 +57,8 @@ function pentagonCentres() {
 }
 
 /**
- * A football is an icosahedron with its corners cut off at a third of each edge: what weighs two thirds towards one corner
- * of its triangle lies in a pentagon.
+ * A football is a truncated icosahedron, cut at a third of each edge: a direction whose barycentric weight for one vertex exceeds two
+ * thirds lies in a pentagon.
  *
  * @param {THREE.Vector3} direction
  * @param {THREE.Vector3[]} corners

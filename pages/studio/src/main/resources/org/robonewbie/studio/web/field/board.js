@@ -1,4 +1,4 @@
-/** What teams draw for RoboViz, in the picture: one mesh for all shapes, and a sprite for each text. */
+/** RoboViz drawings of the teams, rendered as one mesh for all shapes and one sprite per text. */
 import * as THREE from 'three';
 import { boardTriangles } from '../state/board-shapes.js';
 import { textLook } from './drawings.js';
@@ -7,10 +7,10 @@ import { textLook } from './drawings.js';
 
 const TEXT_SCALE = 0.021;
 const METRES_ABOVE_TORSO = 0.45;
-const MOST_TEXTS = 200;
+const MAX_TEXTS = 200;
 
 export class Board {
-  /** Texts that stand above robots and go with them. @type {Array<{sprite: THREE.Sprite, shape: BoardShape}>} */
+  /** Texts that are attached to robots. @type {Array<{sprite: THREE.Sprite, shape: BoardShape}>} */
   #above = [];
 
   constructor() {
@@ -29,7 +29,7 @@ export class Board {
     this.group.add(this.shapes, this.texts);
   }
 
-  /** @param {readonly BoardShape[]} drawn all that is to be seen now */
+  /** @param {readonly BoardShape[]} drawn all visible shapes */
   show(drawn) {
     /** @type {number[]} */
     const places = [];
@@ -50,7 +50,7 @@ export class Board {
     this.shapes.geometry.setAttribute('position', new THREE.Float32BufferAttribute(places, 3));
     this.shapes.geometry.setAttribute('color', new THREE.Float32BufferAttribute(colours, 4));
     this.shapes.visible = places.length > 0;
-    this.#write(drawn.filter(({ text }) => text !== '').slice(0, MOST_TEXTS));
+    this.#write(drawn.filter(({ text }) => text !== '').slice(0, MAX_TEXTS));
   }
 
   /** @param {readonly BoardShape[]} texts */
@@ -77,7 +77,12 @@ export class Board {
     }
   }
 
-  /** Lets texts go with their robots. @param {readonly Float32Array[]} poses @param {readonly import('../live/state-frame.js').Player[]} players */
+  /**
+   * Moves the attached texts to their robots.
+   *
+   * @param {readonly Float32Array[]} poses
+   * @param {readonly import('../live/state-frame.js').Player[]} players
+   */
   follow(poses, players) {
     for (const { sprite, shape } of this.#above) {
       const pose = poses[players.findIndex(({ side, number }) => side === shape.side && number === shape.number)];

@@ -1,4 +1,4 @@
-/** The camera: which of four ways of looking is chosen, and how mouse and keys turn it. */
+/** Camera controller: five camera modes, and how mouse and keys move the view. */
 import { POSE, rotated } from '../state/kinematics.js';
 import { eye, moved, openingShot, overview, turned, zoomed, zoomedTo } from '../state/view-point.js';
 
@@ -9,12 +9,12 @@ import { eye, moved, openingShot, overview, turned, zoomed, zoomedTo } from '../
  * @typedef {import('../live/state-frame.js').Scene} Scene
  */
 
-/** The cameras in the order of their keys 1 to 5. @type {Array<{mode: CameraMode, name: string, hint: string}>} */
+/** The camera modes in the order of their keys 1 to 5. @type {Array<{mode: CameraMode, name: string, hint: string}>} */
 export const CAMERAS = [
   { mode: 'orbit', name: 'Free', hint: 'Turn with the mouse, move with the right button' },
   { mode: 'follow', name: 'Follow', hint: 'Keeps the chosen robot in the middle' },
   { mode: 'top', name: 'Top', hint: 'The whole pitch from above' },
-  { mode: 'eye', name: 'Robot’s eyes', hint: 'What the chosen robot looks at' },
+  { mode: 'eye', name: 'Robot’s eyes', hint: 'The view through the chosen robot’s eyes' },
   { mode: 'ball', name: 'Ball', hint: 'Follows the ball, as on television' },
 ];
 
@@ -26,7 +26,7 @@ const CATCH_UP_PER_SECOND = 6;
 export class CameraController {
   /**
    * @param {import('three').PerspectiveCamera} camera
-   * @param {() => FreeView} free the part of the picture that no panel covers; if left out, all of it
+   * @param {() => FreeView} free the part of the picture not covered by panels; the whole picture by default
    */
   constructor(camera, free = () => wholeView(camera)) {
     this.camera = camera;
@@ -39,18 +39,18 @@ export class CameraController {
     this.view = { target: [0, 0, 0], azimuthDegrees: -90, elevationDegrees: 36, distance: 14 };
     /** @type {ViewPoint} */
     this.shown = this.view;
-    /** Whether the camera has arrived where it glides to. */
+    /** Whether the camera has reached its target view. */
     this.isStill = false;
-    /** The view of the whole pitch, as long as nobody has turned it. @type {ViewPoint | undefined} */
+    /** The overview of the pitch, until the user turns the camera. @type {ViewPoint | undefined} */
     this.whole = undefined;
-    /** Whether the first picture of a single robot is still to be composed. */
-    this.opens = false;
+    /** Whether the opening shot of a single robot is still to be composed. */
+    this.isOpeningShot = false;
     /** @type {Scene | undefined} */
     this.scene = undefined;
   }
 
   /**
-   * Fits to who plays: a single robot is followed, many are seen from the side line.
+   * Chooses the view for the scene: follows a single robot, shows several from the touchline.
    *
    * @param {Scene} scene
    */
@@ -63,7 +63,7 @@ export class CameraController {
       return;
     }
     this.setMode(scene.robots.length === 1 ? 'follow' : 'orbit');
-    this.opens = this.mode === 'follow';
+    this.isOpeningShot = this.mode === 'follow';
     this.userHasChosen = false;
     if (first) {
       this.shown = this.view;
@@ -79,45 +79,45 @@ export class CameraController {
     return mode === 'follow' || mode === 'eye';
   }
 
-  /** Looks in another way; nothing happens where a robot is needed and none is there. @param {CameraMode} mode */
+  /** Switches the camera mode; ignored if the mode needs a robot and there is none. @param {CameraMode} mode */
   setMode(mode) {
     if (this.#needsRobot(mode) && !this.scene?.robots.length) {
       return;
     }
     this.userHasChosen = true;
     this.isStill = false;
-    this.opens = false;
+    this.isOpeningShot = false;
     this.mode = mode;
     if (mode === 'follow') {
       this.view = { ...this.view, azimuthDegrees: -38, elevationDegrees: 13, distance: 2.1 };
     } else if (mode === 'ball') {
       this.view = { ...this.view, azimuthDegrees: -90, elevationDegrees: 24, distance: 6.5 };
     } else if (mode !== 'eye') {
-      this.#seeAll();
+      this.#showAll();
     }
   }
 
-  #seeAll() {
+  #showAll() {
     const field = this.scene?.field ?? { length: 12, width: 8 };
     this.whole = overview(field, this.free(), this.mode === 'top');
     this.view = this.whole;
   }
 
-  /** The free part of the picture has changed. */
+  /** Adapts the view after the uncovered part of the picture has changed. */
   refit() {
     if (this.view === this.whole) {
-      this.#seeAll();
+      this.#showAll();
     }
   }
 
-  /** @param {ViewPoint} view set at once, without gliding there */
+  /** @param {ViewPoint} view applied immediately, without a transition */
   jumpTo(view) {
     this.view = view;
     this.shown = view;
     this.isStill = false;
   }
 
-  /** Looks as another camera does; where that one sees the whole pitch, this one fits it to its own picture. @param {CameraController} other */
+  /** Copies the view of another camera; an overview of the pitch is fitted to this picture. @param {CameraController} other */
   lookAs({ mode, chosen, shown, view, whole }) {
     this.chosen = chosen;
     this.setMode(mode);
@@ -127,7 +127,7 @@ export class CameraController {
     this.shown = this.view;
   }
 
-  /** @param {number} robot index of the robot to follow */
+  /** @param {number} robot index of the followed robot */
   choose(robot) {
     this.chosen = robot;
     if (this.mode !== 'eye') {
@@ -141,13 +141,13 @@ export class CameraController {
     this.view = turned(this.view, right, up);
   }
 
-  /** @param {number} factor below 1 goes nearer @param {number[]} [point] stays where it is on the screen */
+  /** @param {number} factor below 1 zooms in @param {number[]} [point] fixed on the screen */
   zoom(factor, point) {
-    this.opens = false;
+    this.isOpeningShot = false;
     this.view = point && !this.#followsSomething ? zoomedTo(this.view, factor, point) : zoomed(this.view, factor);
   }
 
-  /** @param {number} right part of the distance @param {number} up part of the distance */
+  /** @param {number} right fraction of the distance @param {number} up fraction of the distance */
   move(right, up) {
     this.#take();
     if (this.mode === 'follow' || this.mode === 'ball') {
@@ -158,18 +158,18 @@ export class CameraController {
 
   #take() {
     this.userHasChosen = true;
-    this.opens = false;
+    this.isOpeningShot = false;
     if (this.mode === 'top') {
       this.mode = 'orbit';
     }
   }
 
   /**
-   * Moves the camera on.
+   * Advances the camera.
    *
    * @param {Float32Array[]} poses of all links of each robot
    * @param {number} seconds since the last call
-   * @param {number[]} [ball] where it is, if there is one
+   * @param {number[]} [ball] its position, if there is one
    * @returns {boolean} whether it has moved
    */
   update(poses, seconds, ball) {
@@ -178,7 +178,7 @@ export class CameraController {
     if (this.mode === 'eye' && robot) {
       return this.#lookThroughEyes(robot);
     }
-    if (this.opens && robot && robot[2] > 0 && ball) {
+    if (this.isOpeningShot && robot && robot[2] > 0 && ball) {
       this.#open(robot, ball);
     }
     if (this.mode === 'follow' && robot) {
@@ -192,7 +192,7 @@ export class CameraController {
 
   /** @param {Float32Array} robot @param {number[]} ball */
   #open(robot, ball) {
-    this.opens = false;
+    this.isOpeningShot = false;
     const scene = /** @type {Scene} */ (this.scene);
     const end = scene.robots[this.chosen].side === 'right' ? -1 : 1;
     const goal = [(end * scene.field.length) / 2, 0, 0];
@@ -221,7 +221,7 @@ export class CameraController {
     return true;
   }
 
-  /** @param {number} part of the way that is still to go */
+  /** @param {number} part fraction of the way that remains */
   #glide(part) {
     const { view, shown } = this;
     const turn = shortestTurn(view.azimuthDegrees - shown.azimuthDegrees);

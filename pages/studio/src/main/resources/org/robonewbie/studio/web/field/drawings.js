@@ -1,4 +1,4 @@
-/** What robots draw, on the ground of the picture: one mesh for all shapes, and a sprite for each text. */
+/** Drawings of the robots on the ground, rendered as one mesh for all shapes and one sprite per text. */
 import * as THREE from 'three';
 import { isDrawable, onGround, trianglesOf } from '../state/drawing-shapes.js';
 
@@ -7,17 +7,17 @@ import { isDrawable, onGround, trianglesOf } from '../state/drawing-shapes.js';
  * @typedef {{stand: Stand, drawing: import('../state/robot/telemetry.js').Drawing}} Placed
  */
 
-/** Above lines of the pitch and soft shadows. */
+/** Metres above the ground: above pitch lines and soft shadows. */
 const HEIGHT = 0.012;
 
-/** Height of a text as part of the picture's height. */
+/** Text height as a fraction of the picture's height. */
 const TEXT_SCALE = 0.021;
 const FONT_PIXELS = 44;
-const MOST_TEXTS = 300;
+const MAX_TEXTS = 300;
 const CODE = /^#([0-9a-f]{3,4}|[0-9a-f]{6}|[0-9a-f]{8})$/i;
 
 export class FieldDrawings {
-  /** Texts that are shown, by colour and words. @type {Map<string, THREE.SpriteMaterial>} */
+  /** Materials of the texts, by colour and content. @type {Map<string, THREE.SpriteMaterial>} */
   #looks = new Map();
 
   constructor() {
@@ -31,7 +31,7 @@ export class FieldDrawings {
     this.show([]);
   }
 
-  /** @param {Placed[]} placed all that is to be seen now */
+  /** @param {Placed[]} placed all visible drawings */
   show(placed) {
     const drawable = placed.filter(({ drawing }) => isDrawable(drawing));
     if (drawable.length === 0 && !this.group.visible) {
@@ -39,7 +39,7 @@ export class FieldDrawings {
     }
     this.group.visible = drawable.length > 0;
     this.#fill(drawable);
-    this.#write(drawable.filter(({ drawing }) => drawing.shape === 'text').slice(0, MOST_TEXTS));
+    this.#write(drawable.filter(({ drawing }) => drawing.shape === 'text').slice(0, MAX_TEXTS));
   }
 
   /** @param {Placed[]} placed */
@@ -80,7 +80,7 @@ export class FieldDrawings {
   }
 }
 
-/** @param {string} colour as an agent names it @returns {string} one that can be drawn */
+/** @param {string} colour named by an agent @returns {string} a colour that can be drawn */
 function knownColour(colour) {
   if (CODE.test(colour)) {
     return colour.slice(0, colour.length < 6 ? 4 : 7);
@@ -100,7 +100,7 @@ function textSprite(look, x, y, text) {
   return sprite;
 }
 
-/** A text with a dark edge, so that it is read on grass and lines alike. @param {string} text @param {string} colour */
+/** A text with a dark outline, legible on grass and on lines. @param {string} text @param {string} colour */
 export function textLook(text, colour) {
   const canvas = document.createElement('canvas');
   const pen = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));

@@ -1,4 +1,4 @@
-/** The pitch in three dimensions: picture, camera, mouse, drawings and names together, for whatever moment the session shows. */
+/** The 3D pitch: picture, camera, pointer, drawings and name tags of the moment that the session shows. */
 import { BoardController } from '../panels/board-controller.js';
 import { DrawingController } from '../panels/drawing-controller.js';
 import { byId, setText } from '../panels/elements.js';
@@ -11,14 +11,14 @@ import { chooserFor, openView } from './open-view.js';
 /** @typedef {import('./camera-controller.js').CameraMode} CameraMode */
 
 export class FieldRoom {
-  /** The scene that the picture is made for. @type {object | undefined} */
+  /** The scene the picture was built for. @type {object | undefined} */
   #pictured;
 
   /**
    * @param {import('../live/session.js').Session} session
-   * @param {string | null} quality that the page's address asks for
+   * @param {string | null} quality requested by the page's address
    * @param {object} world
-   * @param {() => boolean} world.isSteered whether people can move things now
+   * @param {() => boolean} world.isSteered whether objects can be moved now
    * @param {(command: object) => void} world.send
    */
   constructor(session, quality, { isSteered, send }) {
@@ -27,21 +27,21 @@ export class FieldRoom {
     this.view = openView(QUALITIES[asked < 0 ? 1 : asked]);
     this.chooser = chooserFor(this.view, asked);
     this.ghosts = new Ghosts(this.view.scene, this.view.quality);
-    this.desk = new CameraController(this.view.camera, () => this.view.free);
+    this.cameraController = new CameraController(this.view.camera, () => this.view.free);
     this.drawings = new DrawingController(this.view, () => session.touch());
     this.board = new BoardController(this.view.board, () => session.touch());
-    this.hand = new PointerController(this.view, this.desk, {
+    this.pointer = new PointerController(this.view, this.cameraController, {
       now: () => ({ ...session.state, ...session.shown }),
       isSteered,
       send: (command) => isSteered() && send(command),
       changed: () => session.touch(),
-      tell: showTip,
+      showTip,
     });
   }
 
   /** @param {CameraMode} mode */
   chooseCamera = (mode) => {
-    this.desk.setMode(mode);
+    this.cameraController.setMode(mode);
     this.session.touch();
   };
 
@@ -52,33 +52,33 @@ export class FieldRoom {
     this.session.touch();
   };
 
-  /** @param {boolean} on whether the last trial of an exercise is seen beside the present one */
+  /** @param {boolean} on whether the previous trial of an exercise is shown beside the current one */
   showGhost = (on) => {
     this.session.ghost.isOn = on;
     this.session.touch();
   };
 
-  /** What keys do to the view. */
+  /** Key actions that change the view. */
   get looks() {
-    const { desk, session } = this;
+    const { cameraController, session } = this;
     return {
       turn: (/** @type {number} */ right, /** @type {number} */ up) => {
-        desk.turn(right, up);
+        cameraController.turn(right, up);
         session.touch();
       },
       zoom: (/** @type {number} */ factor) => {
-        desk.zoom(factor);
+        cameraController.zoom(factor);
         session.touch();
       },
-      camera: (/** @type {number} */ index) => this.chooseCamera(CAMERAS[index].mode),
+      select: (/** @type {number} */ index) => this.chooseCamera(CAMERAS[index].mode),
       next: () => {
-        desk.choose((desk.chosen + 1) % Math.max(1, session.state.scene?.robots.length ?? 1));
+        cameraController.choose((cameraController.chosen + 1) % Math.max(1, session.state.scene?.robots.length ?? 1));
         session.touch();
       },
     };
   }
 
-  /** Fits the quality to the computer. @param {number} milliseconds that the last picture took */
+  /** Adapts the quality to the computer. @param {number} milliseconds duration of the last picture */
   pictureTook(milliseconds) {
     if (this.chooser.pictureTook(milliseconds)) {
       this.view.setQuality(this.chooser.quality);
@@ -90,14 +90,14 @@ export class FieldRoom {
     return this.session.shown.tense === 'live' && this.chooser.quality.smooth;
   }
 
-  /** @param {number} now milliseconds @returns {boolean} whether the picture changes without news */
+  /** @param {number} now milliseconds @returns {boolean} whether the picture changes without new data */
   isMoving(now) {
     return this.#isSmooth && this.session.smoothing.isMoving(now);
   }
 
-  /** @param {number} now milliseconds @param {number} seconds since the last turn */
+  /** @param {number} now milliseconds @param {number} seconds since the last call */
   draw(now, seconds) {
-    const { session, view, desk } = this;
+    const { session, view, cameraController } = this;
     const { scene, frame } = session.shown;
     this.#setScene(scene);
     const picture = this.#isSmooth ? session.smoothing.picture(now) : frame;
@@ -108,9 +108,9 @@ export class FieldRoom {
     this.ghosts.show(session.ghost.beside(scene, frame), view.camera.position);
     this.drawings.show(session.shown, session.drawings);
     view.board.group.visible = session.shown.tense === 'live';
-    this.hand.draw();
-    session.stale = desk.update(view.robots.poses, seconds, view.ball.position.toArray());
-    view.light.shine(desk.shown.target, view.camera.position);
+    this.pointer.draw();
+    session.stale = cameraController.update(view.robots.poses, seconds, view.ball.position.toArray());
+    view.light.shine(cameraController.shown.target, view.camera.position);
     view.draw();
   }
 
@@ -119,12 +119,12 @@ export class FieldRoom {
     if (scene && scene !== this.#pictured) {
       this.#pictured = scene;
       this.view.setScene(scene);
-      this.desk.setScene(scene);
+      this.cameraController.setScene(scene);
     }
   }
 }
 
-/** @param {string} tip what the mouse can do here; empty for nothing special */
+/** @param {string} tip hint for the mouse; empty for none */
 function showTip(tip) {
   const place = byId('stage-tip');
   setText(place, tip || place.textContent || '');

@@ -1,4 +1,4 @@
-/** The picture of the field: owns the three.js scene and draws it; what is drawn comes from outside. */
+/** The picture of the field: owns the three.js scene and renders it; its content is supplied by the caller. */
 import * as THREE from 'three';
 import { ball, BALL_RADIUS, ballShape } from './ball.js';
 import { BallTrail } from './ball-trail.js';
@@ -18,19 +18,19 @@ import { Things } from './things.js';
  * @typedef {import('../state/quality.js').Quality} Quality
  */
 
-/** A ball that is far away is drawn larger than it is, so that it can be found. */
-const LEAST_BALL_PIXELS = 4;
+/** Minimum size of the ball: a distant ball is enlarged so that it stays visible. */
+const MIN_BALL_PIXELS = 4;
 
-/** A picture that stands still has four pixels for each pixel of the page, which smooths all edges. */
+/** Pixel ratio of a still picture: 2 × 2 samples per page pixel smooth all edges. */
 const STILL_PIXEL_RATIO = 2;
 const STILL_MILLISECONDS = 300;
 
-/** Panels that leave less than this part of the picture are not respected: then they are laid over it on purpose. */
-const LEAST_FREE_PART = 0.45;
+/** Minimum free fraction of the picture. Panels that leave less are treated as overlays and ignored. */
+const MIN_FREE_PART = 0.45;
 
 export class FieldView {
   /**
-   * @param {HTMLElement} stage where the picture goes
+   * @param {HTMLElement} stage container of the picture
    * @param {Quality} quality
    */
   constructor(stage, quality) {
@@ -58,16 +58,16 @@ export class FieldView {
     /** @type {THREE.Group | undefined} */
     this.pitch = undefined;
     this.quality = quality;
-    /** Whether the last picture was drawn with all pixels. */
+    /** Whether the last picture was rendered at full resolution. */
     this.isFine = false;
     this.lastDrawn = Infinity;
-    /** How much of each side is covered, pixels of the page. */
+    /** Covered margins, in page pixels. */
     this.covered = { left: 0, top: 0, right: 0, bottom: 0 };
     this.renderer = this.#newRenderer();
     this.setQuality(quality);
   }
 
-  /** Tells what the browser says about the graphics. @returns {string} */
+  /** @returns {string} the browser's description of the graphics hardware */
   get graphics() {
     const gl = this.renderer.getContext();
     const info = gl.getExtension('WEBGL_debug_renderer_info');
@@ -103,7 +103,7 @@ export class FieldView {
     return renderer;
   }
 
-  /** @param {boolean} real whether the sun casts shadows; else soft spots are drawn */
+  /** @param {boolean} real whether the sun casts shadows; otherwise soft spots are drawn */
   setShadows(real) {
     this.realShadows = real;
     this.renderer.shadowMap.enabled = real;
@@ -132,7 +132,7 @@ export class FieldView {
     }
   }
 
-  /** @param {Scene} content who plays where */
+  /** @param {Scene} content teams, robots and field */
   setScene(content) {
     if (JSON.stringify(content.field) !== JSON.stringify(this.content?.field)) {
       this.#layPitch(content);
@@ -156,14 +156,14 @@ export class FieldView {
     this.setShadows(this.realShadows);
   }
 
-  /** Fits the picture to the page; at once, since a picture of another size is black until it is drawn. */
+  /** Fits the picture to the page and redraws it immediately, because a resized canvas is black until it is drawn. */
   resize() {
     if (this.#fit() && 'drawn' in this.stage.dataset) {
       this.#render();
     }
   }
 
-  /** @returns {boolean} whether the picture has another number of pixels now */
+  /** @returns {boolean} whether the number of pixels has changed */
   #fit() {
     const { width, height } = this.#size();
     const { left, top, right, bottom } = this.#margins(width, height);
@@ -186,11 +186,11 @@ export class FieldView {
   /** @param {number} width @param {number} height */
   #margins(width, height) {
     const { left, top, right, bottom } = this.covered;
-    const [across, up] = [left + right < (1 - LEAST_FREE_PART) * width, top + bottom < (1 - LEAST_FREE_PART) * height];
+    const [across, up] = [left + right < (1 - MIN_FREE_PART) * width, top + bottom < (1 - MIN_FREE_PART) * height];
     return { left: across ? left : 0, right: across ? right : 0, top: up ? top : 0, bottom: up ? bottom : 0 };
   }
 
-  /** @param {{left: number, top: number, right: number, bottom: number}} covered pixels of the page that panels cover */
+  /** @param {{left: number, top: number, right: number, bottom: number}} covered page pixels covered by panels */
   setCovered(covered) {
     this.covered = covered;
     this.resize();
@@ -204,13 +204,13 @@ export class FieldView {
     return { across: perPixel * (width - left - right), up: perPixel * (height - top - bottom) };
   }
 
-  /** Tangent of half the angle that the picture is high. */
+  /** Tangent of half the vertical angle of view. */
   get #slope() {
     return Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
   }
 
   /**
-   * Moves everything to where it is now.
+   * Updates the poses of all objects.
    *
    * @param {Picture} picture
    */
@@ -232,7 +232,7 @@ export class FieldView {
     this.#render();
   }
 
-  /** Draws a picture that has stood still for a moment with all pixels, which takes its time. @param {number} now milliseconds */
+  /** Redraws a still picture at full resolution, which is slow. @param {number} now milliseconds */
   refine(now) {
     if (!this.isFine && now - this.lastDrawn > STILL_MILLISECONDS && !document.hidden) {
       this.isFine = true;
@@ -241,14 +241,14 @@ export class FieldView {
     }
   }
 
-  /** How long a pixel of the page is at a place of the picture, in metres. @param {THREE.Vector3} place */
+  /** The size of a page pixel at a point of the scene, in metres. @param {THREE.Vector3} place */
   metresPerPixel(place) {
     return (2 * this.#slope * this.camera.position.distanceTo(place)) / this.#size().height;
   }
 
   #render() {
-    const least = LEAST_BALL_PIXELS * this.metresPerPixel(this.ball.position);
-    this.ball.scale.setScalar(Math.max(1, least / (2 * BALL_RADIUS)));
+    const minDiameter = MIN_BALL_PIXELS * this.metresPerPixel(this.ball.position);
+    this.ball.scale.setScalar(Math.max(1, minDiameter / (2 * BALL_RADIUS)));
     this.board.follow(this.robots.poses, this.content?.robots ?? []);
     this.trail.setPixelRatio(this.renderer.getPixelRatio());
     this.camera.updateMatrixWorld();
@@ -258,13 +258,13 @@ export class FieldView {
     this.stage.dataset.drawn = '';
   }
 
-  /** Counts the draw calls of the last picture, shadows included. */
+  /** Number of draw calls of the last picture, including shadows. */
   get drawCalls() {
     return this.renderer.info.render.calls;
   }
 
   /**
-   * The line of sight through a point of the page.
+   * The ray through a point of the page.
    *
    * @param {number} clientX
    * @param {number} clientY
@@ -283,7 +283,7 @@ export class FieldView {
 }
 
 /**
- * A picture that nothing shines through, which the browser puts on the page with half the work.
+ * A renderer with an opaque canvas, which is half the work for the browser's compositor.
  *
  * @param {boolean} antialias
  * @returns {THREE.WebGLRenderer}

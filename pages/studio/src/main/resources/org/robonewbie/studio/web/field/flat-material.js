@@ -1,15 +1,15 @@
 /**
- * A surface that the sun does not change: it has its colours as they shall be on the screen, and fades to the haze of the
- * horizon. Ground and sky fill most of the picture, so that without a graphics card their price is most of the picture's.
+ * Unlit material: shows its colours exactly and fades to the haze at the horizon. Ground and sky fill most of the picture, so without a
+ * graphics card they dominate the rendering time.
  */
 import * as THREE from 'three';
 
-/** From where to where the haze grows, metres. */
+/** Distances at which the haze begins and is complete, in metres. */
 export const HAZE_METRES = [9, 38];
 
 /**
- * @param {number} [haze] colour of the haze; without it none is seen
- * @returns {THREE.ShaderMaterial} for bodies with the attribute `color`, see {@link screenColour}
+ * @param {number} [haze] colour of the haze; no haze if omitted
+ * @returns {THREE.ShaderMaterial} for geometries with the attribute `color`, see {@link screenColour}
  */
 export function flatMaterial(haze) {
   const [near, far] = HAZE_METRES.map((metres) => metres.toFixed(1));
@@ -36,7 +36,7 @@ export function flatMaterial(haze) {
 }
 
 /**
- * A colour as the screen shows it, without the way through light and back.
+ * Converts a colour so that the screen shows exactly this value.
  *
  * @param {number} hex
  * @returns {THREE.Color}
@@ -46,11 +46,11 @@ export function screenColour(hex) {
 }
 
 /**
- * Gives all corners of a body one colour.
+ * Gives all vertices of a geometry one colour.
  *
  * @param {THREE.BufferGeometry} geometry
  * @param {number} hex
- * @returns {THREE.BufferGeometry} the same
+ * @returns {THREE.BufferGeometry} the same geometry
  */
 export function tinted(geometry, hex) {
   const { r, g, b } = screenColour(hex);

@@ -1,4 +1,4 @@
-/** Robots and ball of a trial that is over, clear as glass beside those of the present one. */
+/** Robots and ball of a finished trial, transparent beside those of the current one. */
 import * as THREE from 'three';
 import { BALL_RADIUS } from './ball.js';
 import { ghostMaterial } from './materials.js';
@@ -9,9 +9,9 @@ import { InstancedRobots } from './instanced-robots.js';
  * @typedef {import('../live/state-frame.js').Frame} Frame
  */
 
-/** What one can look through is drawn after everything else. */
+/** Transparent objects are drawn last. */
 const AFTER_ROBOTS = 2;
-const NO_NEAR_ROBOTS = { nearMetres: 0, mostNear: 0 };
+const NO_NEAR_ROBOTS = { nearMetres: 0, maxNear: 0 };
 const BALL_OPACITY = 0.4;
 
 export class Ghosts {
@@ -33,7 +33,7 @@ export class Ghosts {
     place.add(this.group);
   }
 
-  /** @param {{scene: Scene, frame: Frame} | undefined} moment @param {THREE.Vector3} eye where the camera is */
+  /** @param {{scene: Scene, frame: Frame} | undefined} moment @param {THREE.Vector3} eye camera position */
   show(moment, eye) {
     this.group.visible = moment !== undefined;
     if (moment) {
@@ -44,7 +44,7 @@ export class Ghosts {
     }
   }
 
-  /** Ghosts have no numbers, through which one could not look. @param {Scene} scene */
+  /** Ghosts have no number plates, which would be opaque. @param {Scene} scene */
   #setScene(scene) {
     if (scene !== this.#scene) {
       this.#scene = scene;

@@ -1,4 +1,4 @@
-/** All robots of the scene: three draw calls, however many robots play. */
+/** All robots of the scene in three draw calls, independent of their number. */
 import * as THREE from 'three';
 import { computeLinkPoses, POSE } from '../state/kinematics.js';
 import { limbFit } from '../state/limb-fit.js';
@@ -11,45 +11,45 @@ import { RobotTable } from './robot-table.js';
  * @typedef {import('../live/state-frame.js').RobotState} RobotState
  * @typedef {import('../state/quality.js').Quality} Quality
  *
- * @typedef {object} Place where a limb's pose comes from and goes to
+ * @typedef {object} Place source and destination of a limb's pose
  * @property {number} robot index of the robot
  * @property {number} limb index of the kind of limb
  * @property {number} link index of the robot's link
- * @property {THREE.Matrix4} fit how the design is stretched for its type
+ * @property {THREE.Matrix4} fit fit of the design to the robot type
  */
 
-/** Robots hide much of the ground, so they are drawn before it. */
+/** Robots are drawn before the ground, much of which they hide. */
 const BEFORE_GROUND = -1;
 
 export class InstancedRobots {
-  /** @param {THREE.Material} [material] for all bodies; if left out, the robots are painted as the quality says */
+  /** @param {THREE.Material} [material] for all bodies; by default the quality decides */
   constructor(material) {
     this.group = new THREE.Group();
     this.table = new RobotTable();
     this.fixedMaterial = material && this.table.posed(material);
     this.numberMaterial = this.table.posed(numberMaterial());
     this.depthMaterial = this.table.posed(new THREE.MeshDepthMaterial({ depthPacking: THREE.RGBADepthPacking }));
-    /** @type {Array<{body: THREE.BufferGeometry, material: THREE.Material}>} near robots, far robots, and numbers of all */
+    /** @type {Array<{body: THREE.BufferGeometry, material: THREE.Material}>} near robots, far robots, and all number plates */
     this.looks = [];
-    /** @type {THREE.Mesh[]} one of each look */
+    /** @type {THREE.Mesh[]} one per look */
     this.meshes = [];
     /** @type {Place[]} */
     this.places = [];
     /** @type {Float32Array[]} poses of all links of each robot */
     this.poses = [];
-    /** @type {boolean[]} whether each robot is near enough to be drawn finely */
+    /** @type {boolean[]} whether each robot is near enough for the fine geometry */
     this.near = [];
     /** @type {Scene | undefined} */
     this.scene = undefined;
     this.castsShadow = false;
     this.nearMetres = 0;
-    this.mostNear = 0;
+    this.maxNear = 0;
   }
 
   /** @param {Quality} quality */
   setQuality(quality) {
     this.nearMetres = quality.nearMetres;
-    this.mostNear = quality.mostNear;
+    this.maxNear = quality.maxNear;
     const material = this.fixedMaterial ?? this.table.posed(robotMaterial(quality.glossy));
     this.looks = [
       { body: naoBody(quality.nearDetail), material },
@@ -87,10 +87,10 @@ export class InstancedRobots {
   }
 
   /**
-   * Moves all limbs.
+   * Updates the poses of all limbs.
    *
    * @param {RobotState[]} robots
-   * @param {THREE.Vector3} eye where the camera is
+   * @param {THREE.Vector3} eye camera position
    */
   update(robots, eye) {
     const scene = /** @type {Scene} */ (this.scene);
@@ -108,14 +108,14 @@ export class InstancedRobots {
   }
 
   /**
-   * Finds out who is near.
+   * Determines which robots are near.
    *
    * @param {THREE.Vector3} eye
-   * @returns {boolean} whether that has changed
+   * @returns {boolean} whether the set has changed
    */
   #judgeDistances(eye) {
     const distances = this.poses.map(([x, y, z]) => Math.hypot(x - eye.x, y - eye.y, z - eye.z));
-    const limit = Math.min(this.nearMetres, [...distances].sort((a, b) => a - b)[this.mostNear] ?? Infinity);
+    const limit = Math.min(this.nearMetres, [...distances].sort((a, b) => a - b)[this.maxNear] ?? Infinity);
     const near = distances.map((distance) => distance < limit);
     const changed = near.length !== this.near.length || near.some((value, i) => value !== this.near[i]);
     this.near = near;
@@ -125,7 +125,7 @@ export class InstancedRobots {
   /**
    * @param {THREE.BufferGeometry} body
    * @param {THREE.Material} material
-   * @param {number} robots how many it may show
+   * @param {number} robots maximum number of robots
    */
   #mesh(body, material, robots) {
     const geometry = new THREE.InstancedBufferGeometry();
@@ -144,7 +144,7 @@ export class InstancedRobots {
 }
 
 /**
- * Lets a mesh show some of the robots.
+ * Makes a mesh show some of the robots.
  *
  * @param {THREE.Mesh} mesh
  * @param {boolean[]} shown

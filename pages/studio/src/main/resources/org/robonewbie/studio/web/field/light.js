@@ -1,17 +1,17 @@
-/** Light and air: the same sun in both themes, a brighter sky in the light one. */
+/** Lights and sky: the same sun in both themes, a brighter sky in the light one. */
 import * as THREE from 'three';
 import { flatMaterial, HAZE_METRES, screenColour } from './flat-material.js';
 
 /**
  * @typedef {object} Palette
  * @property {number} sky at the horizon
- * @property {number} zenith straight above
+ * @property {number} zenith at the zenith
  * @property {number} surround ground around the pitch
- * @property {number} plain the same ground far away
+ * @property {number} plain distant ground
  * @property {number} grass
  * @property {number} grassStripe
  * @property {number} line
- * @property {number} skyLight how bright the sky shines
+ * @property {number} skyLight intensity of the sky light
  * @property {number} sunLight
  */
 
@@ -78,9 +78,9 @@ export class Light {
   }
 
   /**
-   * Takes sun and sky along, so that shadows are sharp where the eye looks and the sky is out of reach.
+   * Moves sun and sky with the view, so that shadows are sharp at the target and the sky dome stays out of reach.
    *
-   * @param {number[]} target what the eye looks at
+   * @param {number[]} target point that the camera looks at
    * @param {THREE.Vector3} eye
    */
   shine(target, eye) {
@@ -90,7 +90,7 @@ export class Light {
   }
 }
 
-/** A dome that is bright at the horizon and deeper above; it must be moved along with the eye. */
+/** Sky dome, bright at the horizon and deeper above; it must move with the camera. */
 function skyDome() {
   const geometry = new THREE.SphereGeometry(SKY_RADIUS, 12, 24).rotateX(Math.PI / 2);
   const count = geometry.getAttribute('position').count;
@@ -124,7 +124,7 @@ function paintDome(dome, palette) {
 }
 
 /**
- * A bright room that mirrors in glossy shells.
+ * Environment map of a bright room, reflected by glossy shells.
  *
  * @param {THREE.WebGLRenderer} renderer
  * @returns {THREE.Texture}
@@ -133,17 +133,17 @@ export function roomReflections(renderer) {
   const room = new THREE.Scene();
   room.background = new THREE.Color(0x98a6b0);
   /** @param {number} x @param {number} y @param {number} z @param {number} size @param {number} glow */
-  const lamp = (x, y, z, size, glow) => {
+  const addPanel = (x, y, z, size, glow) => {
     const material = new THREE.MeshBasicMaterial({ color: new THREE.Color(glow, glow, glow), side: THREE.DoubleSide });
     const mesh = new THREE.Mesh(new THREE.PlaneGeometry(size, size), material);
     mesh.position.set(x, y, z);
     mesh.lookAt(0, 0, 0);
     room.add(mesh);
   };
-  lamp(0, 0, 5, 6, 3);
-  lamp(-5, -4, 3, 3, 4);
-  lamp(5, 3, 2, 2.5, 2);
-  lamp(0, 0, -5, 14, 0.12);
+  addPanel(0, 0, 5, 6, 3);
+  addPanel(-5, -4, 3, 3, 4);
+  addPanel(5, 3, 2, 2.5, 2);
+  addPanel(0, 0, -5, 14, 0.12);
   const generator = new THREE.PMREMGenerator(renderer);
   const texture = generator.fromScene(room, 0.03).texture;
   generator.dispose();

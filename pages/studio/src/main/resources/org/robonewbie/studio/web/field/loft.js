@@ -1,32 +1,32 @@
-/** Rounded bodies: a skin is drawn over cross-sections along an axis, as over the ribs of a boat. */
+/** Lofted bodies: a surface through cross-sections along an axis. */
 import * as THREE from 'three';
 
 /**
- * @typedef {object} Section one rib
- * @property {number} at place on the axis, metres
+ * @typedef {object} Section one cross-section
+ * @property {number} at position on the axis, metres
  * @property {number} wide half width (x), metres
  * @property {number} deep half depth (y; −z if the axis is y), metres
  * @property {number} [x] offset of the centre
  * @property {number} [y] offset of the centre
  *
  * @typedef {object} LoftOptions
- * @property {'z' | 'y' | 'x'} [axis] along which the sections stand; z if left out
- * @property {number} [segments] facets around
- * @property {number} [rings] facets along
+ * @property {'z' | 'y' | 'x'} [axis] of the loft; default z
+ * @property {number} [segments] facets around the axis
+ * @property {number} [rings] facets along the axis
  * @property {number} [square] 2 = ellipse, more = squarer
- * @property {number} [inflate] metres by which the skin stands off
+ * @property {number} [inflate] offset of the surface, metres
  * @property {[number, number]} [around] only this range of angles: degrees, 0 = front (y), 90 = right (x)
- * @property {[number, number]} [along] only this range of the axis, 0 to 1
+ * @property {[number, number]} [along] only this range of the axis, from 0 to 1
  */
 
 const RADIANS = Math.PI / 180;
 
 /**
- * Draws the skin.
+ * Builds the surface.
  *
- * @param {Section[]} sections the ribs in rising order
+ * @param {Section[]} sections in ascending order
  * @param {LoftOptions} [options]
- * @returns {THREE.BufferGeometry} with uv that reads correctly from outside if it is a patch
+ * @returns {THREE.BufferGeometry} whose texture coordinates of a patch read correctly from outside
  */
 export function loft(sections, options = {}) {
   const { segments = 20, rings = 12, around, along = [0, 1] } = options;
@@ -54,10 +54,10 @@ export function loft(sections, options = {}) {
 }
 
 /**
- * Blends the ribs to a smooth curve (Catmull-Rom).
+ * Interpolates the sections with a Catmull-Rom spline.
  *
  * @param {Section[]} sections
- * @param {number} part 0 to 1 along all sections
+ * @param {number} part from 0 to 1 along all sections
  * @returns {Required<Section>}
  */
 function sectionAt(sections, part) {
@@ -109,7 +109,7 @@ function gridIndex(rings, segments) {
 }
 
 /**
- * Lets the light run smoothly over the line where the skin meets itself.
+ * Averages the normals along the seam, so that the shading is smooth there.
  *
  * @param {THREE.BufferGeometry} geometry
  * @param {number} rings
@@ -147,11 +147,11 @@ function oriented(geometry, axis) {
 }
 
 /**
- * A barrel with rounded edges.
+ * A cylinder with rounded edges.
  *
  * @param {number} radius
  * @param {number} length
- * @param {LoftOptions} [options] with less than nine rings the edges are cut instead of rounded, with less than four sharp
+ * @param {LoftOptions} [options] with fewer than nine rings the edges are chamfered, with fewer than four they are sharp
  */
 export function barrel(radius, length, options = {}) {
   const half = length / 2;
@@ -164,9 +164,9 @@ export function barrel(radius, length, options = {}) {
 /**
  * @param {number} half half the length
  * @param {number} radius
- * @param {number} round how much is rounded
- * @param {number} rings how finely
- * @returns {number[][]} place along the axis and radius, from the middle of the end outwards
+ * @param {number} round radius of the rounding
+ * @param {number} rings number of facets
+ * @returns {number[][]} position along the axis and radius, from the centre of the end outwards
  */
 function edgeOf(half, radius, round, rings) {
   if (rings < 4) {
@@ -191,14 +191,14 @@ function edgeOf(half, radius, round, rings) {
 }
 
 /**
- * A ball that may be flattened.
+ * An ellipsoid.
  *
  * @param {number} x half width
  * @param {number} y half depth
  * @param {number} z half height
  * @param {LoftOptions} [options]
  */
-export function egg(x, y, z, options = {}) {
+export function ellipsoid(x, y, z, options = {}) {
   const rings = options.rings ?? 8;
   const ribs = Array.from({ length: rings + 1 }, (_, i) => {
     const angle = (i / rings - 0.5) * Math.PI;
@@ -209,11 +209,11 @@ export function egg(x, y, z, options = {}) {
 }
 
 /**
- * A flat ring or disc that looks along y.
+ * A flat ring or disc facing along y.
  *
  * @param {number} inner radius of the hole, 0 for a disc
  * @param {number} outer
- * @param {number} segments facets around
+ * @param {number} segments number of facets
  */
 export function disc(inner, outer, segments) {
   return new THREE.RingGeometry(inner, outer, segments, 1).rotateX(-Math.PI / 2);

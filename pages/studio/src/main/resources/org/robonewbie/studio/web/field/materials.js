@@ -1,11 +1,11 @@
-/** The surfaces of robots and the colours of teams. */
+/** Materials of robots and team colours. */
 import * as THREE from 'three';
 
-/** Colours that also people with colour-blindness tell apart (after Okabe and Ito). */
+/** Team colours that are distinguishable with colour blindness (after Okabe and Ito). */
 export const TEAM_COLOURS = { left: 0x0a6fd8, right: 0xf07f13, '': 0x8b949e };
 
 /**
- * A surface for bodies with the attributes `color` and `paint`, in the colour of the robot's team.
+ * A material for geometries with the attributes `color` and `paint`, in the colour of the robot's team.
  *
  * @param {boolean} glossy
  * @returns {THREE.Material}
@@ -32,7 +32,7 @@ export function robotMaterial(glossy) {
 }
 
 /**
- * A clear shell in the colour of the robot's team.
+ * A transparent shell in the colour of the robot's team.
  *
  * @returns {THREE.Material}
  */
@@ -57,7 +57,7 @@ export function ghostMaterial() {
 }
 
 /**
- * The number plates: twelve cells in one picture, 0 (empty) to 11; the robot's number chooses.
+ * The number plates: a texture of twelve cells, 0 (empty) to 11, selected by the robot's number.
  *
  * @returns {THREE.Material}
  */

@@ -1,9 +1,9 @@
-/** Team and number above each robot. They are words of the page and not of the picture, so that they are sharp however coarse it is. */
+/** Name tags above the robots. They are page elements rather than part of the picture, so they stay sharp at every quality. */
 import * as THREE from 'three';
 import { element } from '../panels/elements.js';
 import { nameOf, shownTags } from '../state/name-tags.js';
 
-/** Above the middle of the torso, so that the name stands clear of the head. */
+/** Above the centre of the torso, so that the tag clears the head. */
 const METRES_ABOVE_TORSO = 0.31;
 const ROBOT_METRES = 0.57;
 
@@ -16,13 +16,13 @@ export class NameTags {
   /** @type {Array<{width: number, height: number}>} */
   #sizes = [];
 
-  /** @param {HTMLElement} stage where the picture is */
+  /** @param {HTMLElement} stage container of the picture */
   constructor(stage) {
     this.box = element('div', { class: 'name-tags', 'aria-hidden': 'true' });
     stage.append(this.box);
   }
 
-  /** @param {import('../live/state-frame.js').Scene} scene who plays */
+  /** @param {import('../live/state-frame.js').Scene} scene with its robots */
   setScene({ robots }) {
     this.#tags = robots.map((player) => {
       const tag = element('span', { class: 'name-tag', 'data-side': player.side }, nameOf(player));
@@ -37,18 +37,18 @@ export class NameTags {
     return this.#isOn;
   }
 
-  /** @param {boolean} on whether names are shown */
+  /** @param {boolean} on whether name tags are shown */
   set isOn(on) {
     this.#isOn = on;
     this.box.hidden = !on;
   }
 
   /**
-   * Puts all names above their robots.
+   * Positions all name tags above their robots.
    *
    * @param {readonly Float32Array[]} poses of all links of each robot
    * @param {THREE.PerspectiveCamera} camera
-   * @param {{width: number, height: number, slope: number}} picture its size in pixels, and the tangent of half its angle
+   * @param {{width: number, height: number, slope: number}} picture its size in pixels, and the tangent of half its vertical angle of view
    */
   draw(poses, camera, { width, height, slope }) {
     if (!this.#isOn || this.#tags.length === 0 || poses.length !== this.#tags.length) {

@@ -1,9 +1,8 @@
 /**
- * How our NAO looks: white shells over dark joints, round eyes, parts in the team's colour. Each limb is
- * designed in the frame of the simulated robot's link: x to the robot's right, y forward, z up, metres. Right limbs are designed, left
- * ones mirrored.
+ * The look of our NAO: white shells over dark joints, round eyes, parts in the team's colour. Each limb is designed in the frame of the
+ * simulated robot's link: x to the robot's right, y forward, z up, in metres. Right limbs are designed, left ones are mirrored.
  */
-import { barrel, disc, egg, loft } from './loft.js';
+import { barrel, disc, ellipsoid, loft } from './loft.js';
 import { FOOT, FOREARM, HAND, HEAD, SHANK, SOLE, THIGH, TORSO, UPPER_ARM } from './nao-shells.js';
 import { assembled, joined, mirrored, piece } from './parts.js';
 
@@ -14,31 +13,31 @@ import { assembled, joined, mirrored, piece } from './parts.js';
  */
 
 /**
- * How many facets bodies and small parts have.
+ * Number of facets of bodies and small parts.
  *
  * @typedef {object} Facets
  * @property {LoftOptions} body
  * @property {LoftOptions} small
  * @property {number} disc
- * @property {boolean} trinkets whether parts are drawn that cannot be seen from afar
+ * @property {boolean} hasDetails whether to draw parts that are invisible from a distance
  */
 
-/** How finely a robot is drawn: seen near, at middle distance, from afar. @type {Record<'fine' | 'coarse' | 'tiny', Facets>} */
+/** Levels of detail: near, at middle distance, far away. @type {Record<'fine' | 'coarse' | 'tiny', Facets>} */
 const FACETS = {
-  fine: { body: { segments: 24, rings: 14 }, small: { segments: 18, rings: 9 }, disc: 24, trinkets: true },
-  coarse: { body: { segments: 10, rings: 7 }, small: { segments: 8, rings: 4 }, disc: 10, trinkets: true },
-  tiny: { body: { segments: 5, rings: 4 }, small: { segments: 4, rings: 2 }, disc: 4, trinkets: false },
+  fine: { body: { segments: 24, rings: 14 }, small: { segments: 18, rings: 9 }, disc: 24, hasDetails: true },
+  coarse: { body: { segments: 10, rings: 7 }, small: { segments: 8, rings: 4 }, disc: 10, hasDetails: true },
+  tiny: { body: { segments: 5, rings: 4 }, small: { segments: 4, rings: 2 }, disc: 4, hasDetails: false },
 };
 
 /** @typedef {keyof typeof FACETS} Detail */
 
 const SIDED = ['shoulder', 'upperarm', 'elbow', 'lowerarm', 'hip1', 'hip2', 'thigh', 'shank', 'ankle', 'foot', 'toe'];
 
-/** All kinds of limbs by the names of their links; the index is the attribute `limb` of bodies. */
+/** All kinds of limbs by the names of their links; the index is the vertex attribute `limb`. */
 export const LIMBS = ['body', 'neck', 'head', ...SIDED.flatMap((name) => [`r${name}`, `l${name}`])];
 
 /**
- * Builds one robot: the bodies of all links together, each vertex in the frame of its link.
+ * Builds one robot: the geometries of all links merged, each vertex in the frame of its link.
  *
  * @param {Detail} detail
  * @returns {BufferGeometry} with the attribute `limb`
@@ -48,23 +47,23 @@ export function naoBody(detail) {
   const { small } = facets;
   const bodies = new Map([
     ['body', joined(torso(facets))],
-    ['neck', joined(facets.trinkets ? [piece('joint', barrel(0.024, 0.08, small), [0, 0, 0.01])] : [])],
+    ['neck', joined(facets.hasDetails ? [piece('joint', barrel(0.024, 0.08, small), [0, 0, 0.01])] : [])],
     ['head', joined(head(facets))],
   ]);
   /** @type {Record<string, () => Piece[]>} */
   const limbs = {
     shoulder: () => shoulder(facets),
     upperarm: () => upperArm(facets),
-    elbow: () => [piece('joint', egg(0.022, 0.022, 0.022, { ...small, rings: Math.max(3, small.rings ?? 0) }))],
+    elbow: () => [piece('joint', ellipsoid(0.022, 0.022, 0.022, { ...small, rings: Math.max(3, small.rings ?? 0) }))],
     lowerarm: () => lowerArm(facets),
-    hip1: () => [piece('joint', egg(0.03, 0.03, 0.03, { ...small, rings: Math.max(3, small.rings ?? 0) }))],
-    hip2: () => (facets.trinkets ? [piece('joint', barrel(0.024, 0.062, { ...small, axis: 'y' }))] : []),
+    hip1: () => [piece('joint', ellipsoid(0.03, 0.03, 0.03, { ...small, rings: Math.max(3, small.rings ?? 0) }))],
+    hip2: () => (facets.hasDetails ? [piece('joint', barrel(0.024, 0.062, { ...small, axis: 'y' }))] : []),
     thigh: () => thigh(facets),
     shank: () => shank(facets),
     ankle: () => ankle(facets),
     foot: () => foot(facets),
     toe: () => [
-      piece('trim', loft(boxRibs(0.043, 0.018, 0.005), { ...small, rings: facets.trinkets ? 5 : 3, square: 5 })),
+      piece('trim', loft(boxRibs(0.043, 0.018, 0.005), { ...small, rings: facets.hasDetails ? 5 : 3, square: 5 })),
     ],
   };
   for (const name of SIDED) {
@@ -75,7 +74,7 @@ export function naoBody(detail) {
 }
 
 /**
- * The place of the number on chest and back: two patches of the torso's skin.
+ * The number plates on chest and back: two patches of the torso's surface.
  *
  * @returns {BufferGeometry} with the attribute `limb`
  */
@@ -89,8 +88,8 @@ export function numberPlates() {
 }
 
 /** @param {Facets} facets */
-function torso({ body, small, disc: round, trinkets }) {
-  const band = { ...small, inflate: 0.0016, rings: trinkets ? 3 : 1 };
+function torso({ body, small, disc: round, hasDetails }) {
+  const band = { ...small, inflate: 0.0016, rings: hasDetails ? 3 : 1 };
   const onlyNear = () => [
     piece('trim', loft(TORSO, { ...band, inflate: 0.0012, around: [70, 110], along: [0.2, 0.58] })),
     piece('trim', loft(TORSO, { ...band, inflate: 0.0012, around: [250, 290], along: [0.2, 0.58] })),
@@ -104,16 +103,16 @@ function torso({ body, small, disc: round, trinkets }) {
     piece('team', loft(TORSO, { ...band, around: [118, 242], along: [0.75, 0.8] })),
     piece(
       'joint',
-      loft(boxRibs(0.05, 0.036, 0.022), { ...small, rings: trinkets ? 5 : 3, square: 3 }),
+      loft(boxRibs(0.05, 0.036, 0.022), { ...small, rings: hasDetails ? 5 : 3, square: 3 }),
       [0, -0.004, -0.11],
     ),
-    ...(trinkets ? onlyNear() : []),
+    ...(hasDetails ? onlyNear() : []),
   ];
 }
 
 /** @param {Facets} facets */
 function head(facets) {
-  const { body, small, disc: round, trinkets } = facets;
+  const { body, small, disc: round, hasDetails } = facets;
   const ear = { ...small, axis: /** @type {'x'} */ ('x') };
   const onlyNear = () => [
     piece('black', disc(0, 0.006, round).rotateX(0.55), [0, 0.0575, 0.038]),
@@ -127,17 +126,17 @@ function head(facets) {
     ...eye(-1, facets),
     piece('team', barrel(0.031, 0.016, ear), [0.062, -0.006, 0.008]),
     piece('team', barrel(0.031, 0.016, ear), [-0.062, -0.006, 0.008]),
-    ...(trinkets ? onlyNear() : []),
+    ...(hasDetails ? onlyNear() : []),
   ];
 }
 
 /**
- * A goggle: a black rim that stands out of the head, and in it a ring of light.
+ * An eye: a black rim that protrudes from the head, and a ring of light inside.
  *
  * @param {1 | -1} side
  * @param {Facets} facets
  */
-function eye(side, { small, disc: round, trinkets }) {
+function eye(side, { small, disc: round, hasDetails }) {
   /** @param {BufferGeometry} geometry @param {number} off */
   const placed = (geometry, off) =>
     geometry
@@ -147,21 +146,21 @@ function eye(side, { small, disc: round, trinkets }) {
       .translate(side * 0.0285, 0.0545, 0.009);
   return [
     piece('black', placed(barrel(0.0192, 0.02, { ...small, axis: 'y' }), 0)),
-    ...(trinkets ? [piece('eye', placed(disc(0.0072, 0.0145, round), 0.0103))] : []),
-    ...(trinkets ? [piece('black', placed(disc(0, 0.0072, round), 0.0103))] : []),
+    ...(hasDetails ? [piece('eye', placed(disc(0.0072, 0.0145, round), 0.0103))] : []),
+    ...(hasDetails ? [piece('black', placed(disc(0, 0.0072, round), 0.0103))] : []),
   ];
 }
 
 /** @param {Facets} facets */
-function shoulder({ small, trinkets }) {
+function shoulder({ small, hasDetails }) {
   const along = { ...small, axis: /** @type {'x'} */ ('x') };
   return [
-    piece(trinkets ? 'shell' : 'team', barrel(0.037, 0.05, along), [0.004, 0, 0]),
-    ...(trinkets ? [piece('team', barrel(0.03, 0.012, along), [0.027, 0, 0])] : []),
+    piece(hasDetails ? 'shell' : 'team', barrel(0.037, 0.05, along), [0.004, 0, 0]),
+    ...(hasDetails ? [piece('team', barrel(0.03, 0.012, along), [0.027, 0, 0])] : []),
   ];
 }
 
-/** Rings of an arm's shells for the rings of small parts. @type {Record<number, number>} */
+/** Number of rings of an arm's shells, by the number of rings of small parts. @type {Record<number, number>} */
 const RIBS_OF_ARM = { 9: 10, 4: 5, 2: 4 };
 
 /** @param {Facets} facets */
@@ -174,7 +173,7 @@ function upperArm({ small }) {
 }
 
 /** @param {Facets} facets */
-function lowerArm({ small, trinkets }) {
+function lowerArm({ small, hasDetails }) {
   const along = { ...small, axis: /** @type {'y'} */ ('y') };
   const finger = () => barrel(0.0055, 0.03, { segments: 6, rings: 5, axis: 'y' });
   const fingers = () => [
@@ -185,9 +184,9 @@ function lowerArm({ small, trinkets }) {
   ];
   return [
     piece('shell', loft(FOREARM, { ...along, rings: RIBS_OF_ARM[small.rings ?? 9] })),
-    piece('team', loft(FOREARM, { ...along, inflate: 0.0015, along: [0.56, 0.76], rings: trinkets ? 3 : 1 })),
-    piece('trim', loft(HAND, { ...along, rings: trinkets ? Math.max(3, small.rings ?? 0) : 2 })),
-    ...(trinkets ? fingers() : []),
+    piece('team', loft(FOREARM, { ...along, inflate: 0.0015, along: [0.56, 0.76], rings: hasDetails ? 3 : 1 })),
+    piece('trim', loft(HAND, { ...along, rings: hasDetails ? Math.max(3, small.rings ?? 0) : 2 })),
+    ...(hasDetails ? fingers() : []),
   ];
 }
 
@@ -209,18 +208,18 @@ function shank({ body, small }) {
 }
 
 /** @param {Facets} facets */
-function ankle({ small, trinkets }) {
+function ankle({ small, hasDetails }) {
   return [
     piece('joint', barrel(0.022, 0.056, { ...small, axis: 'x' })),
-    ...(trinkets ? [piece('joint', barrel(0.02, 0.058, { ...small, axis: 'y' }), [0, 0, -0.004])] : []),
+    ...(hasDetails ? [piece('joint', barrel(0.02, 0.058, { ...small, axis: 'y' }), [0, 0, -0.004])] : []),
   ];
 }
 
 /** @param {Facets} facets */
-function foot({ body, small, trinkets }) {
+function foot({ body, small, hasDetails }) {
   return [
     piece('shell', loft(FOOT, { ...body, square: 2.8 })),
-    ...(trinkets ? [piece('joint', loft(SOLE, { ...body, square: 2.9, rings: 3 }))] : []),
+    ...(hasDetails ? [piece('joint', loft(SOLE, { ...body, square: 2.9, rings: 3 }))] : []),
     piece('team', loft(FOOT, { ...small, square: 2.8, inflate: 0.0014, around: [-58, 58], along: [0.1, 0.5] })),
   ];
 }

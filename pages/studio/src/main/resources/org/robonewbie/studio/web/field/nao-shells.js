@@ -1,6 +1,6 @@
 /**
- * The outlines of our NAO's shells: cross sections from one end of a limb to the other, in the frame of its link (z up, metres).
- * `nao-design.js` makes bodies of them.
+ * Cross-sections of our NAO's shells from one end of a limb to the other, in the frame of its link (z up, metres). `nao-design.js` builds
+ * the bodies from them.
  *
  * @typedef {import('./loft.js').Section} Section
  */

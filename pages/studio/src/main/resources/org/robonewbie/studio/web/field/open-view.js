@@ -1,10 +1,10 @@
-/** Opens the picture of the pitch, and says what to do where a browser has no third dimension. */
+/** Opens the picture of the pitch, or explains what to do if the browser does not support WebGL. */
 import { byId } from '../panels/elements.js';
-import { tell } from '../panels/messages.js';
+import { showBanner } from '../panels/messages.js';
 import { QualityChooser, qualityRange } from '../state/quality.js';
 import { FieldView } from './field-view.js';
 
-/** @param {FieldView} view @param {number} asked the quality that the address asks for, negative if none */
+/** @param {FieldView} view @param {number} asked index of the quality requested by the address, negative for none */
 export function chooserFor(view, asked) {
   const isFixed = asked >= 0;
   const range = isFixed ? { first: asked, highest: asked } : qualityRange(view.graphics);
@@ -20,9 +20,9 @@ export function openView(quality) {
   try {
     return new FieldView(byId('stage'), quality);
   } catch (error) {
-    tell({
+    showBanner({
       tone: 'trouble',
-      title: 'This browser does not draw in three dimensions',
+      title: 'This browser does not support 3D graphics',
       text: 'Switch on WebGL (hardware acceleration) in its settings, or open this address in another browser.',
     });
     throw error;

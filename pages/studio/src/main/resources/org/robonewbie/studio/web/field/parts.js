@@ -1,4 +1,4 @@
-/** Puts painted pieces together to bodies, and bodies to one robot, so that all robots are one draw call. */
+/** Merges painted pieces into bodies, and bodies into one robot, so that all robots need one draw call. */
 import * as THREE from 'three';
 
 /**
@@ -22,7 +22,7 @@ const PAINTS = {
 /**
  * @param {Paint} paint
  * @param {THREE.BufferGeometry} geometry
- * @param {[number, number, number]} [place] where its centre goes
+ * @param {[number, number, number]} [place] position of its centre
  * @returns {Piece}
  */
 export function piece(paint, geometry, place) {
@@ -30,7 +30,7 @@ export function piece(paint, geometry, place) {
 }
 
 /**
- * Joins pieces to one geometry with the attributes `color` and `paint` (x = team colour, y = glow).
+ * Merges pieces into one geometry with the attributes `color` and `paint` (x = team colour, y = glow).
  *
  * @param {Piece[]} pieces
  * @returns {THREE.BufferGeometry}
@@ -70,7 +70,7 @@ function indexOf(geometry) {
 }
 
 /**
- * The triangles without those that are only a line, as the ends of bodies have them.
+ * The triangles without degenerate ones, which occur at the ends of bodies.
  *
  * @param {THREE.BufferGeometry} geometry
  * @returns {number[]}
@@ -92,9 +92,9 @@ const triangle = new THREE.Triangle();
 const SMALLEST_SQUARE_METRES = 1e-10;
 
 /**
- * Makes the left limb from the right one.
+ * Mirrors a right limb to the left.
  *
- * @param {THREE.BufferGeometry} right is changed
+ * @param {THREE.BufferGeometry} right modified in place
  * @returns {THREE.BufferGeometry}
  */
 export function mirrored(right) {
@@ -107,7 +107,7 @@ export function mirrored(right) {
 }
 
 /**
- * Puts limbs together to one geometry that tells of each vertex to which limb it belongs.
+ * Merges limbs into one geometry whose attribute `limb` assigns each vertex to its limb.
  *
  * @param {Array<{limb: number, body: THREE.BufferGeometry}>} parts with the same attributes
  * @returns {THREE.BufferGeometry}

@@ -1,6 +1,6 @@
 /**
- * The pitch: grass in stripes, white lines, goals with nets; all sizes from the simulator. The ground is flat and evenly
- * lit, so it has fixed colours, which are cheap; real shadows fall on a sheet of glass over it.
+ * The pitch: striped grass, white lines, goals with nets; all sizes come from the simulator. The ground is flat and evenly lit, so it uses
+ * cheap unlit colours; real shadows fall on a transparent plane above it.
  */
 import * as THREE from 'three';
 import { flatMaterial, screenColour, tinted } from './flat-material.js';
@@ -16,15 +16,13 @@ const NET_STEP = 0.1;
 const OVER_GRASS = 0.002;
 const BLADES_METRES = 0.9;
 
-/** What is hidden is not painted: the ground around comes after the grass that covers it. */
+/** The surroundings are drawn after the grass that hides them, which saves fill rate. */
 const AFTER_GRASS = 1;
 
 /**
- * Builds the pitch.
- *
  * @param {Field} field
  * @param {import('./light.js').Palette} colours
- * @param {boolean} blades whether the grass has a grain
+ * @param {boolean} blades whether the grass has a texture
  * @returns {THREE.Group}
  */
 export function pitch(field, colours, blades) {
@@ -77,7 +75,7 @@ function grass(field, colours, blades) {
   return mesh;
 }
 
-/** A picture of short blades in slightly different greys, always the same. */
+/** A deterministic texture of short blades in slightly different greys. */
 function grain() {
   const size = 256;
   const canvas = document.createElement('canvas');
@@ -131,7 +129,7 @@ function shadowSheet() {
  * All lines as triangles on the ground.
  *
  * @param {Field} field
- * @returns {number[]} x, y, z of the corners
+ * @returns {number[]} x, y, z of each vertex
  */
 export function linePlaces(field) {
   const { length, width, penaltyLength } = field;
@@ -226,7 +224,7 @@ function goals(field) {
 
 /**
  * @param {Field} field
- * @param {number} end -1 for the left goal, 1 for the right one
+ * @param {number} end -1 for the left goal, 1 for the right goal
  */
 function goalFrame(field, end) {
   const front = end * (field.length / 2 + POST_RADIUS);
@@ -261,7 +259,7 @@ function bar(from, to, thickness) {
 }
 
 /**
- * The net hangs from the crossbar slanting to the ground behind, and closes both sides.
+ * The net: slopes from the crossbar to the ground behind the goal and closes both sides.
  *
  * @param {Field} field
  * @param {number} end

@@ -1,4 +1,4 @@
-/** The mouse on the pitch: turns and moves the view, chooses robots, drags and throws the ball, drags and turns robots. */
+/** Pointer controller of the pitch: turns and moves the view, selects robots, drags and throws the ball, drags and turns robots. */
 import { headingTo, throwOf } from '../state/grip.js';
 import { headingDegrees, standingHeight } from '../state/kinematics.js';
 import { BALL_RADIUS } from './ball.js';
@@ -9,14 +9,14 @@ import { Pointing } from './pointing.js';
  * @typedef {import('./camera-controller.js').CameraController} CameraController
  * @typedef {import('./pointing.js').Thing} Thing
  *
- * @typedef {object} Grip what the pressed button does
+ * @typedef {object} Grip state of a drag
  * @property {'turn' | 'move' | 'carry' | 'aim'} action aim = turns a robot, throws the ball
  * @property {Thing | undefined} thing
- * @property {number} gesture its number, so that all orders of one drag are one action
- * @property {number} x where the pointer was last
+ * @property {number} gesture its number, which groups all commands of one drag into one undoable action
+ * @property {number} x last pointer position
  * @property {number} y
- * @property {number} way how far it went, in pixels
- * @property {number[]} [to] where on the ground one aims
+ * @property {number} way length of the pointer's path in pixels
+ * @property {number[]} [to] target on the ground
  * @property {boolean} [high] whether the ball flies high
  */
 
@@ -25,16 +25,16 @@ const CLICK_PIXELS = 5;
 const ORDER_MILLISECONDS = 80;
 const OVER_GROUND = 0.002;
 
-/** What dragging does, for what one points at. */
+/** Hints for dragging, by the target under the pointer. */
 const TIPS = {
   ball: 'Drag the ball to move it; drag its ring to throw it',
   robot: 'Click to follow; drag to move the robot; drag its ring to turn it',
-  'ball-ring': 'Pull to throw the ball, with Shift high',
+  'ball-ring': 'Pull to throw the ball; hold Shift for a high throw',
   'robot-ring': 'Drag around the robot to turn it',
 };
 
 export class PointerController {
-  /** Other pages number their drags too. */
+  /** Starts at a random number, because other pages number their drags as well. */
   #gestures = 1000 * Math.floor(1e9 * Math.random());
   #lastOrder = 0;
   /** @type {Grip | undefined} */
@@ -42,17 +42,17 @@ export class PointerController {
 
   /**
    * @param {FieldView} view
-   * @param {CameraController} desk
+   * @param {CameraController} cameraController
    * @param {object} world
    * @param {() => import('./pointing.js').World} world.now
-   * @param {() => boolean} world.isSteered whether things can be moved, and not only looked at
+   * @param {() => boolean} world.isSteered whether objects can be moved
    * @param {(command: object) => void} world.send
-   * @param {() => void} world.changed the picture must be drawn again
-   * @param {(tip: string) => void} [world.tell] shows what the mouse can do
+   * @param {() => void} world.changed requests a redraw
+   * @param {(tip: string) => void} [world.showTip] shows a hint for the mouse
    */
-  constructor(view, desk, world) {
+  constructor(view, cameraController, world) {
     this.view = view;
-    this.desk = desk;
+    this.cameraController = cameraController;
     this.world = world;
     this.pointing = new Pointing(view, world.now, world.isSteered);
     const { stage } = view;
@@ -65,7 +65,7 @@ export class PointerController {
     stage.addEventListener('wheel', (event) => this.#wheel(event), { passive: false });
   }
 
-  /** Draws the ring around what one points at; it follows a thing that moves. */
+  /** Draws the ring around the object under the pointer and follows it when it moves. */
   draw() {
     const { marked } = this.pointing;
     const pose = marked && this.world.isSteered() ? this.pointing.poseOf(marked) : undefined;
@@ -101,9 +101,9 @@ export class PointerController {
     const [dx, dy] = [event.clientX - grip.x, event.clientY - grip.y];
     Object.assign(grip, { x: event.clientX, y: event.clientY, way: grip.way + Math.hypot(dx, dy) });
     if (grip.action === 'turn') {
-      this.desk.turn(-TURN_DEGREES_PER_PIXEL * dx, TURN_DEGREES_PER_PIXEL * dy);
+      this.cameraController.turn(-TURN_DEGREES_PER_PIXEL * dx, TURN_DEGREES_PER_PIXEL * dy);
     } else if (grip.action === 'move') {
-      this.desk.move((-1.2 * dx) / this.view.stage.clientHeight, (1.2 * dy) / this.view.stage.clientHeight);
+      this.cameraController.move((-1.2 * dx) / this.view.stage.clientHeight, (1.2 * dy) / this.view.stage.clientHeight);
     } else if (grip.way > CLICK_PIXELS) {
       this.#drag(grip, event);
     }
@@ -115,7 +115,7 @@ export class PointerController {
     const over = found ? `${found.thing.kind}${found.isRing ? '-ring' : ''}` : '';
     if (this.view.stage.dataset.over !== over) {
       this.view.stage.dataset.over = over;
-      this.world.tell?.(over && this.world.isSteered() ? TIPS[/** @type {keyof TIPS} */ (over)] : '');
+      this.world.showTip?.(over && this.world.isSteered() ? TIPS[/** @type {keyof TIPS} */ (over)] : '');
       this.world.changed();
     }
   }
@@ -138,7 +138,7 @@ export class PointerController {
       this.#act(grip, event);
       this.#throw(grip);
     } else if (grip?.action === 'carry' && grip.thing?.kind === 'robot') {
-      this.desk.choose(grip.thing.robot);
+      this.cameraController.choose(grip.thing.robot);
     }
     this.#letGo();
   }
@@ -152,7 +152,7 @@ export class PointerController {
   /** @param {WheelEvent} event */
   #wheel(event) {
     event.preventDefault();
-    this.desk.zoom(Math.exp(0.0012 * event.deltaY), this.pointing.groundAt(event, 0)?.toArray());
+    this.cameraController.zoom(Math.exp(0.0012 * event.deltaY), this.pointing.groundAt(event, 0)?.toArray());
     this.world.changed();
   }
 
@@ -167,11 +167,11 @@ export class PointerController {
         this.world.send({ do: 'placeBall', gesture: grip.gesture, x: place.x, y: place.y, z: BALL_RADIUS });
       }
     } else {
-      this.#tellSpeed(grip);
+      this.#showSpeed(grip);
     }
   }
 
-  /** Puts a robot elsewhere, or turns it where it stands. @param {Grip} grip @param {number} robot @param {PointerEvent} event */
+  /** Moves a robot, or turns it on the spot. @param {Grip} grip @param {number} robot @param {PointerEvent} event */
   #place({ action, to, gesture }, robot, event) {
     const { scene, frame } = this.world.now();
     const player = scene?.robots[robot];
@@ -204,9 +204,9 @@ export class PointerController {
   }
 
   /** @param {Grip} grip */
-  #tellSpeed(grip) {
+  #showSpeed(grip) {
     const thrown = this.#throwOf(grip);
-    this.world.tell?.(thrown ? `Throw with ${thrown.speed.toFixed(1)} m/s${grip.high ? ', high' : ''}` : '');
+    this.world.showTip?.(thrown ? `Throw with ${thrown.speed.toFixed(1)} m/s${grip.high ? ', high' : ''}` : '');
   }
 
   /** @param {Grip} grip */

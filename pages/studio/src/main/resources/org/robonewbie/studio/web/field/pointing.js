@@ -1,4 +1,4 @@
-/** What is under the pointer: ball, a robot, the ring around one of them, or the ground. */
+/** Picking: finds the ball, a robot, the ring around one of them, or the ground under the pointer. */
 import * as THREE from 'three';
 import { isOnRing, ringRadius } from '../state/grip.js';
 import { BALL_RADIUS } from './ball.js';
@@ -12,20 +12,20 @@ import { BALL_RADIUS } from './ball.js';
  */
 
 const REACH = { ball: 2 * BALL_RADIUS, robot: 0.2 };
-const LEAST_REACH_PER_METRE = 0.012;
+const MIN_REACH_PER_METRE = 0.012;
 const BORDER_METRES = 1;
 
-/** So much farther than its ring the pointer may go before a thing is no longer meant. */
+/** Factor of the ring's radius at which the pointer leaves an object. */
 const LEAVE = 1.7;
 
 export class Pointing {
-  /** What one points at, or has last chosen: it has the ring. @type {Thing | undefined} */
+  /** The object under the pointer, or the one chosen last; the ring is drawn around it. @type {Thing | undefined} */
   marked;
 
   /**
    * @param {import('./field-view.js').FieldView} view
    * @param {() => World} now
-   * @param {() => boolean} hasRings whether things can be turned and thrown
+   * @param {() => boolean} hasRings whether objects can be turned and thrown
    */
   constructor(view, now, hasRings) {
     this.view = view;
@@ -33,7 +33,7 @@ export class Pointing {
     this.hasRings = hasRings;
   }
 
-  /** @param {Thing} thing @returns {Float32Array | undefined} its pose, while it is there */
+  /** @param {Thing} thing @returns {Float32Array | undefined} its pose, if it exists */
   poseOf(thing) {
     const { frame } = this.now();
     return thing.kind === 'ball' ? frame?.ball : frame?.robots[thing.robot]?.torso;
@@ -46,7 +46,7 @@ export class Pointing {
   }
 
   /**
-   * Finds what one points at, and marks it.
+   * Picks the object under the pointer and marks it.
    *
    * @param {MouseEvent} event
    * @returns {{thing: Thing, isRing: boolean} | undefined}
@@ -88,7 +88,7 @@ export class Pointing {
       const [x, y, z] = /** @type {Float32Array} */ (this.poseOf(thing));
       const centre = new THREE.Vector3(x, y, z);
       const distance = centre.distanceTo(ray.origin);
-      const reach = Math.max(REACH[thing.kind], LEAST_REACH_PER_METRE * distance);
+      const reach = Math.max(REACH[thing.kind], MIN_REACH_PER_METRE * distance);
       return ray.distanceToPoint(centre) < reach ? [{ thing, distance }] : [];
     });
     return hits.sort((a, b) => a.distance - b.distance)[0]?.thing;
@@ -96,8 +96,8 @@ export class Pointing {
 
   /**
    * @param {MouseEvent} event
-   * @param {number} height of a plane over the ground, metres
-   * @returns {THREE.Vector3 | undefined} where the pointer is on it, at most a metre beside the pitch
+   * @param {number} height of a plane above the ground, metres
+   * @returns {THREE.Vector3 | undefined} the point on it, at most one metre beyond the pitch
    */
   groundAt(event, height) {
     const plane = new THREE.Plane(new THREE.Vector3(0, 0, 1), -height);

@@ -1,4 +1,4 @@
-/** The ring on the ground around what one points at, and the arrow that shows where it will look or fly. */
+/** The ring on the ground around the object under the pointer, and the arrow that shows its new direction or flight. */
 import * as THREE from 'three';
 
 const HEIGHT = 0.014;
@@ -6,7 +6,7 @@ const SEGMENTS = 48;
 const QUIET = 0.45;
 const BUSY = 0.95;
 
-/** Sizes of the arrow, as parts of the ring's radius. */
+/** Sizes of the arrow, as fractions of the ring's radius. */
 const SHAFT = 0.2;
 const HEAD = 0.55;
 
@@ -34,9 +34,9 @@ export class Ring {
    * @param {ArrayLike<number>} centre
    * @param {number} radius metres
    * @param {object} [sign]
-   * @param {number} [sign.degrees] where the arrow points; none if left out
-   * @param {number} [sign.length] how far it reaches from the centre, metres
-   * @param {boolean} [sign.busy] whether it is being dragged, or will be
+   * @param {number} [sign.degrees] direction of the arrow; no arrow if omitted
+   * @param {number} [sign.length] distance of its tip from the centre, metres
+   * @param {boolean} [sign.busy] whether it is being dragged or hovered
    */
   show(centre, radius, { degrees, length = 1.5 * radius, busy = false } = {}) {
     this.group.visible = true;
@@ -53,7 +53,7 @@ export class Ring {
   }
 }
 
-/** A triangle whose tip lies at 1 on the x axis. */
+/** A triangle whose tip is at x = 1. */
 function headShape() {
   const shape = new THREE.Shape();
   shape.moveTo(0, -0.6);

@@ -1,13 +1,13 @@
 /**
- * Tells the graphics card where all limbs of all robots are: a picture with one row for each robot. In a row three points
- * are the upper rows of each limb's matrix, and the last point is the team's colour and the number. So all robots are one
- * draw call; without a graphics card that is three times as quick as one call for each kind of limb.
+ * Pose table for the graphics card: a texture with one row per robot. In a row, each limb's matrix takes three texels (its upper rows), and
+ * the last texel holds the team colour and the number. So all robots need one draw call; without a graphics card this is three times as
+ * fast as one call per kind of limb.
  */
 import * as THREE from 'three';
 
 const POINTS_PER_LIMB = 3;
 
-/** What the shaders of bodies know of their robot and limb. */
+/** Shader code that reads the robot's and limb's data. */
 const READ_TABLE = `
 attribute float limb;
 attribute float robot;
@@ -24,7 +24,7 @@ mat4 limbPose() {
     vec4(0.0, 0.0, 0.0, 1.0)));
 }`;
 
-/** Turns the normal with its limb; the division undoes what stretched limbs do to normals. */
+/** Rotates the normal with its limb; the division compensates for non-uniform scale. */
 const POSE_NORMAL = `
 mat4 pose = limbPose();
 mat3 turned = mat3(pose);
@@ -32,14 +32,14 @@ objectNormal = turned * (objectNormal / max(vec3(dot(turned[0], turned[0]), dot(
 
 export class RobotTable {
   constructor() {
-    /** Shared by all materials, so that a new table reaches them all. */
+    /** Shared by all materials, so that replacing the table updates them all. */
     this.uniform = { value: /** @type {THREE.DataTexture | null} */ (null) };
     this.values = new Float32Array();
     this.width = 0;
   }
 
   /**
-   * Begins an empty table: limbs that are never set are not seen.
+   * Starts an empty table; limbs that are never set are invisible.
    *
    * @param {number} robots
    * @param {number} limbs
@@ -75,7 +75,7 @@ export class RobotTable {
     this.values.set([colour.r, colour.g, colour.b, number], 4 * (this.width * (robot + 1) - 1));
   }
 
-  /** Sends the table to the graphics card before the next picture. */
+  /** Uploads the table to the graphics card before the next picture. */
   send() {
     if (this.uniform.value) {
       this.uniform.value.needsUpdate = true;
@@ -88,11 +88,11 @@ export class RobotTable {
   }
 
   /**
-   * Lets a material move each vertex with its limb.
+   * Makes a material move each vertex with its limb.
    *
    * @template {THREE.Material} M
    * @param {M} material
-   * @returns {M} the same
+   * @returns {M} the same material
    */
   posed(material) {
     const paint = material.onBeforeCompile;

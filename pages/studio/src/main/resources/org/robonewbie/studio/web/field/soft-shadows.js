@@ -1,4 +1,4 @@
-/** Soft round spots under feet, bodies and ball: nearly as good as shadows and nearly free. */
+/** Soft round spots under feet, bodies and ball: a cheap approximation of shadows. */
 import * as THREE from 'three';
 import { POSE } from '../state/kinematics.js';
 import { BALL_RADIUS } from './ball.js';
@@ -7,7 +7,7 @@ import { BALL_RADIUS } from './ball.js';
 
 const OVER_LINES = 0.004;
 
-/** What casts a spot: a link, half width and half length of the spot in metres, and its darkness at the ground. */
+/** Shadow casters: a link, half width and half length of its spot in metres, and its darkness on the ground. */
 const CASTERS = [
   { link: 'body', wide: 0.2, long: 0.2, dark: 0.42, reach: 0.8 },
   { link: 'rfoot', wide: 0.085, long: 0.125, dark: 0.6, reach: 0.12 },
@@ -66,7 +66,7 @@ export class SoftShadows {
 
   /**
    * @param {Float32Array[]} poses of all links of each robot
-   * @param {Float32Array} ball its pose
+   * @param {Float32Array} ball pose
    */
   update(poses, ball) {
     this.places.forEach(({ robot, link, caster }, i) => {
@@ -90,7 +90,7 @@ export class SoftShadows {
    * @param {number} wide
    * @param {number} long
    * @param {number} dark
-   * @param {boolean} [round] the same in all directions
+   * @param {boolean} [round] whether the spot is a circle
    */
   #put(index, poses, at, wide, long, dark, round = false) {
     const [w, x, y, z] = poses.slice(at + 3, at + POSE);

@@ -1,4 +1,4 @@
-/** What else stands on the pitch: boxes with dark edges, those that can be pushed in a warmer colour. */
+/** Other objects on the pitch: boxes with dark edges; movable ones have a warmer colour. */
 import * as THREE from 'three';
 
 /** @typedef {import('../live/state-frame.js').Thing} Thing */

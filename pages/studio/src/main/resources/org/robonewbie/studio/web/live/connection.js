@@ -1,26 +1,26 @@
-/** The line to the simulator: opens it, opens it again when it breaks, and hands on what arrives. */
+/** WebSocket connection to the simulator: opens and reopens it, and forwards what arrives. */
 
 const RETRY_MILLISECONDS = 400;
-const MOST_SILENT_LOOKS = 10;
+const MAX_MISSED_CHECKS = 10;
 
 /**
  * @typedef {object} Listener
  * @property {() => void} opened
  * @property {() => void} lost
- * @property {(reason: string) => void} refused the simulator is there, but does not want this page
- * @property {(news: any) => void} told a JSON message has come
- * @property {(bytes: ArrayBuffer) => void} frameArrived a state frame has come
+ * @property {(reason: string) => void} refused the simulator is running, but refuses this page
+ * @property {(news: any) => void} messageArrived a JSON message has arrived
+ * @property {(bytes: ArrayBuffer) => void} frameArrived a state frame has arrived
  */
 
 /**
- * @typedef {object} Line to a world, wherever it runs
+ * @typedef {object} Line connection to a world, in another process or in a worker
  * @property {() => void} open
  * @property {(command: object) => void} send
  * @property {() => void} checkSilence
  */
 
 /**
- * The line to the simulator that has served this page.
+ * Connects to the simulator that served this page.
  *
  * @param {Listener} listener
  * @returns {Line}
@@ -39,12 +39,12 @@ export class Connection {
   constructor(address, listener) {
     this.address = address;
     this.listener = listener;
-    /** How often one has looked since something has come. */
-    this.silentLooks = 0;
+    /** Number of checks since data last arrived. */
+    this.missedChecks = 0;
     /** @type {WebSocket | undefined} */
     this.socket = undefined;
     document.addEventListener('visibilitychange', () => {
-      this.silentLooks = 0;
+      this.missedChecks = 0;
     });
   }
 
@@ -54,10 +54,10 @@ export class Connection {
     socket.binaryType = 'arraybuffer';
     socket.onopen = () => {
       if (this.#wasRefused) {
-        location.reload(); // another page of this browser was let in; what this one had asked for before was refused
+        location.reload(); // another page has authorised this browser; reload to repeat the refused requests
       }
       wasOpen = true;
-      this.silentLooks = 0;
+      this.missedChecks = 0;
       this.listener.opened();
     };
     socket.onmessage = (event) => this.#receive(event.data);
@@ -65,7 +65,7 @@ export class Connection {
       if (this.socket === socket) {
         this.#lose();
         if (!wasOpen) {
-          this.#askWhy();
+          this.#fetchRefusal();
         }
       }
     };
@@ -73,7 +73,7 @@ export class Connection {
   }
 
   /**
-   * Asks the simulator for something; without a connection nothing happens.
+   * Sends a command to the simulator; ignored without a connection.
    *
    * @param {object} command such as `{do: 'pause'}`
    */
@@ -84,30 +84,30 @@ export class Connection {
   }
 
   /**
-   * Gives up a line on which nothing has come for long, as after a computer has slept; a hidden page asks for nothing. To be
-   * called twice per second. Looks are counted instead of seconds: a page that has hung itself has missed nothing.
+   * Closes a stalled connection, for example after the computer was suspended; a hidden page does not check. Call twice per second. Checks
+   * are counted rather than seconds, so a page that was blocked itself does not time out.
    */
   checkSilence() {
-    this.silentLooks += 1;
-    if (this.silentLooks > MOST_SILENT_LOOKS && !document.hidden && this.socket?.readyState === WebSocket.OPEN) {
-      const deaf = this.socket;
+    this.missedChecks += 1;
+    if (this.missedChecks > MAX_MISSED_CHECKS && !document.hidden && this.socket?.readyState === WebSocket.OPEN) {
+      const stalled = this.socket;
       this.#lose();
-      deaf.close();
+      stalled.close();
     }
   }
 
   /** @param {string | ArrayBuffer} data */
   #receive(data) {
-    this.silentLooks = 0;
+    this.missedChecks = 0;
     if (typeof data === 'string') {
-      this.listener.told(JSON.parse(data));
+      this.listener.messageArrived(JSON.parse(data));
     } else {
       this.listener.frameArrived(data);
     }
   }
 
-  /** A browser does not tell a page why a WebSocket was refused, but it does so for a plain request. */
-  async #askWhy() {
+  /** Asks by a plain request why the WebSocket was refused, which browsers do not report. */
+  async #fetchRefusal() {
     try {
       const answer = await fetch(this.address.replace(/^ws/, 'http'), { method: 'POST' });
       if (answer.status === 403) {
@@ -115,7 +115,7 @@ export class Connection {
         this.listener.refused(await answer.text());
       }
     } catch {
-      // Nobody is there; the next attempt comes soon.
+      // The server is down; the next attempt follows soon.
     }
   }
 

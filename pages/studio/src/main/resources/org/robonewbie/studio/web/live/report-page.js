@@ -1,4 +1,4 @@
-/** A page that watches something run: it keeps what is known and draws it at most once per picture of the browser. */
+/** A page that observes a running process: stores its reports and redraws at most once per animation frame. */
 import { Connection } from './connection.js';
 
 /** @template {{phase: import('../state/reports.js').Phase, refusal: string}} T */
@@ -7,20 +7,20 @@ export class ReportPage {
   #asked = false;
 
   /**
-   * @param {string} board the address of the live messages
-   * @param {T} known what is known at first
-   * @param {{told: (known: T, news: any) => T, lost: (known: T) => T}} changes
+   * @param {string} feed address of the live messages
+   * @param {T} known initial state
+   * @param {{received: (known: T, news: any) => T, lost: (known: T) => T}} changes
    * @param {() => void} draw
    */
-  constructor(board, known, { told, lost }, draw) {
+  constructor(feed, known, { received, lost }, draw) {
     this.options = new URLSearchParams(location.search);
     this.known = known;
     this.#draw = draw;
-    this.line = new Connection(`ws://${location.host}/${board}`, {
+    this.line = new Connection(`ws://${location.host}/${feed}`, {
       opened() {},
       lost: () => this.#become(lost(this.known)),
       refused: (reason) => this.#become({ ...this.known, phase: 'refused', refusal: reason }),
-      told: (news) => this.#become(told(this.known, news)),
+      messageArrived: (news) => this.#become(received(this.known, news)),
       frameArrived() {},
     });
   }
@@ -28,7 +28,7 @@ export class ReportPage {
   open() {
     this.line.open();
     this.#draw();
-    // A browser may keep a page that was left, with its line; but the program waits for those who look.
+    // The browser may keep a page in its cache with an open connection, but the program waits until all viewers have left.
     window.addEventListener('pagehide', () => this.line.socket?.close());
   }
 

@@ -1,10 +1,10 @@
-/** What this page knows of the running simulation: news and frames come in, what is to be shown goes out. No picture here. */
+/** The page's view of the running simulation: messages and frames come in, the state to show goes out. Independent of the picture. */
 import { DrawingMemory } from '../state/robot/drawing-memory.js';
 import { Smoothing } from '../state/smoothing.js';
 import {
   initialState,
   withConnection,
-  withDeeds,
+  withActions,
   withFrame,
   withoutConnection,
   withRefusal,
@@ -15,12 +15,13 @@ import { TrialGhost } from '../state/trial-ghost.js';
 import { readFrame } from './state-frame.js';
 
 /**
- * @typedef {object} Audience who hears of what is not part of the picture
- * @property {() => void} begun a simulation is there, perhaps another one than before
+ * @typedef {object} SessionListener receives events that are not part of the picture
+ * @property {() => void} begun a simulation is connected, possibly a different one
  * @property {(news: any) => void} telemetry
  * @property {(event: string, teams: {left: string, right: string}) => void} happened
- * @property {(mistake: {team: string, number: number, level: string, text: string}) => void} mistaken of a robot's program
- * @property {(sets: Record<string, import('../state/board-shapes.js').BoardShape[]>) => void} drawn for RoboViz
+ * @property {(mistake: {team: string, number: number, level: string, text: string}) => void} diagnostic an error or warning of a robot's
+ *     program
+ * @property {(sets: Record<string, import('../state/board-shapes.js').BoardShape[]>) => void} drawn shapes for RoboViz
  * @property {(text: string) => void} note
  */
 
@@ -28,21 +29,21 @@ export class Session {
   #lastBytes = new Uint8Array();
 
   /**
-   * @param {Audience} audience
+   * @param {SessionListener} listener
    * @param {() => number} clock milliseconds
    */
-  constructor(audience, clock = () => performance.now()) {
-    this.audience = audience;
+  constructor(listener, clock = () => performance.now()) {
+    this.listener = listener;
     this.clock = clock;
     this.state = initialState();
     this.cursor = new TimeCursor();
     this.smoothing = new Smoothing();
     this.ghost = new TrialGhost();
-    /** What robots of the running simulation have drawn. */
+    /** Drawings of the robots of the running simulation. */
     this.drawn = new DrawingMemory();
-    /** Whether the picture must be drawn again. */
+    /** Whether the picture must be redrawn. */
     this.stale = true;
-    /** Whether the simulator waits to hear that its frame was seen. */
+    /** Whether the simulator waits for this page to acknowledge a frame. */
     this.owesAnswer = false;
   }
 
@@ -50,12 +51,12 @@ export class Session {
     this.stale = true;
   }
 
-  /** @returns {import('../state/time-cursor.js').Shown} the moment that all rooms show */
+  /** @returns {import('../state/time-cursor.js').Shown} the moment shown in all rooms */
   get shown() {
     return this.cursor.shown(this.state);
   }
 
-  /** What robots have drawn at the moments around the shown one. */
+  /** Drawings of the robots around the shown moment. */
   get drawings() {
     return this.cursor.recorded?.drawings ?? this.drawn;
   }
@@ -66,7 +67,7 @@ export class Session {
 
   opened() {
     this.#set(withConnection(this.state));
-    this.audience.begun();
+    this.listener.begun();
     this.cursor.restart();
     this.drawn = new DrawingMemory();
     this.smoothing.clear();
@@ -82,24 +83,24 @@ export class Session {
     this.#set(withRefusal(this.state, reason));
   }
 
-  /** @param {any} news a message of the simulator */
-  told(news) {
+  /** @param {any} news message of the simulator */
+  messageArrived(news) {
     this.touch();
     if (news.kind === 'scene') {
       this.#set(withScene(this.state, news));
     } else if (news.kind === 'telemetry') {
-      this.drawn.hear([...news.lines, ...news.drawings]);
-      this.audience.telemetry(news);
+      this.drawn.receive([...news.lines, ...news.drawings]);
+      this.listener.telemetry(news);
     } else if (news.kind === 'undo') {
-      this.#set(withDeeds(this.state, news));
+      this.#set(withActions(this.state, news));
     } else if (news.kind === 'board') {
-      this.audience.drawn(news.sets);
+      this.listener.drawn(news.sets);
     } else if (news.kind === 'mistake') {
-      this.audience.mistaken(news);
+      this.listener.diagnostic(news);
     } else if (news.kind === 'event') {
-      this.audience.happened(news.text, this.teams);
+      this.listener.happened(news.text, this.teams);
     } else {
-      this.audience.note(news.text);
+      this.listener.note(news.text);
     }
   }
 
@@ -111,27 +112,27 @@ export class Session {
     if (frame && !this.#repeats(bytes)) {
       const now = this.clock();
       this.cursor.history.push(frame.cycle, scene, bytes);
-      this.ghost.hear(frame.cycle, scene, bytes);
+      this.ghost.receive(frame.cycle, scene, bytes);
       this.#set(withFrame(this.state, frame, now));
       this.smoothing.push(frame, now);
     }
   }
 
-  /** Whether a frame says what the last one said: a world that is paused sends it each second. @param {ArrayBuffer} bytes */
+  /** Whether a frame equals the previous one: a paused world repeats it every second. @param {ArrayBuffer} bytes */
   #repeats(bytes) {
     const [last, next] = [this.#lastBytes, new Uint8Array(bytes)];
     this.#lastBytes = next;
     return this.state.frame !== undefined && last.length === next.length && last.every((value, i) => value === next[i]);
   }
 
-  /** Goes to another moment. @param {(cursor: TimeCursor) => void} move */
+  /** Moves the time cursor. @param {(cursor: TimeCursor) => void} move */
   travel(move) {
     move(this.cursor);
     this.touch();
   }
 
   /**
-   * The robot at an index of the shown scene, whose posture at the shown moment can become a keyframe.
+   * The robot at an index of the shown scene, with the posture at the shown moment.
    *
    * @param {number} index
    * @returns {{name: string, degrees: ArrayLike<number>} | undefined}
@@ -146,7 +147,7 @@ export class Session {
       : undefined;
   }
 
-  /** @returns {import('../state/studio-state.js').StudioState} what the panels of the field show */
+  /** @returns {import('../state/studio-state.js').StudioState} state for the panels of the field */
   get onPanels() {
     const { tense, scene, frame } = this.shown;
     const { state } = this;

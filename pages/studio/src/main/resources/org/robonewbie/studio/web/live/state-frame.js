@@ -1,4 +1,4 @@
-/** Reads the binary state frames of the live feed; their form is described at the server's class StateFrame. */
+/** Reads the binary state frames of the live feed; the Java class StateFrame documents the format. */
 
 /**
  * @typedef {object} RobotState
@@ -10,7 +10,7 @@
  * @property {number} sceneRevision
  * @property {number} cycle
  * @property {number} gameTime seconds
- * @property {number} speed asked simulated seconds per second; Infinity = as fast as possible
+ * @property {number} speed requested simulated seconds per second; Infinity = as fast as possible
  * @property {number} realTimeFactor measured simulated seconds per second
  * @property {number} playMode index in the scene's list
  * @property {number} scoreLeft
@@ -18,7 +18,7 @@
  * @property {number} half
  * @property {Float32Array} ball pose, seven numbers
  * @property {RobotState[]} robots
- * @property {Float32Array[]} [things] poses of what else stands on the pitch
+ * @property {Float32Array[]} [things] poses of the other objects on the pitch
  *
  * @typedef {import('../state/kinematics.js').RobotModel} RobotModel
  *
@@ -28,7 +28,7 @@
  * @property {'left'|'right'|''} side
  * @property {number} number
  * @property {string} type
- * @property {boolean} [puppet] whether people steer it
+ * @property {boolean} [puppet] whether the user steers it
  *
  * @typedef {object} Field
  * @property {number} length
@@ -50,15 +50,15 @@
  * @property {Field} field
  * @property {{left: string, right: string}} teams
  * @property {Player[]} robots
- * @property {Thing[]} [things] what else stands on the pitch
+ * @property {Thing[]} [things] other objects on the pitch
  * @property {Object<string, RobotModel>} models by robot type
  * @property {string[]} playModes
- * @property {number} [agentPort] where agents join, if they can
- * @property {boolean} [clock] whether time can be stopped
- * @property {boolean} [puppets] whether robots can join that people steer
- * @property {Trial} [trial] what is judged, if anything is
+ * @property {number} [agentPort] port for agents, if they can join
+ * @property {boolean} [clock] whether the clock can be paused
+ * @property {boolean} [puppets] whether robots steered by the user can join
+ * @property {Trial} [trial] the running trial of an exercise, if any
  *
- * @typedef {{task: string, attempt: number, seed: number}} Trial trials of one task and seed begin alike
+ * @typedef {{task: string, attempt: number, seed: number}} Trial trials of the same task and seed start identically
  */
 
 const VERSION = 1;
@@ -68,17 +68,15 @@ const UNIT_ROTATION = 32767;
 const STEPS_PER_DEGREE = 100;
 
 /**
- * Reads a frame.
- *
- * @param {ArrayBuffer} bytes what has arrived
- * @param {Scene} scene who plays
- * @returns {Frame | undefined} the state, or undefined if it belongs to another scene
- * @throws {Error} if the studio speaks another version than this page
+ * @param {ArrayBuffer} bytes encoded frame
+ * @param {Scene} scene the current scene
+ * @returns {Frame | undefined} the state, or undefined if the frame belongs to another scene
+ * @throws {Error} if the protocol version of the studio differs from that of this page
  */
 export function readFrame(bytes, scene) {
   const view = new DataView(bytes);
   if (view.getUint8(0) !== VERSION) {
-    throw new Error('The studio is newer than this page. Load the page again.');
+    throw new Error('The studio is newer than this page. Reload the page.');
   }
   if (view.getUint16(2, true) !== scene.revision) {
     return undefined;

@@ -1,7 +1,7 @@
-/** Makes a motion balanced and says where that is not possible. */
+/** Balances a motion and reports the keyframes for which that is impossible. */
 import { balanceText, madeBalanced } from '../state/motion/balancing.js';
 import { selected } from '../state/motion/editor-state.js';
-import { tell } from './questions.js';
+import { showFindings } from './questions.js';
 
 /** @param {import('./editor.js').Editor} editor */
 export function makeBalanced(editor) {
@@ -16,5 +16,5 @@ export function makeBalanced(editor) {
     text: `Keyframe ${index + 1}: ${reason}`,
     go: () => editor.apply((each) => selected(each, index)),
   }));
-  tell('Make it balanced', `${text} These stay as they were:`, places);
+  showFindings('Make it balanced', `${text} These were not changed:`, places);
 }

@@ -1,4 +1,4 @@
-/** Unsaved work, kept on the disk while one works, so that neither a crash nor another motion takes it away. */
+/** Autosaves unsaved work as drafts on the disk, so that it survives a crash and opening another motion. */
 import { documentOf, framesOf, isUnsaved } from '../state/motion/editor-state.js';
 
 /**
@@ -12,7 +12,7 @@ const NAMELESS = 'new motion';
 
 export class Drafts {
   #timer = 0;
-  /** Drafts are written one after the other: two at once would give one motion two names. @type {Promise<boolean>} */
+  /** Serialises the writes: two concurrent ones would give one motion two names. @type {Promise<boolean>} */
   #last = Promise.resolve(true);
 
   /**
@@ -20,28 +20,28 @@ export class Drafts {
    * @param {object} editor
    * @param {() => EditorState} editor.state
    * @param {() => MotionList} editor.list
-   * @param {(draft: string) => Promise<void>} editor.named the motion without a name has a place among the drafts now
+   * @param {(draft: string) => Promise<void>} editor.named an untitled motion was stored as this draft
    * @param {(text: string) => void} editor.note
    */
   constructor(files, editor) {
     this.files = files;
     this.editor = editor;
-    /** The document that is on the disk as a draft. @type {object | undefined} */
+    /** The document that the draft on the disk contains. @type {object | undefined} */
     this.kept = undefined;
   }
 
-  /** @param {EditorState} state @returns {boolean} whether work is shown that is neither in its file nor a draft */
+  /** @param {EditorState} state @returns {boolean} whether the shown work is stored neither in its file nor as a draft */
   isAtRisk(state) {
     return isWork(state) && documentOf(state) !== this.kept;
   }
 
-  /** Keeps what is there in a moment, if nothing else is done meanwhile. */
+  /** Saves a draft after a short idle time. */
   keepSoon() {
     clearTimeout(this.#timer);
     this.#timer = window.setTimeout(() => this.keep(), DRAFT_MILLISECONDS);
   }
 
-  /** Keeps what is there now. @returns {Promise<boolean>} whether that was possible, so that another motion may be shown */
+  /** Saves a draft now. @returns {Promise<boolean>} whether it succeeded and another motion may be opened */
   keep() {
     clearTimeout(this.#timer);
     this.#last = this.#last.then(async () => {
@@ -49,14 +49,14 @@ export class Drafts {
         await this.#keep();
         return true;
       } catch {
-        this.editor.note('Unsaved work cannot be kept just now. It stays in this page; save it soon.');
+        this.editor.note('The draft could not be saved. Your work is still in this page; save it soon.');
         return false;
       }
     });
     return this.#last;
   }
 
-  /** The first free number: a draft never replaces that of another motion, nor that of another window. */
+  /** The first free number, so that a draft never replaces that of another motion or window. */
   async newName() {
     const { own, drafts } = await this.files.list();
     const taken = new Set([...own, ...drafts].map(({ name }) => name));
@@ -77,7 +77,7 @@ export class Drafts {
     }
   }
 
-  /** @param {string} known empty for a motion that was never kept @param {ReturnType<typeof documentOf>} document */
+  /** @param {string} known empty for a motion that was never stored @param {ReturnType<typeof documentOf>} document */
   async #write(known, document) {
     const name = known || (await this.newName());
     await this.files.writeDraft(name, document);
@@ -88,13 +88,13 @@ export class Drafts {
   }
 }
 
-/** @param {EditorState} state @returns {boolean} whether there is something that a person has made and not saved */
+/** @param {EditorState} state @returns {boolean} whether there are unsaved changes of the user */
 function isWork(state) {
   const isTouched = state.history.past.length > 0 || state.draft !== '';
   return isTouched && framesOf(state).length > 0 && isUnsaved(state);
 }
 
-/** @param {MotionList} list @returns {string[]} names of the drafts of motions that were never saved */
+/** @param {MotionList} list @returns {string[]} names of the drafts of untitled motions */
 export function namelessDrafts({ own, drafts, library }) {
   const files = new Set([...own.map(({ name }) => name), ...library]);
   return drafts.map(({ name }) => name).filter((name) => !files.has(name));

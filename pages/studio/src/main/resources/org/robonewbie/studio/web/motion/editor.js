@@ -1,4 +1,4 @@
-/** The motion editor without its picture: keeps the state, and brings files, drafts and trials together with it. */
+/** Model of the motion editor: holds the state and connects it with files, drafts and trials. Independent of the picture. */
 import { keepText, recallText } from '../panels/memory.js';
 import { Drafts, namelessDrafts } from './drafts.js';
 import { judgeDisk } from '../state/motion/disk.js';
@@ -38,7 +38,7 @@ export class Editor {
    * @param {import('../state/motion/body.js').Body} body
    * @param {MotionFiles} files
    * @param {object} listener
-   * @param {() => void} listener.changed everything must be drawn again
+   * @param {() => void} listener.changed requests a redraw
    * @param {(text: string) => void} listener.note
    */
   constructor(body, files, listener) {
@@ -56,17 +56,17 @@ export class Editor {
     this.marks = [];
     /** @type {import('../state/motion/lag.js').Lag | undefined} */
     this.lag = undefined;
-    /** Whether the file was changed on the disk and here, so that the person must decide. */
+    /** Whether the file has changed both on the disk and here, so that the user must decide. */
     this.conflict = false;
-    /** Whether the motion seems to be made for the rule of RoboNewbie 1.1, so that the person must decide. */
+    /** Whether the motion seems to be written for the playback rule of RoboNewbie 1.1, so that the user must decide. */
     this.isOriginal = false;
     this.busy = false;
-    /** Whether the file is being written just now. */
+    /** Whether the file is being written. */
     this.saving = false;
     /** @type {Promise<void>} */
     this.lastSave = Promise.resolve();
-    /** How often a motion was asked for; an answer that comes after a later wish is not shown. */
-    this.wishes = 0;
+    /** Number of requests to open a motion; a reply to an earlier request is ignored. */
+    this.requests = 0;
     this.marksTimer = 0;
   }
 
@@ -106,11 +106,11 @@ export class Editor {
     this.set(edit(this.state));
   }
 
-  /** @param {string} [wanted] the motion to begin with */
+  /** @param {string} [wanted] the motion to open first */
   async begin(wanted) {
     await this.refresh();
     this.postures = readPostures(await this.files.postures());
-    if (this.wishes > 0) {
+    if (this.requests > 0) {
       return;
     }
     const last = composedName(wanted ?? recallText(LAST_FILE) ?? '');
@@ -125,10 +125,15 @@ export class Editor {
     }
   }
 
-  /** A file that cannot be read does not keep the room from opening. @param {'motions' | 'library'} shelf @param {string} name */
-  async #openFirst(shelf, name) {
+  /**
+   * Opens a motion; an unreadable file does not prevent the room from opening.
+   *
+   * @param {'motions' | 'library'} collection
+   * @param {string} name
+   */
+  async #openFirst(collection, name) {
     try {
-      await this.open(shelf, name);
+      await this.open(collection, name);
     } catch (error) {
       await this.open('library', 'wave');
       this.listener.note(/** @type {Error} */ (error).message);
@@ -145,7 +150,7 @@ export class Editor {
     this.listener.changed();
   }
 
-  /** Looks whether another program has changed the open file. */
+  /** Checks whether another program has changed the open file. */
   async lookAtDisk() {
     const { name, version } = this.state;
     await this.refresh();
@@ -154,26 +159,26 @@ export class Editor {
     this.conflict = verdict === 'ask';
     if (verdict === 'reload') {
       await this.reload();
-      this.listener.note(`“${name}” was changed by another program and is shown as it is now.`);
+      this.listener.note(`“${name}” was changed by another program and has been reloaded.`);
     } else if (verdict === 'gone') {
-      this.listener.note(`“${name}” is no longer in the folder. Save it to write it again.`);
+      this.listener.note(`“${name}” is no longer in the folder. Save to create it again.`);
       this.set({ ...this.state, version: '', saved: EMPTY_DOCUMENT });
     }
   }
 
-  /** Takes the file as it is on the disk; what was here can be brought back by undo. */
+  /** Reloads the file from the disk; undo restores the previous content. */
   async reload() {
-    const wish = this.wishes;
+    const request = this.requests;
     const { document, version } = await this.files.read('motions', this.state.name);
-    if (wish !== this.wishes) {
+    if (request !== this.requests) {
       return;
     }
     this.conflict = false;
-    const taken = edited(this.state, document, 'Load again from the disk');
+    const taken = edited(this.state, document, 'Reload from the disk');
     this.set(selected({ ...taken, version, saved: document }, this.state.last));
   }
 
-  /** Stays with what is here; the next save replaces the file. */
+  /** Keeps the content of the editor; the next save replaces the file. */
   keepMine() {
     const known = this.list.own.find(({ name }) => name === this.state.name);
     this.conflict = false;
@@ -181,21 +186,21 @@ export class Editor {
   }
 
   /**
-   * @param {'motions' | 'library'} shelf
+   * @param {'motions' | 'library'} collection
    * @param {string} name
    */
-  async open(shelf, name) {
-    const wish = ++this.wishes;
+  async open(collection, name) {
+    const request = ++this.requests;
     if (!(await this.drafts.keep())) {
       return;
     }
-    const { document, version } = await this.files.read(shelf, name);
-    const isOwn = shelf === 'motions';
+    const { document, version } = await this.files.read(collection, name);
+    const isOwn = collection === 'motions';
     const draft = this.list.drafts.some((each) => each.name === name)
       ? (await this.files.read('drafts', name)).document
       : undefined;
     const isNew = draft !== undefined && textOf(draft) !== textOf(document);
-    if (wish !== this.wishes) {
+    if (request !== this.requests) {
       return;
     }
     this.conflict = false;
@@ -205,36 +210,40 @@ export class Editor {
     this.set(withFile(this.state, { name, version: isOwn ? version : '', document, recovered }));
     keepText(LAST_FILE, name);
     if (isNew) {
-      this.listener.note(`Unsaved work on “${name}” was recovered. Undo takes it back.`);
+      this.listener.note(`Unsaved work on “${name}” was recovered. Undo discards it.`);
     }
   }
 
-  /** Begins a motion with one keyframe: standing. */
+  /** Creates a motion with one standing keyframe. */
   async create() {
     await this.#begin(withInserted(EMPTY_DOCUMENT, 0, { millis: 500, degrees: this.state.start }));
   }
 
   /**
-   * Takes over what another program has written.
+   * Opens an imported motion.
    *
    * @param {import('../state/motion/motion-text.js').MotionDocument} document
    * @param {string} name of the file
-   * @param {readonly string[]} notes how it was read
+   * @param {readonly string[]} notes remarks of the import
    */
   async take(document, name, notes) {
     await this.#begin(document, await this.drafts.newName());
     const count = framesOf(this.state).length;
-    const taken = `${count} keyframes were taken from ${name}.`;
-    this.listener.note([taken, ...notes, 'Save them under a name of your own.'].join(' '));
-    const wish = this.wishes;
+    const taken = `${count} keyframes were imported from ${name}.`;
+    this.listener.note([taken, ...notes, 'Save them under a new name.'].join(' '));
+    const request = this.requests;
     const isOriginal = isUndescribed(document) && (await this.#isMadeForOriginal(document));
-    if (wish === this.wishes) {
+    if (request === this.requests) {
       this.isOriginal = isOriginal;
       this.listener.changed();
     }
   }
 
-  /** A motion that falls today and stood by the old rule was made for that one. @param {import('../state/motion/motion-text.js').MotionDocument} document */
+  /**
+   * Whether a motion that falls when played today stays up under the rule of RoboNewbie 1.1.
+   *
+   * @param {import('../state/motion/motion-text.js').MotionDocument} document
+   */
   async #isMadeForOriginal(document) {
     if (hasSkippedKeyframes(document)) {
       return true;
@@ -247,7 +256,7 @@ export class Editor {
     return then.fallSeconds === undefined && now.fallSeconds !== undefined;
   }
 
-  /** Lets agents play the motion by the rule of RoboNewbie 1.1, or as they play others. @param {boolean} isOriginal */
+  /** Chooses whether agents play the motion by the rule of RoboNewbie 1.1. @param {boolean} isOriginal */
   decideRule(isOriginal) {
     this.isOriginal = false;
     const document = asOriginal(documentOf(this.state));
@@ -255,9 +264,9 @@ export class Editor {
   }
 
   /**
-   * Two saves come one after the other: the second one has to know what the first one made.
+   * Saves the motion. Saves are serialised, because each needs the version written by the one before.
    *
-   * @param {string} [asName] another name than before
+   * @param {string} [asName] new name of the file
    * @returns {Promise<void>}
    */
   save(asName) {
@@ -271,11 +280,11 @@ export class Editor {
     const document = documentOf(this.state);
     const known = asName === undefined || asName === this.state.name ? this.state.version : '';
     const nameBefore = this.state.name || this.state.draft || name;
-    const wish = this.wishes;
+    const request = this.requests;
     this.saving = true;
     try {
       const version = await this.files.write(name, document, known);
-      if (wish === this.wishes) {
+      if (request === this.requests) {
         this.conflict = false;
         this.set(withSaved(this.state, name, version, document));
         keepText(LAST_FILE, name);
@@ -285,7 +294,7 @@ export class Editor {
     }
     await Promise.all([...new Set([nameBefore, name])].map((each) => this.files.removeDraft(each)));
     await this.refresh();
-    const hides = this.list.library.includes(name) ? ', instead of the library’s' : '';
+    const hides = this.list.library.includes(name) ? ', which now replaces the library’s' : '';
     this.listener.note(`Saved. An agent plays it with motions.start("${name}")${hides}.`);
   }
 
@@ -305,25 +314,25 @@ export class Editor {
   }
 
   /**
-   * Begins with something that has no name yet.
+   * Opens a document that has no name yet.
    *
    * @param {import('../state/motion/motion-text.js').MotionDocument} document
-   * @param {string} [draft] its name among the drafts, if it is worth to be kept at once
+   * @param {string} [draft] its name among the drafts, if it must be stored immediately
    */
   async #begin(document, draft = '') {
-    const wish = ++this.wishes;
-    if ((await this.drafts.keep()) && wish === this.wishes) {
+    const request = ++this.requests;
+    if ((await this.drafts.keep()) && request === this.requests) {
       this.isOriginal = false;
       this.set(withFile(this.state, { name: '', draft, version: '', document }));
     }
   }
 
-  /** Goes on with a motion that was never saved. @param {string} draft */
+  /** Opens the draft of an untitled motion. @param {string} draft */
   async openDraft(draft) {
-    const wish = ++this.wishes;
+    const request = ++this.requests;
     const isKept = await this.drafts.keep();
     const { document } = await this.files.read('drafts', draft);
-    if (isKept && wish === this.wishes) {
+    if (isKept && request === this.requests) {
       this.conflict = false;
       this.isOriginal = false;
       this.drafts.kept = document;

@@ -1,7 +1,7 @@
-/** Brings motions of other programs in, and gives ours to them. */
+/** Imports and exports motions in the formats of other programs. */
 import { offer } from '../panels/elements.js';
 import { documentOf } from '../state/motion/editor-state.js';
-import { ENDINGS, FORMATS, MOST_BYTES, readMotion } from '../state/motion/interchange.js';
+import { ENDINGS, FORMATS, MAX_BYTES, readMotion } from '../state/motion/interchange.js';
 import { askChoice, askFile } from './questions.js';
 
 /** @typedef {import('./editor.js').Editor} Editor */
@@ -10,8 +10,8 @@ import { askChoice, askFile } from './questions.js';
 export async function importFile(editor) {
   const file = await askFile(ENDINGS);
   if (file) {
-    if (file.size > MOST_BYTES) {
-      throw new Error(`${file.name} was not imported: it is larger than 2 MB, which no motion is.`);
+    if (file.size > MAX_BYTES) {
+      throw new Error(`${file.name} was not imported: it is larger than 2 MB, the limit for motions.`);
     }
     const { body, start } = editor.state;
     const bytes = new Uint8Array(await file.arrayBuffer());
@@ -26,7 +26,7 @@ export async function exportFile(editor) {
     title: 'Export the motion',
     label: 'For',
     action: 'Export',
-    hint: 'The file goes to where your browser puts downloads. Import… reads all of these again.',
+    hint: 'The file is saved to your browser’s downloads. Import… can read all of these formats.',
     entries: FORMATS.map((format) => [format.id, format.name]),
   });
   const format = FORMATS.find((each) => each.id === id);

@@ -1,9 +1,9 @@
-/** Says in words, in the picture, what is wrong with the moment that is shown. */
+/** Lists in the picture what is wrong at the shown moment. */
 import { element } from '../panels/elements.js';
 
 /** @typedef {import('../state/motion/faults.js').Fault} Fault */
 
-const MOST = 5;
+const MAX_ENTRIES = 5;
 
 /** @param {HTMLElement} place the picture @returns {(faults: readonly Fault[]) => void} */
 export function faultList(place) {
@@ -16,9 +16,9 @@ export function faultList(place) {
       return;
     }
     shown = now;
-    const more = faults.length - MOST;
+    const more = faults.length - MAX_ENTRIES;
     list.replaceChildren(
-      ...faults.slice(0, MOST).map(({ kind, text }) => element('li', { class: kind }, text)),
+      ...faults.slice(0, MAX_ENTRIES).map(({ kind, text }) => element('li', { class: kind }, text)),
       ...(more > 0 ? [element('li', {}, `and ${more} more`)] : []),
     );
   };

@@ -1,7 +1,7 @@
-/** The motions of the folder, those of the library, and postures to begin with. */
+/** Panel with the motions of the folder, those of the library, and template postures. */
 import { button, element } from '../panels/elements.js';
 import { isUnsaved, postureNow, posed } from '../state/motion/editor-state.js';
-import { usualPostures } from '../state/motion/poses.js';
+import { templatePostures } from '../state/motion/poses.js';
 import { namelessDrafts } from './drafts.js';
 import { takeTyped } from './number-field.js';
 import { ask } from './questions.js';
@@ -13,7 +13,7 @@ import { ask } from './questions.js';
  * @param {Editor} editor
  * @param {(work: Promise<unknown>) => void} run
  * @param {import('./orders.js').Order[]} orders
- * @returns {() => void} draws the lists
+ * @returns {() => void} updates the lists
  */
 export function filesPanel(place, editor, run, orders) {
   const panel = new FilesPanel(editor, run);
@@ -29,7 +29,7 @@ class FilesPanel {
   #library = element('ul', { class: 'list', id: 'library-motions' });
   #postures = element('div', { class: 'postures' });
   #folder = element('p', { class: 'faint folder' });
-  /** Files of the folder that no agent can play, and why. */
+  /** Files of the folder that are not playable, with the reason. */
   #leftOut = element('ul', { class: 'faint folder', id: 'left-out-motions' });
 
   /** @param {Editor} editor @param {(work: Promise<unknown>) => void} run */
@@ -43,7 +43,7 @@ class FilesPanel {
     const { editor, run } = this;
     const begin = () => (takeTyped(), run(editor.create()));
     const keep = () => run(keepPosture(editor));
-    const create = button('+ New', 'A new motion that begins with standing', begin, { id: 'new-motion' });
+    const create = button('+ New', 'A new motion that starts standing', begin, { id: 'new-motion' });
     return [
       element('div', { class: 'list-head' }, element('h2', {}, 'Your motions'), create),
       this.#own,
@@ -54,7 +54,7 @@ class FilesPanel {
       this.#library,
       element('h2', {}, 'Postures'),
       this.#postures,
-      button('Keep this posture…', 'Remember the posture under a name', keep, { id: 'keep-posture' }),
+      button('Save this posture…', 'Save the posture under a name', keep, { id: 'keep-posture' }),
     ];
   }
 
@@ -107,11 +107,11 @@ class FilesPanel {
 
   #drawPostures() {
     const { editor } = this;
-    const all = [...usualPostures(editor.state.body), ...editor.postures];
+    const all = [...templatePostures(editor.state.body), ...editor.postures];
     const give = (/** @type {string} */ name, /** @type {readonly number[]} */ degrees) => () =>
       editor.apply((each) => posed({ ...each, symmetric: false }, degrees, `Posture ${name}`));
     this.#postures.replaceChildren(
-      ...all.map(({ name, degrees }) => button(name, `Give the keyframe the posture “${name}”`, give(name, degrees))),
+      ...all.map(({ name, degrees }) => button(name, `Set the keyframe to the posture “${name}”`, give(name, degrees))),
     );
   }
 }
@@ -122,14 +122,14 @@ function hasDraft(editor, name) {
 }
 
 /**
- * @typedef {object} Entry of a list of motions
+ * @typedef {object} Entry entry of a list of motions
  * @property {string} name
  * @property {boolean} isOpen
  * @property {() => void} open
  * @property {boolean} changed
  */
 
-/** Shows entries; what is there already stays, so that it keeps the focus. @param {HTMLElement} list @param {Entry[]} entries */
+/** Shows entries; existing elements are reused, so that they keep the focus. @param {HTMLElement} list @param {Entry[]} entries */
 function fill(list, entries) {
   const known = new Map([...list.children].map((item) => [item.getAttribute('data-entry') ?? '', item]));
   const items = entries.map((entry) => {
@@ -160,12 +160,12 @@ function entryButton({ name, changed }) {
 async function keepPosture(editor) {
   const degrees = [...postureNow(editor.state)];
   const name = await ask({
-    title: 'Keep this posture',
+    title: 'Save this posture',
     label: 'Name',
     value: 'My posture',
     action: 'Keep',
     problem: (answer) => (/^[^\r\n]{1,40}$/.test(answer) ? '' : 'A name has 1 to 40 characters.'),
-    hint: 'It can be given to any keyframe of any motion.',
+    hint: 'It can be used for any keyframe of any motion.',
   });
   if (name !== undefined) {
     await editor.keepPosture(name, degrees);

@@ -1,4 +1,4 @@
-/** All joints of the robot with slider and number; typed angles keep their decimals. */
+/** Panel with slider and number for each joint; typed angles keep their decimals. */
 import { button, check, element } from '../panels/elements.js';
 import { postureNow } from '../state/motion/editor-state.js';
 import { JOINT_GROUPS, jointName, shortJointName } from '../state/motion/names.js';
@@ -23,18 +23,18 @@ import { numberField, showNumber, takeTyped } from './number-field.js';
  * @property {HTMLInputElement} number
  */
 
-/** No joint turns so far; what is typed beyond it is a slip. */
-const MOST_DEGREES = 360;
+/** Limit for typed angles; no joint turns further. */
+const MAX_DEGREES = 360;
 
 /**
  * @param {HTMLElement} place
  * @param {Body} body
  * @param {JointEditor} editor
- * @returns {(state: EditorState) => void} draws the angles
+ * @returns {(state: EditorState) => void} updates the angles
  */
 export function jointPanel(place, body, editor) {
   const rows = body.joints.map((joint, i) => jointRow(joint, i, editor));
-  const symmetric = check('symmetric', 'Both sides alike', 'What one arm or leg does, the other does too', (on) =>
+  const symmetric = check('symmetric', 'Both sides alike', 'Mirrors each change of one arm or leg to the other', (on) =>
     editor.setSymmetric(on),
   );
   place.append(
@@ -73,9 +73,9 @@ function jointRow({ name, minDegrees, maxDegrees }, index, editor) {
   const label = `${jointName(name)} in degrees`;
   const number = numberField(
     { inputmode: 'decimal', 'aria-label': label, title },
-    MOST_DEGREES,
+    MAX_DEGREES,
     (degrees) => editor.turn(index, degrees, ''),
-    (text) => editor.note(`“${text}” is not an angle in degrees; ${jointName(name).toLowerCase()} stays as it is.`),
+    (text) => editor.note(`“${text}” is not an angle in degrees: ${jointName(name).toLowerCase()} stays as it is.`),
   );
   number.dataset.joint = name;
   slider.dataset.slider = name;
@@ -88,7 +88,7 @@ function jointRow({ name, minDegrees, maxDegrees }, index, editor) {
   return { line: element('div', { class: 'joint' }, text, slider, number), slider, number };
 }
 
-/** One drag of the slider is one step of undo. @param {HTMLInputElement} slider @param {(degrees: number, gesture: string) => void} turn */
+/** Makes one drag of the slider one undo step. @param {HTMLInputElement} slider @param {(degrees: number, gesture: string) => void} turn */
 function listenToSlider(slider, turn) {
   let drags = 0;
   slider.addEventListener('pointerdown', () => {
@@ -97,7 +97,12 @@ function listenToSlider(slider, turn) {
   slider.addEventListener('input', () => turn(Number(slider.value), `slider ${slider.dataset.slider} ${drags}`));
 }
 
-/** Up and down turn by a degree, with Shift by ten. @param {HTMLInputElement} number @param {(degrees: number) => void} turn */
+/**
+ * The arrow keys Up and Down turn by one degree, with Shift by ten.
+ *
+ * @param {HTMLInputElement} number
+ * @param {(degrees: number) => void} turn
+ */
 function listenToArrows(number, turn) {
   number.addEventListener('keydown', (event) => {
     if (event.key === 'ArrowUp' || event.key === 'ArrowDown') {
@@ -105,7 +110,7 @@ function listenToArrows(number, turn) {
       takeTyped();
       const step = (event.shiftKey ? 10 : 1) * (event.key === 'ArrowUp' ? 1 : -1);
       const degrees = numberOf(number.value);
-      if (degrees !== undefined && Math.abs(degrees + step) <= MOST_DEGREES) {
+      if (degrees !== undefined && Math.abs(degrees + step) <= MAX_DEGREES) {
         turn(Math.round((degrees + step) * 1e4) / 1e4);
       }
     }
@@ -120,7 +125,7 @@ function drawRow({ line, slider, number }, { minDegrees, maxDegrees }, degrees, 
   line.classList.toggle('chosen', isChosen);
 }
 
-/** @param {number} degrees @returns {string} as it is in the file, but between keyframes not longer than needed */
+/** @param {number} degrees @returns {string} as written in the file, shortened between keyframes */
 function shownAngle(degrees) {
   return numberText(Math.round(degrees * 1e4) / 1e4 + 0);
 }

@@ -1,4 +1,4 @@
-/** The mouse on the robot of the motion editor: drags limbs, turns and moves the view. */
+/** Pointer controller of the motion editor's picture: drags limbs, turns and moves the view. */
 import * as THREE from 'three';
 import { POSE, rotated } from '../state/kinematics.js';
 import { pointOf, posesOf } from '../state/motion/body.js';
@@ -14,26 +14,26 @@ import { chainJoints, limbOf, ownJoints, followed, torsoMoved } from '../state/m
  * @property {number} y
  * @property {number} link
  * @property {number[]} local the grabbed point in the limb's frame
- * @property {THREE.Plane} plane in which the point is followed
- * @property {number[]} from where the point was
- * @property {number[]} posture at the beginning
- * @property {number[]} reached posture to which the hand has led it
- * @property {number[]} torso at the beginning
+ * @property {THREE.Plane} plane in which the point is dragged
+ * @property {number[]} from last position of the point
+ * @property {number[]} posture when the drag began
+ * @property {number[]} reached posture reached so far
+ * @property {number[]} torso when the drag began
  * @property {string} gesture
  */
 
 const TURN_DEGREES_PER_PIXEL = 0.35;
-const KNEAD_MILLISECONDS = 24;
+const DRAG_MILLISECONDS = 24;
 
 export class LimbController {
   /**
    * @param {MotionStage} stage
    * @param {object} editor
-   * @param {() => {posture: readonly number[], torso: number[]} | undefined} editor.now what can be dragged, if anything
+   * @param {() => {posture: readonly number[], torso: number[]} | undefined} editor.now the draggable figure, if any
    * @param {(posture: number[], from: Grip, torso: number[]) => void} editor.pose
    * @param {() => void} editor.released
    * @param {(link: number) => void} editor.over
-   * @param {() => void} editor.changed the picture must be drawn again
+   * @param {() => void} editor.changed requests a redraw
    */
   constructor(stage, editor) {
     this.view = stage;
@@ -41,7 +41,7 @@ export class LimbController {
     /** @type {Grip | undefined} */
     this.grip = undefined;
     this.gestures = 0;
-    this.lastKnead = 0;
+    this.lastDrag = 0;
     this.sign = limitSign(stage.stage, stage.body);
     const target = stage.stage;
     target.addEventListener('pointerdown', (event) => this.#press(event));
@@ -95,18 +95,21 @@ export class LimbController {
     }
     const [dx, dy] = [event.clientX - grip.x, event.clientY - grip.y];
     if (grip.action === 'dragLimb') {
-      if (performance.now() - this.lastKnead > KNEAD_MILLISECONDS) {
+      if (performance.now() - this.lastDrag > DRAG_MILLISECONDS) {
         this.#dragLimb(event, grip);
       }
       return;
     }
     Object.assign(grip, { x: event.clientX, y: event.clientY });
     if (grip.action === 'turn') {
-      this.view.desk.turn(-TURN_DEGREES_PER_PIXEL * dx, TURN_DEGREES_PER_PIXEL * dy);
+      this.view.cameraController.turn(-TURN_DEGREES_PER_PIXEL * dx, TURN_DEGREES_PER_PIXEL * dy);
     } else {
-      const { target } = this.view.desk.view;
-      this.view.desk.move((-1.2 * dx) / this.view.stage.clientHeight, 0);
-      this.view.desk.view.target[2] = Math.max(0, Math.min(1, target[2] + (0.9 * dy) / this.view.stage.clientHeight));
+      const { target } = this.view.cameraController.view;
+      this.view.cameraController.move((-1.2 * dx) / this.view.stage.clientHeight, 0);
+      this.view.cameraController.view.target[2] = Math.max(
+        0,
+        Math.min(1, target[2] + (0.9 * dy) / this.view.stage.clientHeight),
+      );
     }
     this.editor.changed();
   }
@@ -130,13 +133,13 @@ export class LimbController {
   /** @param {WheelEvent} event */
   #wheel(event) {
     event.preventDefault();
-    this.view.desk.zoom(Math.exp(0.0012 * event.deltaY));
+    this.view.cameraController.zoom(Math.exp(0.0012 * event.deltaY));
     this.editor.changed();
   }
 
   /** @param {PointerEvent} event @param {Grip} grip */
   #dragLimb(event, grip) {
-    this.lastKnead = performance.now();
+    this.lastDrag = performance.now();
     const place = this.view.rayAt(event.clientX, event.clientY).intersectPlane(grip.plane, new THREE.Vector3());
     if (!place) {
       return;
@@ -207,7 +210,7 @@ function startOf(now) {
 }
 
 /**
- * Rounds what the hand has turned to a tenth of a degree, as hands are not finer; all other angles keep their digits.
+ * Rounds the angles changed by the drag to a tenth of a degree; all other angles keep their digits.
  *
  * @param {readonly number[]} posture
  * @param {readonly number[]} before

@@ -1,4 +1,4 @@
-/** Colours limbs that cannot do what the motion says: the shapes that the simulator collides, laid over the robot. */
+/** Highlights limbs with faults by overlaying the simulator's collision shapes. */
 import * as THREE from 'three';
 import { POSE } from '../state/kinematics.js';
 
@@ -7,7 +7,7 @@ import { POSE } from '../state/kinematics.js';
  * @typedef {import('../state/motion/faults.js').Fault} Fault
  */
 
-/** As the marks of the timeline; what comes later here is more important. @type {Array<{kind: Fault['kind'], colour: number}>} */
+/** The colours of the timeline's marks, in ascending priority. @type {Array<{kind: Fault['kind'], colour: number}>} */
 const COLOURS = [
   { kind: 'limit', colour: 0xffc400 },
   { kind: 'lag', colour: 0xff8a1f },

@@ -1,4 +1,4 @@
-/** Says in the picture why a limb does not follow the hand that drags it. */
+/** Shows in the picture which joint limit stops a dragged limb. */
 import { element, setText } from '../panels/elements.js';
 import { jointName } from '../state/motion/names.js';
 
@@ -10,7 +10,7 @@ const AT_LIMIT_DEGREES = 0.1;
 /**
  * @param {HTMLElement} place the picture
  * @param {Body} body
- * @returns {(joint: number | undefined) => void} shows which joint is at its limit, or nothing
+ * @returns {(joint: number | undefined) => void} shows the joint at its limit, or hides the sign
  */
 export function limitSign(place, body) {
   const sign = element('p', { class: 'panel limit-sign', role: 'status', hidden: '' });
@@ -31,9 +31,9 @@ export function farFrom(target, point) {
 /**
  * @param {Body} body
  * @param {readonly number[]} posture
- * @param {readonly number[]} joints that may turn
- * @param {number} metres how far the limb is from where the hand is
- * @returns {number | undefined} the joint that keeps the limb from following
+ * @param {readonly number[]} joints that take part in the drag
+ * @param {number} metres distance between limb and pointer
+ * @returns {number | undefined} the joint that blocks the limb
  */
 export function stuckJoint(body, posture, joints, metres) {
   const isAtLimit = (/** @type {number} */ joint) => {

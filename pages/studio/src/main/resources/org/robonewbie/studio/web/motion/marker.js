@@ -1,4 +1,4 @@
-/** What lies on and around the robot: the frame of the limb under the mouse, the centre of mass and the support polygon. */
+/** Markers on the robot: the frame of the limb under the pointer, the centre of mass and the support polygon. */
 import * as THREE from 'three';
 import { POSE } from '../state/kinematics.js';
 
@@ -7,7 +7,7 @@ import { POSE } from '../state/kinematics.js';
  * @typedef {import('../state/motion/balance.js').Balance} Balance
  */
 
-/** Told apart also by people with colour-blindness. */
+/** Distinguishable with colour blindness. */
 const STEADY = 0x1878d2;
 const TIPPING = 0xe0560c;
 const HIGHLIGHT = 0xffb000;
@@ -72,7 +72,7 @@ export class Marker {
     this.foot.position.set(x, y, 2 * OVER_GROUND);
   }
 
-  /** A robot in the air, or on an edge, has no polygon to stand on. @param {readonly number[][]} support */
+  /** Shows the support polygon; a robot in the air or on an edge has none. @param {readonly number[][]} support */
   #setSupport(support) {
     const isArea = support.length >= 3;
     this.support.visible = isArea;

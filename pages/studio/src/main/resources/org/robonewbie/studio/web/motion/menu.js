@@ -1,9 +1,9 @@
-/** Buttons that are folded into one; where there is room, some menus lie open beside each other. */
+/** Drop-down menu of buttons; on wide pages some menus are expanded inline. */
 import { button, element } from '../panels/elements.js';
 
 /**
  * @param {string} name
- * @param {'' | 'unfolding'} kind whether it lies open on wide pages
+ * @param {'' | 'unfolding'} kind whether it is expanded on wide pages
  * @param {HTMLElement[]} buttons
  */
 export function menu(name, kind, buttons) {

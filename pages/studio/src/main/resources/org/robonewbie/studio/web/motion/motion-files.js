@@ -1,4 +1,4 @@
-/** The motion files on the disk, as the studio's server gives and takes them. */
+/** Client for the motion files of the studio's server. */
 import { decodeText, UTF_8 } from '../state/decoded-text.js';
 import { decode, encode } from '../state/motion/motion-text.js';
 import { pathPart } from '../state/path-part.js';
@@ -11,7 +11,7 @@ import { pathPart } from '../state/path-part.js';
  * @property {Array<{name: string, version: string}>} own
  * @property {Array<{name: string, version: string}>} drafts
  * @property {string[]} library
- * @property {string[]} leftOut a sentence about each other file of the folder
+ * @property {string[]} leftOut a sentence about each unplayable file of the folder
  */
 
 export class MotionFiles {
@@ -26,12 +26,12 @@ export class MotionFiles {
   }
 
   /**
-   * @param {'motions' | 'library' | 'drafts'} shelf
+   * @param {'motions' | 'library' | 'drafts'} collection
    * @param {string} name
    * @returns {Promise<{document: MotionDocument, version: string}>}
    */
-  async read(shelf, name) {
-    const answer = await this.#ask('GET', `${shelf}/${pathPart(name)}`);
+  async read(collection, name) {
+    const answer = await this.#ask('GET', `${collection}/${pathPart(name)}`);
     const bytes = new Uint8Array(await answer.arrayBuffer());
     try {
       return { document: decode(bytes), version: answer.headers.get('Version') ?? '' };
@@ -44,7 +44,7 @@ export class MotionFiles {
   /**
    * @param {string} name
    * @param {MotionDocument} document
-   * @param {string} known the version that this page has seen, empty for a new file
+   * @param {string} known the version last read by this page, empty for a new file
    * @returns {Promise<string>} the new version
    */
   async write(name, document, known) {

@@ -1,4 +1,4 @@
-/** What the picture of the motion room shows: the robot at the playhead, its ghosts, its balance and its faults. */
+/** Picture of the motion room: the robot at the playhead, its ghosts, its balance and its faults. */
 import { balanceOf } from '../state/motion/balance.js';
 import { placed, posesOf } from '../state/motion/body.js';
 import { framesOf, isOnKeyframe, postureNow } from '../state/motion/editor-state.js';
@@ -17,14 +17,14 @@ export class MotionPicture {
   constructor(stage, editor) {
     this.stage = stage;
     this.editor = editor;
-    this.sayFaults = faultList(stage.stage);
-    /** The limb under the mouse. */
+    this.showFaults = faultList(stage.stage);
+    /** The limb under the pointer. */
     this.over = -1;
     /** @type {number[] | undefined} the torso while a limb is dragged */
     this.heldTorso = undefined;
   }
 
-  /** The posture that is shown and where its torso is. */
+  /** The shown posture with the pose of its torso. */
   posedNow() {
     const { state } = this.editor;
     const posture = postureNow(state);
@@ -49,10 +49,10 @@ export class MotionPicture {
     stage.marker.setBalance(balanceOf(state.body, poses));
     stage.marker.frameLink(state.playing ? -1 : this.over, poses);
     stage.paint.show(faults, poses);
-    this.sayFaults([...faults, ...(lag ? lagFaults(state.body, lag, state.time) : [])]);
+    this.showFaults([...faults, ...(lag ? lagFaults(state.body, lag, state.time) : [])]);
   }
 
-  /** The physical robot, with the plan as a ghost. */
+  /** Draws the physical robot with the plan as a ghost. */
   #drawTrial() {
     const { stage } = this;
     const { state, lag } = this.editor;
@@ -61,13 +61,13 @@ export class MotionPicture {
       return;
     }
     const torso = Array.from(robot.torso);
-    stage.desk.view = { ...stage.desk.view, target: [torso[0], torso[1], 0.31] };
+    stage.cameraController.view = { ...stage.cameraController.view, target: [torso[0], torso[1], 0.31] };
     stage.show(robot, state.ghosts ? [this.#planAt(torso), undefined] : []);
     stage.marker.setBalance(undefined);
     stage.marker.frameLink(-1, new Float64Array());
     const faults = lagFaults(state.body, lag, state.time);
     stage.paint.show(faults, posesOf(state.body, lag.reached[lagFrame(lag, state.time)], torso));
-    this.sayFaults(faults);
+    this.showFaults(faults);
   }
 
   /** @returns {Figure | undefined} */
@@ -77,7 +77,7 @@ export class MotionPicture {
     return frame && { torso: frame.slice(0, 7), hinges: frame.slice(7) };
   }
 
-  /** What the plan wants at this time, where the torso of the physical robot is. @param {readonly number[]} torso @returns {Figure} */
+  /** The planned posture at this time, at the torso of the physical robot. @param {readonly number[]} torso @returns {Figure} */
   #planAt(torso) {
     const { state, lag } = this.editor;
     const posture = lag ? lag.planned[lagFrame(lag, state.time)] : postureNow(state);
@@ -86,7 +86,7 @@ export class MotionPicture {
   }
 
   /**
-   * The physical robot if one has tried the motion, else the keyframes before and after.
+   * The ghosts: the physical robot if there is a trial, otherwise the keyframes before and after.
    *
    * @param {readonly number[]} torso
    * @returns {Array<Figure | undefined>}

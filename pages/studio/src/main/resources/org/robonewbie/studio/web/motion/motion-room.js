@@ -1,4 +1,4 @@
-/** The room in which motions are shaped: brings editor, picture, timeline and panels together. */
+/** The motion room: connects editor, picture, timeline and panels. */
 import { button, byId, element } from '../panels/elements.js';
 import { bodyOf, posesOf, postureOfHinges } from '../state/motion/body.js';
 import { atMark } from '../state/motion/marks.js';
@@ -27,8 +27,8 @@ const DISK_MILLISECONDS = 2000;
  * @typedef {object} Surroundings
  * @property {(text: string) => void} note
  * @property {import('../state/quality.js').Quality} quality
- * @property {() => {name: string, degrees: ArrayLike<number>} | undefined} robotOfRun the robot that is followed in the field
- * @property {string} [wanted] the motion to begin with
+ * @property {() => {name: string, degrees: ArrayLike<number>} | undefined} robotOfRun the robot followed in the field
+ * @property {string} [wanted] the motion to open first
  */
 
 /** @param {Surroundings} surroundings */
@@ -71,7 +71,7 @@ class MotionRoom {
       this.#joints(parts.joints),
       () => draw(this.editor.state),
     ];
-    this.hand = this.#hand();
+    this.pointer = this.#pointerController();
     new ResizeObserver(() => {
       this.stage.resize();
       this.touch();
@@ -111,7 +111,7 @@ class MotionRoom {
     return () => draw(editor.state);
   }
 
-  #hand() {
+  #pointerController() {
     const { editor } = this;
     return new LimbController(this.stage, {
       now: () => (editor.state.watching || editor.state.playing ? undefined : this.posedNow()),
@@ -136,7 +136,7 @@ class MotionRoom {
 
   /** @param {HTMLElement} place */
   #lookAtDisk(place) {
-    if (!place.hidden && !document.hidden && !this.hand.grip) {
+    if (!place.hidden && !document.hidden && !this.pointer.grip) {
       this.editor.lookAtDisk().catch(() => {});
     }
   }
@@ -151,7 +151,7 @@ class MotionRoom {
     this.touch();
   }
 
-  /** What keys do here. */
+  /** Key actions of this room. */
   get actions() {
     return this.orders
       .filter(({ keys }) => keys.length > 0)
@@ -159,9 +159,9 @@ class MotionRoom {
   }
 
   /**
-   * Draws if anything has changed.
+   * Redraws if anything has changed.
    *
-   * @param {number} seconds since the last turn
+   * @param {number} seconds since the last call
    */
   turn(seconds) {
     this.editor.advance(1000 * seconds);
@@ -177,7 +177,7 @@ class MotionRoom {
     byId('original-rule').hidden = !this.editor.isOriginal;
   }
 
-  /** The posture that is shown and where its torso is. */
+  /** The shown posture with the pose of its torso. */
   posedNow() {
     return this.picture.posedNow();
   }
@@ -199,18 +199,20 @@ class MotionRoom {
   /** @param {number} azimuthDegrees @param {number} elevationDegrees */
   #look(azimuthDegrees, elevationDegrees) {
     this.stage.home();
-    this.stage.desk.view = { ...this.stage.desk.view, azimuthDegrees, elevationDegrees };
+    this.stage.cameraController.view = { ...this.stage.cameraController.view, azimuthDegrees, elevationDegrees };
     this.touch();
   }
 
   #conflict() {
     const { editor, run } = this;
-    const reload = button('Load theirs', 'Undo brings yours back', () => run(editor.reload()), { id: 'load-theirs' });
+    const reload = button('Load theirs', 'Undo restores your version', () => run(editor.reload()), {
+      id: 'load-theirs',
+    });
     const mine = button('Keep mine', 'The next save replaces the file', () => editor.keepMine(), { id: 'keep-mine' });
     const panel = element(
       'div',
       { id: 'disk-conflict', class: 'panel', role: 'alert' },
-      element('p', {}, 'Another program has changed this file, and so have you.'),
+      element('p', {}, 'This file was changed by another program and also has unsaved changes here.'),
       reload,
       mine,
     );
@@ -225,9 +227,9 @@ class MotionRoom {
     const panel = element(
       'div',
       { id: 'original-rule', class: 'panel', role: 'status' },
-      element('p', {}, 'This motion seems to be made for RoboNewbie 1.1, which played keyframes by another rule.'),
+      element('p', {}, 'This motion seems to be written for RoboNewbie 1.1, which played short keyframes differently.'),
       button('Play it as 1.1 did', 'Writes // play: 1.1 at its top', old, { id: 'play-original' }),
-      button('Leave it', 'Agents play it as other motions', now, { id: 'play-usual' }),
+      button('Leave it', 'Agents play it like other motions', now, { id: 'play-usual' }),
     );
     panel.hidden = true;
     return panel;
@@ -247,7 +249,7 @@ class MotionRoom {
 /** @param {Error} error */
 function problemText(error) {
   return error instanceof TypeError
-    ? 'The studio does not answer. Your work stays in this page; save it when the simulator runs again.'
+    ? 'The studio does not respond. Your work is still in this page; save it when the simulator is running again.'
     : error.message;
 }
 

@@ -1,4 +1,4 @@
-/** The picture of the motion editor: the robot, ghosts of the neighbouring keyframes, centre of mass and support. */
+/** The picture of the motion editor: the robot, ghosts of the neighbouring keyframes, centre of mass and support polygon. */
 import * as THREE from 'three';
 import { CameraController } from '../field/camera-controller.js';
 import { opaqueRenderer } from '../field/field-view.js';
@@ -13,7 +13,7 @@ import { hingeDegrees } from '../state/motion/body.js';
  * @typedef {import('../state/motion/body.js').Body} Body
  * @typedef {import('../state/quality.js').Quality} Quality
  *
- * @typedef {object} Figure one robot in the picture
+ * @typedef {object} Figure a robot in the picture
  * @property {ArrayLike<number>} torso
  * @property {readonly number[]} hinges
  */
@@ -21,7 +21,7 @@ import { hingeDegrees } from '../state/motion/body.js';
 const FLOORS = { light: { ground: 0xd3dce3, line: 0xb4c0ca }, dark: { ground: 0x1d252d, line: 0x35414c } };
 const FLOOR_METRES = 3;
 
-/** Where a ghost is that is not seen. */
+/** Pose of a hidden ghost. */
 const FAR_BELOW = [0, 0, -50, 1, 0, 0, 0];
 
 export class MotionStage {
@@ -52,14 +52,14 @@ export class MotionStage {
     this.scene.environment = quality.glossy ? roomReflections(this.renderer) : null;
     this.scene.environmentIntensity = 0.5;
     stage.append(this.renderer.domElement);
-    this.desk = new CameraController(this.camera);
+    this.cameraController = new CameraController(this.camera);
     this.home();
-    this.desk.jumpTo(this.desk.view);
+    this.cameraController.jumpTo(this.cameraController.view);
   }
 
-  /** Looks at the robot from the front and a little from the side. */
+  /** Resets the view: from the front, slightly from the side. */
   home() {
-    this.desk.view = { target: [0, 0, 0.31], azimuthDegrees: 62, elevationDegrees: 12, distance: 1.35 };
+    this.cameraController.view = { target: [0, 0, 0.31], azimuthDegrees: 62, elevationDegrees: 12, distance: 1.35 };
   }
 
   /** @param {'light' | 'dark'} theme */
@@ -93,7 +93,7 @@ export class MotionStage {
 
   /**
    * @param {Figure} figure
-   * @param {Array<Figure | undefined>} ghosts a blue and an orange one
+   * @param {Array<Figure | undefined>} ghosts the blue and the orange ghost
    */
   show(figure, ghosts) {
     this.robot.update([stateOf(figure)], this.camera.position);
@@ -105,18 +105,18 @@ export class MotionStage {
   }
 
   /**
-   * @param {number} seconds since the last picture
-   * @returns {boolean} whether the camera still moves
+   * @param {number} seconds since the last frame
+   * @returns {boolean} whether the camera is still moving
    */
   draw(seconds) {
-    const moves = this.desk.update([], seconds);
-    this.light.shine(this.desk.shown.target, this.camera.position);
+    const moves = this.cameraController.update([], seconds);
+    this.light.shine(this.cameraController.shown.target, this.camera.position);
     this.renderer.render(this.scene, this.camera);
     return moves;
   }
 
   /**
-   * The line of sight through a point of the page.
+   * The ray through a point of the page.
    *
    * @param {number} clientX
    * @param {number} clientY
@@ -133,7 +133,7 @@ export class MotionStage {
     return caster.ray;
   }
 
-  /** @param {number[]} point @returns {number[]} where it is on the page */
+  /** @param {number[]} point @returns {number[]} its position on the page */
   pageAt(point) {
     const box = this.stage.getBoundingClientRect();
     const place = new THREE.Vector3(point[0], point[1], point[2]).project(this.camera);
@@ -148,7 +148,7 @@ export class MotionStage {
       nearDetail: count === 1 ? 'fine' : 'coarse',
       farDetail: 'coarse',
       nearMetres: 100,
-      mostNear: 22,
+      maxNear: 22,
     });
     const robots = Array.from({ length: count }, (_, id) => ({
       id,

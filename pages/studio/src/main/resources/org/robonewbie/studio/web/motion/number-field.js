@@ -1,17 +1,17 @@
-/** Fields for numbers: what is typed is taken once, by Enter, when the field is left, or before anything else is done. */
+/** Number fields: typed text is committed once, by Enter, on blur, or before any other action. */
 import { element } from '../panels/elements.js';
 import { numberOf } from '../state/numbers.js';
 
-/** Which field the person writes in, for an order that must not miss what was typed. */
+/** Marks the field being edited, so that an action can commit its text first. */
 const TYPED = 'typed';
 
 /**
  * @param {Record<string, string>} attributes
- * @param {number} most that is taken, and its negative
+ * @param {number} limit largest absolute value
  * @param {(value: number) => void} take
- * @param {(text: string) => void} refuse hears what is not such a number
+ * @param {(text: string) => void} refuse called with the text if it is not a valid number
  */
-export function numberField(attributes, most, take, refuse) {
+export function numberField(attributes, limit, take, refuse) {
   const field = element('input', { type: 'text', ...attributes });
   const commit = () => {
     if (field.dataset[TYPED] !== 'yes') {
@@ -19,7 +19,7 @@ export function numberField(attributes, most, take, refuse) {
     }
     field.dataset[TYPED] = '';
     const value = numberOf(field.value);
-    if (value !== undefined && Math.abs(value) <= most) {
+    if (value !== undefined && Math.abs(value) <= limit) {
       take(value);
     } else {
       refuse(field.value);
@@ -33,14 +33,14 @@ export function numberField(attributes, most, take, refuse) {
   return field;
 }
 
-/** Shows a number, but never over what the person is typing. @param {HTMLInputElement} field @param {string} text */
+/** Shows a number unless the user is typing in the field. @param {HTMLInputElement} field @param {string} text */
 export function showNumber(field, text) {
   if (field.dataset[TYPED] !== 'yes' && field.value !== text) {
     field.value = text;
   }
 }
 
-/** Takes what is typed and not yet taken. A browser itself does so only when the field is left, which keys do not do. */
+/** Commits typed text. Browsers only do so on blur, which key actions do not cause. */
 export function takeTyped() {
   document.querySelector(`[data-${TYPED}='yes']`)?.dispatchEvent(new Event('change'));
 }

@@ -1,4 +1,4 @@
-/** Everything that buttons and keys of the motion editor do, in one list. */
+/** All actions of the motion editor's buttons and keys. */
 import {
   deleted,
   duplicated,
@@ -26,18 +26,18 @@ import { ask, askName } from './questions.js';
  * @property {string} id
  * @property {string} name on the button
  * @property {string} hint
- * @property {string[]} keys as the browser names them
- * @property {string} shown the keys as people read them
+ * @property {string[]} keys names of the keys in the browser
+ * @property {string} shown label of the keys
  * @property {boolean} [ctrl] whether Ctrl must be held
  * @property {() => void} act
  */
 
 const BALANCE_HINT =
-  'Shifts the torso over the feet until the centre of mass is over them, in all keyframes, or in the chosen ones if there are several';
+  'Shifts the torso until the centre of mass is above the feet, in all keyframes or in several chosen ones';
 
 /**
  * @param {Editor} editor
- * @param {(work: Promise<unknown>) => void} run reports what goes wrong
+ * @param {(work: Promise<unknown>) => void} run runs an action and reports its failure
  * @returns {Order[]}
  */
 export function ordersOf(editor, run) {
@@ -53,14 +53,14 @@ export function ordersOf(editor, run) {
 /** @param {Editor} editor @param {(work: Promise<unknown>) => void} run @returns {Order[]} */
 function fileOrders(editor, run) {
   const save = () => run(needsName(editor) ? saveAs(editor) : editor.save());
-  const importHint = 'Take over a motion of Webots, Choregraphe, the original motion editor, or a table';
+  const importHint = 'Import a motion from Webots, Choregraphe, the original motion editor, or a table';
   return [
     ctrl('save', 'Save', 'Write the motion to its file', ['s'], save),
     order('save-as', 'Save as…', 'Write the motion to another file', [], '', () => run(saveAs(editor))),
     ctrl('undo', '↶ Undo', '', ['z'], () => editor.apply(withUndo)),
     ctrl('redo', '↷ Redo', '', ['y', 'Z'], () => editor.apply(withRedo)),
     order('import', 'Import…', importHint, [], '', () => run(importFile(editor))),
-    order('export', 'Export…', 'Give the motion to another program', [], '', () => run(exportFile(editor))),
+    order('export', 'Export…', 'Export the motion for another program', [], '', () => run(exportFile(editor))),
   ];
 }
 
@@ -73,14 +73,14 @@ function keyframeOrders(editor) {
   const paste = does((state) => pasted(state, editor.clip));
   return [
     order('insert', '+ Keyframe', 'A new keyframe at the playhead', ['i', 'Insert'], 'I', insert),
-    order('duplicate', 'Duplicate', 'The chosen keyframes once more', ['d'], 'D', does(duplicated)),
+    order('duplicate', 'Duplicate', 'Duplicate the chosen keyframes', ['d'], 'D', does(duplicated)),
     order('delete', 'Delete', 'Remove the chosen keyframes', ['Delete', 'Backspace'], 'Del', does(deleted)),
-    ctrl('copy', 'Copy', 'Keep the chosen keyframes for any motion', ['c'], () => copy(editor)),
-    ctrl('cut', 'Cut', 'Copy the chosen keyframes and remove them', ['x'], () => (copy(editor), editor.apply(deleted))),
-    ctrl('paste', 'Paste', 'Put the copied keyframes in after the chosen one', ['v'], paste),
-    order('earlier', '◂ Move', 'The chosen keyframes one place earlier', ['['], '[', earlier),
-    order('later', 'Move ▸', 'The chosen keyframes one place later', [']'], ']', later),
-    order('mirror', 'Mirror', 'Exchange left and right in the chosen keyframes', ['m'], 'M', does(mirroredSelection)),
+    ctrl('copy', 'Copy', 'Copy the chosen keyframes', ['c'], () => copy(editor)),
+    ctrl('cut', 'Cut', 'Cut the chosen keyframes', ['x'], () => (copy(editor), editor.apply(deleted))),
+    ctrl('paste', 'Paste', 'Insert the copied keyframes after the chosen one', ['v'], paste),
+    order('earlier', '◂ Move', 'Move the chosen keyframes one position earlier', ['['], '[', earlier),
+    order('later', 'Move ▸', 'Move the chosen keyframes one position later', [']'], ']', later),
+    order('mirror', 'Mirror', 'Swap left and right in the chosen keyframes', ['m'], 'M', does(mirroredSelection)),
   ];
 }
 
@@ -88,7 +88,7 @@ function keyframeOrders(editor) {
 function motionOrders(editor, run) {
   const does = (/** @type {Edit} */ edit) => () => editor.apply(edit);
   return [
-    order('mirror-all', 'Mirror all', 'Exchange left and right in the whole motion', [], '', does(mirroredMotion)),
+    order('mirror-all', 'Mirror all', 'Swap left and right in the whole motion', [], '', does(mirroredMotion)),
     order('reverse', 'Reverse', 'Play the motion backwards', [], '', does(reversedMotion)),
     order('balance', 'Make it balanced', BALANCE_HINT, [], '', () => makeBalanced(editor)),
     order('scale', 'Tempo…', 'Make the whole motion slower or faster', [], '', () => run(scale(editor))),
@@ -152,7 +152,7 @@ function copy(editor) {
   editor.clip = copied(editor.state);
   const { frames, rows } = editor.clip;
   const angles =
-    rows.length === 0 ? '' : `, of these the angles of ${rows.length === 1 ? 'a joint' : `${rows.length} joints`}`;
+    rows.length === 0 ? '' : `, only the angles of ${rows.length === 1 ? 'a joint' : `${rows.length} joints`}`;
   const count = `${frames.length} ${frames.length === 1 ? 'keyframe' : 'keyframes'}`;
   editor.listener.note(`${count} copied${angles}. Paste them into any motion.`);
 }
@@ -163,7 +163,7 @@ async function saveAs(editor) {
   return name === undefined ? undefined : editor.save(name);
 }
 
-/** A motion of the library is kept under a name that the person chooses. @param {Editor} editor */
+/** Whether saving needs a name: a motion of the library is saved under a new name. @param {Editor} editor */
 function needsName({ state, list }) {
   return state.name === '' || (state.version === '' && list.library.includes(state.name));
 }
@@ -171,12 +171,12 @@ function needsName({ state, list }) {
 /** @param {Editor} editor */
 async function scale(editor) {
   const answer = await ask({
-    title: 'Tempo of the whole motion',
+    title: 'Speed of the whole motion',
     label: 'Duration in percent',
     value: '150',
     action: 'Change',
     problem: (percent) => (/^(?!0+$)\d{1,4}$/.test(percent) ? '' : 'A whole number from 1 to 9999.'),
-    hint: '200 makes it twice as slow, 50 twice as fast. Times stay whole cycles of 20 ms.',
+    hint: '200 halves the speed, 50 doubles it. Times are rounded to cycles of 20 ms.',
   });
   if (answer !== undefined) {
     editor.apply((state) => scaledMotion(state, Number(answer) / 100));

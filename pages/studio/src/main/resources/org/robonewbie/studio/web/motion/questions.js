@@ -1,4 +1,4 @@
-/** Asks the person for something in a small dialog, or tells what needs more room than a note. */
+/** Small modal dialogs that ask the user, or report what is too long for a note. */
 import { button, choice, element } from '../panels/elements.js';
 import { composedName, nameProblem } from '../state/file-name.js';
 
@@ -8,9 +8,9 @@ import { composedName, nameProblem } from '../state/file-name.js';
  * @param {string} question.label
  * @param {string} question.value
  * @param {string} question.action text of the button
- * @param {(answer: string) => string} question.problem what is wrong with an answer; nothing for a possible one
- * @param {string} question.hint what is possible, for people
- * @returns {Promise<string | undefined>} the answer, or undefined if the person wants nothing
+ * @param {(answer: string) => string} question.problem error message for an answer, empty if it is valid
+ * @param {string} question.hint description of valid answers
+ * @returns {Promise<string | undefined>} the answer, or undefined if the dialog was cancelled
  */
 export function ask({ title, label, value, action, problem, hint }) {
   const input = element('input', { type: 'text', value, 'aria-label': label, id: 'answer' });
@@ -26,7 +26,7 @@ export function ask({ title, label, value, action, problem, hint }) {
  * @param {string} question.action text of the button
  * @param {string} question.hint
  * @param {ReadonlyArray<readonly [value: string, text: string]>} question.entries
- * @returns {Promise<string | undefined>} the value of the chosen entry, or undefined if the person wants nothing
+ * @returns {Promise<string | undefined>} the value of the chosen entry, or undefined if the dialog was cancelled
  */
 export function askChoice({ entries, ...question }) {
   const list = choice({ 'aria-label': question.label, id: 'answer' }, entries, () => {});
@@ -81,13 +81,13 @@ function shown(title, content) {
 }
 
 /**
- * Tells several things, each with a place to go to.
+ * Reports several findings, each with a link to its place.
  *
  * @param {string} title
  * @param {string} text
  * @param {Array<{text: string, go: () => void}>} places
  */
-export function tell(title, text, places) {
+export function showFindings(title, text, places) {
   const rows = places.map((place) =>
     element(
       'li',
@@ -115,7 +115,7 @@ export async function askName(value) {
     value,
     action: 'Save',
     problem: (answer) => nameSentence(composedName(answer)),
-    hint: 'Agents play it by this name.',
+    hint: 'Agents play the motion by this name.',
   });
   return name === undefined ? undefined : composedName(name);
 }
@@ -126,7 +126,7 @@ function nameSentence(name) {
   return problem === '' ? '' : `The name ${problem}.`;
 }
 
-/** @returns {Promise<File | undefined>} a file that the person chooses */
+/** @returns {Promise<File | undefined>} the chosen file */
 export function askFile(/** @type {string} */ accept) {
   const input = element('input', { type: 'file', accept });
   return new Promise((resolve) => {

@@ -1,11 +1,11 @@
-/** What one can choose at the picture of the motion room. */
+/** Display options of the motion room's picture. */
 import { button, check, element } from '../panels/elements.js';
 
 const WATCHING_HINT =
-  'Shows the robot of the trial, and the plan as a ghost; else the plan, and the robot as an orange ghost';
+  'Shows the robot of the trial, with the plan as a ghost; otherwise the plan, with the robot as an orange ghost';
 const UPRIGHT_HINT = 'Keeps the torso upright instead of laying the lower sole flat on the ground';
 
-/** What the mouse does, in the picture. */
+/** Mouse help shown in the picture. */
 export function stageHint() {
   return element('p', { class: 'hint' }, 'Drag a limb · Shift: whole arm or leg follows · drag the torso: feet stay');
 }
@@ -27,8 +27,8 @@ export function stageOptions(room) {
     watching.label,
     ghosts.label,
     check('upright', 'Torso upright', UPRIGHT_HINT, room.setUpright).label,
-    button('Front', 'Look from the front', () => room.look(62, 12)),
-    button('Side', 'Look from the side', () => room.look(0, 8)),
+    button('Front', 'View from the front', () => room.look(62, 12)),
+    button('Side', 'View from the side', () => room.look(0, 8)),
   );
   return {
     options,

@@ -1,4 +1,4 @@
-/** A small drawing of a posture for the timeline. */
+/** Small stick figure of a posture for the timeline. */
 import { POSE } from '../state/kinematics.js';
 import { linkIndex, placed, posesOf } from '../state/motion/body.js';
 
@@ -27,7 +27,7 @@ const drawn = new WeakMap();
 /**
  * @param {Body} body
  * @param {readonly number[]} posture
- * @returns {string} an SVG path around the origin, which is on the ground between the feet
+ * @returns {string} an SVG path; the origin is on the ground between the feet
  */
 export function stickFigure(body, posture) {
   const known = drawn.get(posture);
@@ -46,7 +46,7 @@ export function stickFigure(body, posture) {
   return path;
 }
 
-/** @param {Body} body @param {readonly number[]} posture @returns {number[]} middle of the head in the same drawing */
+/** @param {Body} body @param {readonly number[]} posture @returns {number[]} centre of the head in the same drawing */
 export function headOf(body, posture) {
   const [x, y] = (/M(\S+) (\S+)L/.exec(stickFigure(body, posture)) ?? []).slice(1).map(Number);
   return [x ?? 0, y ?? 0];

@@ -1,10 +1,10 @@
-/** Parts of a drawing in SVG. */
+/** Helpers that create SVG elements. */
 
 const SVG = 'http://www.w3.org/2000/svg';
 
 /**
  * @param {string} name
- * @param {Record<string, string | number>} [attributes] numbers are places, in pixels
+ * @param {Record<string, string | number>} [attributes] numbers are coordinates in pixels
  */
 export function node(name, attributes = {}) {
   const made = document.createElementNS(SVG, name);
@@ -21,14 +21,14 @@ export function text(content, attributes) {
   return made;
 }
 
-/** @param {string} content shown when the mouse rests on it */
+/** @param {string} content tooltip */
 export function title(content) {
   const made = node('title');
   made.textContent = content;
   return made;
 }
 
-/** @param {number} x @param {number} y @param {number} size half its width @returns {string} a diamond as a path */
+/** @param {number} x @param {number} y @param {number} size half its width @returns {string} path of a diamond */
 export function diamond(x, y, size) {
   return `M${x.toFixed(1)} ${(y - size).toFixed(1)}l${size} ${size}l${-size} ${size}l${-size} ${-size}z`;
 }

@@ -1,9 +1,9 @@
-/** The button that makes a keyframe of the posture of a robot in the run. */
+/** Button that inserts the posture of a robot of the running simulation as a keyframe. */
 import { button } from '../panels/elements.js';
 
 /**
  * @param {() => void} take
- * @param {() => string} robotOfRun who gives the posture, empty if there is no robot
+ * @param {() => string} robotOfRun name of the robot, empty if there is none
  */
 export function takePosture(take, robotOfRun) {
   const made = button('Take posture', '', take, { id: 'take-posture' });
@@ -15,7 +15,7 @@ export function takePosture(take, robotOfRun) {
       made.title =
         robot === ''
           ? 'Start an agent: the posture of its robot can then become a keyframe'
-          : `The posture of ${robot} in the run becomes a keyframe`;
+          : `The posture of ${robot} becomes a keyframe`;
     },
   };
 }

@@ -1,4 +1,4 @@
-/** The mouse on the timeline: chooses, moves in time, turns joints, draws a box, scrubs, zooms and scrolls. */
+/** Pointer controller of the timeline: selects and moves keyframes, turns joints, draws a selection box, scrubs, zooms and scrolls. */
 import { moved, turnedBy } from '../state/motion/edits.js';
 import { atTime, documentOf, framesOf, selected, shownLength } from '../state/motion/editor-state.js';
 import { keyframesOf } from '../state/motion/motion-document.js';
@@ -14,12 +14,12 @@ import { ROW } from './timeline-rows.js';
  * @typedef {import('../state/motion/editor-state.js').EditorState} EditorState
  * @typedef {import('./timeline.js').Timeline} Timeline
  *
- * @typedef {object} Spot what lies under the mouse
+ * @typedef {object} Spot target under the pointer
  * @property {'ruler' | 'head' | 'mark' | 'tracks'} part
  * @property {number} x pixels from the left edge of the drawing
  * @property {number} y pixels from the top of its part
  * @property {number} time milliseconds
- * @property {number} frame index of the keyframe that is grabbed, or -1
+ * @property {number} frame index of the grabbed keyframe, or -1
  * @property {number} joint of the row or curve, or -1
  *
  * @typedef {object} Grip
@@ -27,7 +27,7 @@ import { ROW } from './timeline-rows.js';
  * @property {Spot} from
  * @property {import('../state/motion/motion-text.js').MotionDocument} base
  * @property {string} gesture
- * @property {boolean} all whether all shown curves are dragged, not only the one under the mouse
+ * @property {boolean} all whether all shown curves are dragged, not only the one under the pointer
  */
 
 const NEAR_PIXELS = 9;
@@ -41,7 +41,7 @@ export class TimelineController {
     /** @type {Grip | undefined} */
     this.grip = undefined;
     this.gestures = 0;
-    /** What the drawing keeps while something is dragged. @type {number | undefined} */
+    /** Length of the drawing, fixed during a drag. @type {number | undefined} */
     this.length = undefined;
     /** @type {import('../state/motion/time-view.js').TimeView | undefined} */
     this.view = undefined;
@@ -49,13 +49,13 @@ export class TimelineController {
     this.angles = undefined;
     for (const part of [timeline.head, timeline.strip, timeline.drawing]) {
       /** @template {keyof SVGElementEventMap} K @param {K} type @param {(event: SVGElementEventMap[K]) => void} action */
-      const hear = (type, action) =>
+      const listen = (type, action) =>
         part.addEventListener(type, (event) => this.timeline.state && action(event), { passive: false });
-      hear('pointerdown', (event) => this.#press(event, part));
-      hear('pointermove', (event) => this.#drag(event, part));
-      hear('pointerup', (event) => this.#release(event, part));
-      hear('pointercancel', () => this.#drop());
-      hear('wheel', (event) => this.#wheel(event, part));
+      listen('pointerdown', (event) => this.#press(event, part));
+      listen('pointermove', (event) => this.#drag(event, part));
+      listen('pointerup', (event) => this.#release(event, part));
+      listen('pointercancel', () => this.#drop());
+      listen('wheel', (event) => this.#wheel(event, part));
     }
   }
 
@@ -93,7 +93,12 @@ export class TimelineController {
     }
   }
 
-  /** What is chosen already stays so, that several can be dragged. @param {Spot} spot @param {PointerEvent} event */
+  /**
+   * Selects the target; an existing selection that contains it is kept, so that it can be dragged.
+   *
+   * @param {Spot} spot
+   * @param {PointerEvent} event
+   */
   #choose({ part, frame, joint }, { ctrlKey, metaKey, shiftKey }) {
     const isRow = part === 'tracks';
     this.#apply((state) => {
@@ -116,7 +121,7 @@ export class TimelineController {
     if (!grip) {
       this.#explain(spot, part);
     } else if (framesOf(this.#state).length !== keyframesOf(grip.base).length) {
-      this.#drop(); // A key has changed the motion below the hand.
+      this.#drop(); // A key has changed the motion during the drag.
     } else if (grip.action === 'scrub') {
       this.#scrub(spot);
     } else if (Math.hypot(spot.x - grip.from.x, spot.y - grip.from.y) > START_PIXELS || this.#isMoving) {
@@ -223,8 +228,8 @@ export class TimelineController {
   /** @param {number} x @param {number} reach pixels @returns {number} the nearest keyframe, or -1 */
   #frameAt(x, reach) {
     const ways = timesOf(framesOf(this.#state)).map((time) => Math.abs(this.timeline.scale.x(time) - x));
-    const least = Math.min(Infinity, ...ways);
-    return least <= reach ? ways.indexOf(least) : -1;
+    const nearest = Math.min(Infinity, ...ways);
+    return nearest <= reach ? ways.indexOf(nearest) : -1;
   }
 
   /** @param {number} x @param {number} y */
@@ -269,7 +274,7 @@ export class TimelineController {
     return { ...span, rows: order.slice(Math.max(0, Math.floor(top / ROW)), Math.floor(bottom / ROW) + 1) };
   }
 
-  /** Says what lies under the mouse. @param {Spot} spot @param {SVGElement} part */
+  /** Explains the target under the pointer. @param {Spot} spot @param {SVGElement} part */
   #explain({ frame, joint }, part) {
     if (part !== this.timeline.drawing) {
       return;
@@ -280,7 +285,7 @@ export class TimelineController {
     const time = timesOf(framesOf(this.#state))[frame];
     const text =
       degrees === undefined
-        ? 'Drag a box to choose several, click to go there'
+        ? 'Drag to select several, click to move the playhead'
         : `${jointName(body.joints[joint].name)} ${degrees}° in keyframe ${frame + 1} at ${secondsText(time)}`;
     this.timeline.tracks.title = text;
   }

@@ -1,4 +1,4 @@
-/** The angles of the chosen joints as curves, with what the physical robot reached. */
+/** Curves of the selected joints, with the angles that the physical robot reached. */
 import { framesOf } from '../state/motion/editor-state.js';
 import { chosenFrames, chosenJoints } from '../state/motion/selection.js';
 import { timesOf } from '../state/motion/timing.js';
@@ -19,16 +19,16 @@ import { node, text } from './svg.js';
  */
 
 const EDGE = 10;
-const LEAST_DEGREES = 30;
+const MIN_DEGREES = 30;
 const COLOURS = 6;
-const LEAST_STEP = 5;
-const MOST_LINES = 6;
+const MIN_STEP = 5;
+const MAX_LINES = 6;
 
 /**
  * @param {EditorState} state
  * @param {number} height pixels
  * @param {Lag | undefined} lag
- * @returns {AngleScale} that has room for the curves and shows limits which are near
+ * @returns {AngleScale} that covers the curves and nearby limits
  */
 export function angleScale(state, height, lag) {
   const joints = chosenJoints(state);
@@ -37,9 +37,9 @@ export function angleScale(state, height, lag) {
     ...frames.map(({ degrees }) => degrees[joint]),
     ...(lag?.reached.map((posture) => posture[joint]) ?? []),
   ]);
-  const [least, most] = angles.length > 0 ? [Math.min(...angles), Math.max(...angles)] : [0, 0];
-  const room = Math.max(4, 0.15 * (most - least), (LEAST_DEGREES - (most - least)) / 2);
-  const [low, high] = [least - room, most + room];
+  const [min, max] = angles.length > 0 ? [Math.min(...angles), Math.max(...angles)] : [0, 0];
+  const room = Math.max(4, 0.15 * (max - min), (MIN_DEGREES - (max - min)) / 2);
+  const [low, high] = [min - room, max + room];
   const perDegree = Math.max(1, height - 2 * EDGE) / (high - low);
   return {
     height,
@@ -50,7 +50,7 @@ export function angleScale(state, height, lag) {
   };
 }
 
-/** @param {EditorState} state @param {number} joint @returns {string} the class with the colour of its curve */
+/** @param {EditorState} state @param {number} joint @returns {string} CSS class for the colour of its curve */
 export function curveColour(state, joint) {
   return `joint-curve-${Math.max(0, chosenJoints(state).indexOf(joint)) % COLOURS}`;
 }
@@ -73,7 +73,7 @@ export function drawCurves(state, scale, angles, lag) {
 
 /** @param {TimeScale} scale @param {AngleScale} angles */
 function drawGrid({ width }, { low, high, y }) {
-  const step = Math.max(LEAST_STEP, roundStep((high - low) / MOST_LINES));
+  const step = Math.max(MIN_STEP, roundStep((high - low) / MAX_LINES));
   const parts = [];
   for (let degrees = Math.ceil(low / step) * step; degrees <= high; degrees += step) {
     parts.push(

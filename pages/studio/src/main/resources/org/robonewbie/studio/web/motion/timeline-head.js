@@ -1,4 +1,4 @@
-/** The upper part of the timeline: seconds, the keyframes with small figures, and marks for what is not possible. */
+/** The header of the timeline: the ruler, keyframes with stick figures, and the marks of faults. */
 import { framesOf } from '../state/motion/editor-state.js';
 import { roundStep } from '../state/numbers.js';
 import { chosenFrames } from '../state/motion/selection.js';
@@ -17,35 +17,35 @@ export const RULER = 18;
 export const HEAD_HEIGHT = 74;
 export const MARK_ROW = 15;
 const FIGURE_GROUND = 65;
-const LEAST_GAP = 34;
+const MIN_GAP = 34;
 const TICK_TEXT_WIDTH = 40;
-const LEAST_STEP = 20;
+const MIN_STEP = 20;
 const TICK_GAP = 56;
 
 /** @type {Array<{kind: Mark['kind'], name: string, meaning: string}>} */
 export const MARK_KINDS = [
-  { kind: 'speed', name: 'too fast', meaning: 'A motor cannot turn its joint so fast: give the way more time.' },
-  { kind: 'range', name: 'out of range', meaning: 'A joint cannot turn so far: the robot stops at its limit.' },
+  { kind: 'speed', name: 'too fast', meaning: 'A motor cannot turn its joint this fast: increase the duration.' },
+  { kind: 'range', name: 'out of range', meaning: 'A joint cannot turn this far: it stops at its limit.' },
   {
     kind: 'collision',
     name: 'limbs touch',
-    meaning: 'Two limbs would be in the same place; a real robot would break.',
+    meaning: 'Two limbs collide; a real robot could be damaged.',
   },
   {
     kind: 'balance',
     name: 'tips over',
-    meaning: 'The centre of mass is not over the feet. Fast motions may do so for a moment.',
+    meaning: 'The centre of mass is not above the feet. That is acceptable for a moment in a fast motion.',
   },
 ];
 
-/** @param {readonly Mark[]} marks @returns {Array<Mark['kind']>} the kinds that there are, each with a row of its own */
+/** @param {readonly Mark[]} marks @returns {Array<Mark['kind']>} the kinds present, each with its own row */
 export function kindsOf(marks) {
   return MARK_KINDS.map(({ kind }) => kind).filter((kind) => marks.some((mark) => mark.kind === kind));
 }
 
 /** @param {TimeScale} scale @returns {SVGElement[]} */
 export function drawRuler(scale) {
-  const step = Math.max(LEAST_STEP, roundStep(TICK_GAP / scale.perMilli));
+  const step = Math.max(MIN_STEP, roundStep(TICK_GAP / scale.perMilli));
   const parts = [node('rect', { class: 'ruler', x: 0, y: 0, width: '100%', height: RULER })];
   for (let time = Math.ceil(scale.from / step) * step; time <= scale.from + scale.span; time += step) {
     const x = scale.x(time);
@@ -69,7 +69,7 @@ export function drawKeyframes(state, scale) {
       return [];
     }
     const isChosen = chosen.includes(i);
-    const hasFigure = x - lastFigure >= LEAST_GAP || i === state.last;
+    const hasFigure = x - lastFigure >= MIN_GAP || i === state.last;
     lastFigure = hasFigure ? x : lastFigure;
     const group = node('g', {
       class: `keyframe${isChosen ? ' chosen' : ''}`,

@@ -1,4 +1,4 @@
-/** What keys do while the timeline has the focus. */
+/** Keyboard actions of the focused timeline. */
 import { moved, turnedBy } from '../state/motion/edits.js';
 import { framesOf, selected } from '../state/motion/editor-state.js';
 import { jointRows } from '../state/motion/names.js';
@@ -10,14 +10,14 @@ import { scrolling, withWholeView, zooming } from './timeline-side.js';
 const FINE_MILLIS = 20;
 const COARSE_MILLIS = 100;
 
-/** What the list of keys says of them. */
+/** Entries for the list of keys. */
 export const TIMELINE_KEYS = [
   ['Shift ← →', 'on the timeline: choose several keyframes'],
   ['↑ ↓', 'on the timeline: choose a joint, with Shift several'],
   ['Ctrl ← →', 'on the timeline: move the chosen keyframes by 20 ms, with Shift by 100'],
-  ['Alt ← →', 'the same, but all others stay'],
+  ['Alt ← →', 'the same, but all others stay in place'],
   ['Ctrl ↑ ↓', 'on the timeline: turn the chosen joints by 1°, with Shift by 10°'],
-  ['+ − 0', 'on the timeline: closer, farther, whole motion'],
+  ['+ − 0', 'on the timeline: zoom in, zoom out, whole motion'],
   ['Page up, down', 'on the timeline: scroll'],
   ['Home, End', 'on the timeline: first and last keyframe'],
   ['Esc', 'on the timeline: choose one keyframe with all its joints'],

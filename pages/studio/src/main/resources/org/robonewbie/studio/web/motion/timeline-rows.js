@@ -1,4 +1,4 @@
-/** The dope sheet: one row for each joint, with a diamond where a keyframe turns it elsewhere. */
+/** Dope sheet: one row per joint, with a diamond at each keyframe that changes its angle. */
 import { framesOf } from '../state/motion/editor-state.js';
 import { jointRows } from '../state/motion/names.js';
 import { chosenFrames } from '../state/motion/selection.js';
@@ -68,14 +68,19 @@ function pathOf(indices, xs, y, size) {
   return indices.map((i) => diamond(xs[i], y, size)).join('');
 }
 
-/** Lines where the joint turns. @param {number[]} angles @param {number[]} xs @param {number} y */
+/** Lines where the joint moves. @param {number[]} angles @param {number[]} xs @param {number} y */
 function waysOf(angles, xs, y) {
   return angles
     .map((angle, i) => (i > 0 && angle !== angles[i - 1] ? `M${xs[i - 1].toFixed(1)} ${y}H${xs[i].toFixed(1)}` : ''))
     .join('');
 }
 
-/** @param {number[]} angles @param {number[]} xs @param {number} i @returns {boolean} whether the joint would go elsewhere without it */
+/**
+ * @param {number[]} angles
+ * @param {number[]} xs
+ * @param {number} i
+ * @returns {boolean} whether the joint would move differently without it
+ */
 function turnsAt(angles, xs, i) {
   if (i === 0 || i === angles.length - 1) {
     return true;
@@ -84,7 +89,14 @@ function turnsAt(angles, xs, i) {
   return Math.abs(angles[i - 1] + part * (angles[i + 1] - angles[i - 1]) - angles[i]) > STILL_DEGREES;
 }
 
-/** Where the physical robot is behind. @param {Lag | undefined} lag @param {number} joint @param {number} y @param {TimeScale} scale */
+/**
+ * Segments in which the physical robot lags behind.
+ *
+ * @param {Lag | undefined} lag
+ * @param {number} joint
+ * @param {number} y
+ * @param {TimeScale} scale
+ */
 function lagOf(lag, joint, y, scale) {
   const d = (lag?.late[joint] ?? [])
     .map(([from, to]) => `M${scale.x(from).toFixed(1)} ${y}H${scale.x(to).toFixed(1)}`)

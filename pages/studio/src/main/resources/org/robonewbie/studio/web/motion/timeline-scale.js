@@ -1,22 +1,22 @@
-/** Where moments are on the timeline. */
+/** Time scale of the timeline. */
 import { shownPart } from '../state/motion/time-view.js';
 
 /**
  * @typedef {object} TimeScale
  * @property {number} width pixels
  * @property {number} from milliseconds at the left
- * @property {number} span milliseconds that are shown
- * @property {number} perMilli pixels for each millisecond
- * @property {(time: number) => number} x the place of a moment
- * @property {(x: number) => number} time the moment at a place
+ * @property {number} span visible milliseconds
+ * @property {number} perMilli pixels per millisecond
+ * @property {(time: number) => number} x position of a time
+ * @property {(x: number) => number} time time at a position
  */
 
-/** Room for half a figure at both ends. */
+/** Margin for half a stick figure at both ends. */
 export const SIDE = 24;
 
 /**
  * @param {import('../state/motion/time-view.js').TimeView} view
- * @param {number} length of what can be shown, milliseconds
+ * @param {number} length of the displayable range, milliseconds
  * @param {number} width pixels
  * @returns {TimeScale}
  */

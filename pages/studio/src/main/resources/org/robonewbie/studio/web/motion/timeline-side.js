@@ -1,4 +1,4 @@
-/** What stands left of the timeline: its buttons, the names of marks, the names of joints. */
+/** The left column of the timeline: buttons, names of marks, names of joints. */
 import { button, check, element, setText } from '../panels/elements.js';
 import { nextMark } from '../state/motion/marks.js';
 import { jointName, jointRows } from '../state/motion/names.js';
@@ -17,8 +17,7 @@ import { MARK_KINDS } from './timeline-head.js';
 
 const CLOSER = 0.6;
 const SCROLL = 0.5;
-const ALONE_HINT =
-  'A keyframe that you move takes those after it along. With this, or with Alt, all others stay where they are.';
+const ALONE_HINT = 'Moving a keyframe shifts those after it. With this option, or with Alt, all others stay in place.';
 
 /** @param {number} factor @returns {(state: EditorState) => EditorState} zooms around the playhead */
 export function zooming(factor) {
@@ -43,11 +42,11 @@ export function timelineSide(editor) {
   const curves = button('Curves', 'Angles of the chosen joints (R)', layout('curves'), { id: 'timeline-curves' });
   const alone = check('alone', 'Alone', ALONE_HINT, (on) => editor.apply((state) => ({ ...state, alone: on })));
   const views = [
-    button('−', 'Show more of the motion (−)', does(zooming(1 / CLOSER)), { id: 'zoom-out' }),
-    button('+', 'Show less, more closely (+)', does(zooming(CLOSER)), { id: 'zoom-in' }),
+    button('−', 'Zoom out (−)', does(zooming(1 / CLOSER)), { id: 'zoom-out' }),
+    button('+', 'Zoom in (+)', does(zooming(CLOSER)), { id: 'zoom-in' }),
     button('All', 'Show the whole motion (0)', does(withWholeView), { id: 'zoom-all' }),
-    button('◂', 'Scroll to earlier (Page up)', does(scrolling(-SCROLL)), { id: 'scroll-earlier' }),
-    button('▸', 'Scroll to later (Page down)', does(scrolling(SCROLL)), { id: 'scroll-later' }),
+    button('◂', 'Scroll left (Page up)', does(scrolling(-SCROLL)), { id: 'scroll-earlier' }),
+    button('▸', 'Scroll right (Page down)', does(scrolling(SCROLL)), { id: 'scroll-later' }),
   ];
   const group = element(
     'div',
@@ -76,7 +75,7 @@ export function markNames(editor) {
   /** @type {{state?: EditorState, marks: readonly Mark[]}} */
   const now = { marks: [] };
   const buttons = MARK_KINDS.map(({ kind, name, meaning }) => {
-    const made = button(name, `${meaning} Click for the next one (W)`, () => {
+    const made = button(name, `${meaning} Click to go to the next one (W)`, () => {
       const next =
         now.state &&
         nextMark(

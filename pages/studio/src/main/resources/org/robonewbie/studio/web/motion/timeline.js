@@ -1,4 +1,4 @@
-/** The timeline of a motion: keyframes and marks above, joints as rows or curves below, the playhead over all of it. */
+/** The timeline of a motion: keyframes and marks above, joints as rows or curves below, and the playhead across both. */
 import { element } from '../panels/elements.js';
 import { shownLength } from '../state/motion/editor-state.js';
 import { jointRows } from '../state/motion/names.js';
@@ -20,7 +20,7 @@ import { jointNames, markNames, timelineSide } from './timeline-side.js';
  *
  * @typedef {object} TimelineEditor
  * @property {(edit: (state: EditorState) => EditorState) => void} apply
- * @property {(mark: Mark) => void} goTo shows the place of a mark
+ * @property {(mark: Mark) => void} goTo moves the playhead to a mark
  */
 
 export class Timeline {
@@ -54,23 +54,23 @@ export class Timeline {
     this.state = undefined;
     /** @type {readonly Mark[]} */
     this.marks = [];
-    /** Kinds of marks that have a row; while something is dragged they stay, so that nothing moves away below the hand. */
+    /** Kinds of marks that have a row; fixed during a drag, so that nothing shifts under the pointer. */
     /** @type {ReadonlyArray<Mark['kind']>} */
     this.kinds = [];
     /** @type {Lag | undefined} */
     this.lag = undefined;
-    /** What the drawing was made of: as long as this stays, it is not made again. @type {unknown[]} */
+    /** Inputs of the last drawing; while they are unchanged, it is not rebuilt. @type {unknown[]} */
     this.shown = [];
     this.scale = timeScale({ from: 0, span: 0 }, 0, 100);
     /** @type {import('./timeline-curves.js').AngleScale | undefined} */
     this.angles = undefined;
-    this.hand = new TimelineController(this);
+    this.pointer = new TimelineController(this);
     timelineKeys(this);
   }
 
-  /** Milliseconds that there is room for; while something is dragged it stays, so that nothing runs away from the hand. */
+  /** Milliseconds covered by the drawing; fixed during a drag, so that nothing shifts under the pointer. */
   get length() {
-    return this.hand.length ?? shownLength(/** @type {EditorState} */ (this.state));
+    return this.pointer.length ?? shownLength(/** @type {EditorState} */ (this.state));
   }
 
   /**
@@ -79,10 +79,10 @@ export class Timeline {
    * @param {Lag | undefined} lag of the physical robot
    */
   draw(state, marks, lag) {
-    const kinds = this.hand.grip ? this.kinds : kindsOf(marks);
+    const kinds = this.pointer.grip ? this.kinds : kindsOf(marks);
     Object.assign(this, { state, marks, lag, kinds });
     const width = this.head.clientWidth;
-    this.scale = timeScale(this.hand.view ?? state.view, this.length, width);
+    this.scale = timeScale(this.pointer.view ?? state.view, this.length, width);
     const { history, chosen, rows, joint, view, layout, alone, trial, last } = state;
     const { clientHeight } = this.tracks;
     const sizes = [width, clientHeight, kinds.join()];
@@ -117,7 +117,7 @@ export class Timeline {
       this.still.replaceChildren(...drawRows(state, this.scale, this.lag));
       return;
     }
-    this.angles = this.hand.angles ?? angleScale(state, height, this.lag);
+    this.angles = this.pointer.angles ?? angleScale(state, height, this.lag);
     this.still.replaceChildren(...drawCurves(state, this.scale, this.angles, this.lag));
   }
 

@@ -1,4 +1,4 @@
-/** The buttons of the motion editor. */
+/** The toolbar of the motion editor. */
 import { button, element, setText } from '../panels/elements.js';
 import { menu } from './menu.js';
 import { framesOf, isUnsaved } from '../state/motion/editor-state.js';
@@ -17,7 +17,7 @@ const MOTION = ['balance', 'mirror-all', 'reverse', 'scale', 'export'];
  * @param {Editor} editor
  * @param {Order[]} orders
  * @param {{button: HTMLButtonElement, draw: () => void}} take
- * @returns {() => void} draws names and what is possible
+ * @returns {() => void} updates names and enabled states
  */
 export function toolbar(place, editor, orders, take) {
   const title = element('strong', { class: 'file-name', id: 'file-name' });
@@ -42,7 +42,12 @@ export function toolbar(place, editor, orders, take) {
   };
 }
 
-/** Names what undo and redo would do. @param {Map<string, HTMLButtonElement>} buttons @param {Editor['state']['history']} history */
+/**
+ * Labels the undo and redo buttons with their actions.
+ *
+ * @param {Map<string, HTMLButtonElement>} buttons
+ * @param {Editor['state']['history']} history
+ */
 function drawHistory(buttons, { past, present, future }) {
   /** @param {string} id @param {string} text */
   const say = (id, text) => buttons.get(id)?.setAttribute('title', text);
@@ -50,7 +55,7 @@ function drawHistory(buttons, { past, present, future }) {
   say('redo', future.length > 0 ? `Redo: ${future[0].label} (Ctrl Y)` : 'Nothing to redo');
 }
 
-/** @param {string} id of an order @param {Editor} editor */
+/** @param {string} id of an action @param {Editor} editor */
 function isPossible(id, { state, clip }) {
   const frames = framesOf(state).length;
   /** @type {Record<string, boolean>} */

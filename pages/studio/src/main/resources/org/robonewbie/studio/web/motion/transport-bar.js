@@ -1,10 +1,10 @@
-/** Play, time, and trial of a motion. */
+/** Playback controls of a motion: play, time and physical trial. */
 import { button, check, choice, element, setText } from '../panels/elements.js';
 import { balanceOf } from '../state/motion/balance.js';
 import { placed, posesOf } from '../state/motion/body.js';
 import { documentOf, framesOf, lengthOf, postureNow } from '../state/motion/editor-state.js';
 import { jointName } from '../state/motion/names.js';
-import { MOST_MILLIS } from '../state/motion/motion-document.js';
+import { MAX_MILLIS } from '../state/motion/motion-document.js';
 import { problemOf } from '../state/motion/motion-text.js';
 import { secondsText } from '../state/motion/timing.js';
 import { numberField, showNumber } from './number-field.js';
@@ -16,17 +16,17 @@ import { orderButton } from './toolbar.js';
  * @typedef {import('./orders.js').Order} Order
  *
  * @typedef {object} Actions
- * @property {(millis: number) => void} setTime of the chosen keyframe
+ * @property {(millis: number) => void} setTime of the selected keyframe
  * @property {(start: string) => void} tryPhysically
  * @property {(text: string) => void} note
  */
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
 const TRIAL = 'Try on a physical robot';
-const TRIAL_HINT = 'A robot with weight, motors and ground plays the motion now';
+const TRIAL_HINT = 'Plays the motion on a simulated robot with mass and motors';
 
 const VERDICT_HINT =
-  'What may go wrong on a robot. “Balanced by 2 cm”: the centre of mass lies 2 cm inside the feet; outside of them it tips over.';
+  'What can go wrong on a robot. “Balanced by 2 cm”: the centre of mass is 2 cm inside the edge of the feet; outside of it the robot tips over.';
 
 /** @type {Array<[value: string, text: string]>} */
 const STARTS = [
@@ -60,7 +60,7 @@ function partsOf(editor, orders, actions) {
   const byId = (/** @type {string} */ id) => /** @type {Order} */ (orders.find((order) => order.id === id));
   const play = orderButton(byId('play'));
   play.className = 'primary';
-  const start = choice({ id: 'trial-start', 'aria-label': 'How the robot is before the trial' }, STARTS, () => {});
+  const start = choice({ id: 'trial-start', 'aria-label': 'Position of the robot before the trial' }, STARTS, () => {});
   return {
     play,
     insert: orderButton(byId('insert')),
@@ -80,16 +80,16 @@ function partsOf(editor, orders, actions) {
 
 /** @param {Actions} actions */
 function millisField({ setTime, note }) {
-  const label = 'Time of the way to this keyframe in milliseconds';
-  return numberField({ inputmode: 'numeric', id: 'millis', 'aria-label': label }, MOST_MILLIS, setTime, (text) =>
-    note(`“${text}” is not a time of up to ${MOST_MILLIS} milliseconds; the keyframe stays where it is.`),
+  const label = 'Time to reach this keyframe in milliseconds';
+  return numberField({ inputmode: 'numeric', id: 'millis', 'aria-label': label }, MAX_MILLIS, setTime, (text) =>
+    note(`“${text}” is not a time of up to ${MAX_MILLIS} milliseconds; the keyframe was not moved.`),
   );
 }
 
 /** @param {HTMLInputElement} millis */
 function timeField(millis) {
-  const title = 'Time of the way from the keyframe before, in milliseconds';
-  return element('label', { class: 'field', title }, 'Way', millis, 'ms');
+  const title = 'Time from the previous keyframe in milliseconds';
+  return element('label', { class: 'field', title }, 'Time', millis, 'ms');
 }
 
 /** @typedef {ReturnType<typeof partsOf>} Parts */
@@ -142,7 +142,7 @@ function verdictText({ state, marks }) {
   return [chosenText(state), ...counts, balanceText(state)].filter(Boolean).join(' · ');
 }
 
-/** What edits will change, if it is not just the keyframe at the playhead. @param {Editor['state']} state */
+/** Describes the selection, unless it is just the keyframe at the playhead. @param {Editor['state']} state */
 function chosenText(state) {
   const { chosen, rows, body } = state;
   const frames = chosen.length === 1 ? `keyframe ${chosen[0] + 1}` : `${chosen.length} keyframes`;

@@ -1,11 +1,11 @@
-/** Lets a robot with weight and motors play the motion, and shows what it did. */
+/** Plays the motion on a simulated physical robot and shows the result. */
 import { atTime, documentOf } from '../state/motion/editor-state.js';
 import { jointName } from '../state/motion/names.js';
 import { secondsText } from '../state/motion/timing.js';
 
 /** @typedef {import('./editor.js').Editor} Editor */
 
-/** Nobody sees so little. */
+/** Differences below this are invisible. */
 const KEPT_DEGREES = 1;
 
 /** @param {Editor} editor @param {string} start standing, back or front */
@@ -17,7 +17,7 @@ export async function tryPhysically(editor, start) {
     const document = documentOf(editor.state);
     const trial = await files.trial(document, start);
     if (documentOf(editor.state) !== document) {
-      listener.note('The motion was changed meanwhile. Try it again.');
+      listener.note('The motion was changed during the trial. Try again.');
       return;
     }
     editor.set({ ...atTime({ ...editor.state, trial, watching: true }, 0), playing: true });
@@ -35,14 +35,14 @@ function fallText(seconds) {
     : `The robot falls after ${secondsText(1000 * seconds)}.`;
 }
 
-/** @param {Editor} editor @returns {string} which joint is behind most */
+/** @param {Editor} editor @returns {string} sentence about the joint with the largest lag */
 function lagText({ lag, state }) {
   if (!lag || lag.joint < 0) {
     return '';
   }
   const { degrees, time } = lag.worst[lag.joint];
   if (degrees < KEPT_DEGREES) {
-    return 'All joints keep to the plan.';
+    return 'All joints follow the plan.';
   }
-  return `Most behind the plan: ${jointName(state.body.joints[lag.joint].name)}, ${degrees.toFixed(0)}° at ${secondsText(time)}.`;
+  return `Largest lag behind the plan: ${jointName(state.body.joints[lag.joint].name)}, ${degrees.toFixed(0)}° at ${secondsText(time)}.`;
 }

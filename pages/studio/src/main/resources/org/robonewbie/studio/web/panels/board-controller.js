@@ -1,4 +1,4 @@
-/** The sets of shapes that teams draw for RoboViz, and the list in which each of them is switched on and off. */
+/** RoboViz drawings: the sets of shapes, and the list that switches each set on and off. */
 import { byId, element } from './elements.js';
 import { keep, recall } from './memory.js';
 
@@ -12,7 +12,7 @@ export class BoardController {
   #sets = new Map();
   #off = new Set(recall(KEY, /** @type {string[]} */ ([])));
 
-  /** @param {import('../field/board.js').Board} board @param {() => void} changed asks for another picture */
+  /** @param {import('../field/board.js').Board} board @param {() => void} changed requests a redraw */
   constructor(board, changed) {
     this.board = board;
     this.changed = changed;
@@ -22,20 +22,18 @@ export class BoardController {
     this.panel.append(this.#check(ALL, 'Drawings for RoboViz'), layers);
   }
 
-  /** @param {Record<string, BoardShape[]>} sets those that have changed */
-  hear(sets) {
+  /** @param {Record<string, BoardShape[]>} sets changed sets by name */
+  receive(sets) {
     const isNew = Object.keys(sets).some((set) => !this.#sets.has(set));
     Object.entries(sets).forEach(([set, shapes]) => this.#sets.set(set, shapes));
     if (isNew) {
       this.panel.hidden = false;
-      this.list.replaceChildren(
-        ...[...this.#sets.keys()].sort().map((set) => this.#check(set, set || 'without a name')),
-      );
+      this.list.replaceChildren(...[...this.#sets.keys()].sort().map((set) => this.#check(set, set || 'unnamed')));
     }
     this.#show();
   }
 
-  /** Another simulation begins. */
+  /** Resets everything for another simulation. */
   clear() {
     this.#sets.clear();
     this.panel.hidden = true;

@@ -1,4 +1,4 @@
-/** For those who watch a match: goals are shown again when that is switched on, and it is told who comes and who goes. */
+/** Commentary of a match: optional goal replays, and notices of robots that join or leave. */
 import { GoalReplay, lineUpChanges } from '../state/goal-replay.js';
 import { byId, check } from './elements.js';
 import { keep, recall } from './memory.js';
@@ -9,16 +9,16 @@ export class Commentary {
   #replay = new GoalReplay();
   /** @type {number | undefined} */
   #goalSeen;
-  /** What the replay has set the cursor to. @type {number | undefined} */
+  /** The cycle to which the replay has set the cursor. @type {number | undefined} */
   #shown;
   /** @type {import('../live/state-frame.js').Scene | undefined} */
   #scene;
 
-  /** @param {import('../live/session.js').Session} session @param {(sentence: string) => void} tell */
-  constructor(session, tell) {
+  /** @param {import('../live/session.js').Session} session @param {(sentence: string) => void} announce */
+  constructor(session, announce) {
     this.session = session;
-    this.tell = tell;
-    const { box, label } = check('goal-replays', 'Goals again', 'Shows each goal again, slowly', (on) => {
+    this.announce = announce;
+    const { box, label } = check('goal-replays', 'Replay goals', 'Replays each goal in slow motion', (on) => {
       keep(KEY, on);
       this.#stop();
     });
@@ -27,10 +27,10 @@ export class Commentary {
     byId('cameras').append(label);
   }
 
-  /** @param {number} seconds since the last turn */
+  /** @param {number} seconds since the last call */
   turn(seconds) {
     const { state, cursor } = this.session;
-    this.#lookWhoPlays(state);
+    this.#announceChanges(state);
     if (state.goal?.milliseconds !== this.#goalSeen) {
       this.#goalSeen = state.goal?.milliseconds;
       if (state.goal && this.box.checked && cursor.cycle === undefined && !cursor.recorded) {
@@ -60,12 +60,12 @@ export class Commentary {
   }
 
   /** @param {import('../state/studio-state.js').StudioState} state */
-  #lookWhoPlays({ scene, frame }) {
+  #announceChanges({ scene, frame }) {
     if (scene !== this.#scene) {
       const before = this.#scene;
       this.#scene = scene;
       if (before && scene && (frame?.gameTime ?? 0) > 0) {
-        lineUpChanges(before.robots, scene.robots).forEach((sentence) => this.tell(sentence));
+        lineUpChanges(before.robots, scene.robots).forEach((sentence) => this.announce(sentence));
       }
     }
   }

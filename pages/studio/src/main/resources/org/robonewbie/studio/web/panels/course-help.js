@@ -1,4 +1,4 @@
-/** Help with an exercise: hints that open one after the other, and a solution after some tries. */
+/** Help for an exercise: hints that open one by one, and a solution after some attempts. */
 import { hintButton, solutionButton } from '../state/course.js';
 import { button, element, setText } from './elements.js';
 
@@ -26,7 +26,7 @@ export class CourseHelp {
     this.#solve.id = 'course-show-solution';
   }
 
-  /** @param {string} exercise shows what is open for it */
+  /** @param {string} exercise whose help is shown */
   async show(exercise) {
     if (exercise !== this.#exercise) {
       this.#program.hidden = true;

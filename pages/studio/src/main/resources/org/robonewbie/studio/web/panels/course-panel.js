@@ -1,5 +1,5 @@
-/** Exercises: choose one, let a program try it, and see live how it is judged. */
-import { hints, lessonLine, lessonTitle, progressText, trialText, usualProgram } from '../state/course.js';
+/** Exercise panel: select an exercise, run a program on it, and watch the judge live. */
+import { hints, lessonLine, lessonTitle, progressText, trialText, likelyProgram } from '../state/course.js';
 import { CourseHelp } from './course-help.js';
 import { CourseStandings } from './course-standings.js';
 import { button, byId, check, choice, element, setEntries, setText } from './elements.js';
@@ -16,7 +16,7 @@ const LANGUAGES = /** @type {const} */ ([
   ['de', 'Deutsch'],
 ]);
 const TRIALS = ['1', '3', '10'];
-const USUAL_TRIALS = '3';
+const DEFAULT_TRIALS = '3';
 
 export class CoursePanel {
   #note;
@@ -26,13 +26,13 @@ export class CoursePanel {
   /** @type {Lesson | undefined} */
   #chosen;
   #shown = '';
-  #looking = false;
+  #isPolling = false;
   #help = new CourseHelp((path, method) => this.#ask(path, method));
   #language = choice(
     {
       id: 'course-language',
       'aria-label': 'Language of the exercises',
-      title: 'Language of worksheets, hints and findings',
+      title: 'Language of worksheets, hints and results',
     },
     LANGUAGES,
     (code) => this.#attemptTo(() => this.#speak(code)),
@@ -43,8 +43,8 @@ export class CoursePanel {
 
   /**
    * @param {(text: string) => void} note
-   * @param {() => void} goLive shows what happens now
-   * @param {(on: boolean) => void} showGhost of the last trial
+   * @param {() => void} goLive shows the present
+   * @param {(on: boolean) => void} showGhost of the previous trial
    */
   constructor(note, goLive, showGhost) {
     this.#note = note;
@@ -52,7 +52,7 @@ export class CoursePanel {
     const ghost = check(
       'course-ghost',
       'Ghost of my last trial',
-      'Shows your last trial beside the present one',
+      'Shows your last trial beside the current one',
       showGhost,
     );
     ghost.box.checked = true;
@@ -92,8 +92,8 @@ export class CoursePanel {
     const panel = byId('course');
     panel.hidden = location.hash !== PLACE || this.#lessons.length === 0;
     byId('field-room').dataset.exercises = panel.hidden ? 'off' : 'on';
-    if (!panel.hidden && !this.#looking) {
-      this.#looking = true;
+    if (!panel.hidden && !this.#isPolling) {
+      this.#isPolling = true;
       this.#look();
     }
   }
@@ -120,7 +120,7 @@ export class CoursePanel {
     worksheet.href = lesson.worksheet;
   }
 
-  /** @param {string} code of a language */
+  /** @param {string} code of the language */
   async #speak(code) {
     await this.#ask(`course/language?code=${code}`, 'POST');
     await this.#refresh();
@@ -145,7 +145,7 @@ export class CoursePanel {
         ...programs.map((/** @type {string} */ name) => /** @type {const} */ ([name, name])),
         ['', 'An agent that I start myself'],
       ]);
-      program.value = usualProgram(lesson, programs) || (programs.includes(before) ? before : '');
+      program.value = likelyProgram(lesson, programs) || (programs.includes(before) ? before : '');
       setText(write, `Write ${lesson.file}`);
       write.hidden = programs.includes(lesson.file);
     }
@@ -155,7 +155,7 @@ export class CoursePanel {
     if (this.#chosen) {
       const file = await this.#ask(`course/${this.#chosen.name}`, 'PUT');
       await this.#refresh();
-      this.#note(`${file} is written, the program to begin with. Change it in your editor, then press Start.`);
+      this.#note(`${file} , the starter program, was created. Edit it, then press Start.`);
     }
   }
 
@@ -173,17 +173,17 @@ export class CoursePanel {
     this.#goLive();
   }
 
-  /** Looks again and again how far the attempt is, as long as the panel can be seen. */
+  /** Polls the progress of the attempt while the panel is visible. */
   async #look() {
     while (!byId('course').hidden) {
       try {
         this.#draw(await this.#ask('course/attempt'));
       } catch {
-        // the studio has ended or begins again; the page says so elsewhere
+        // the studio is down or restarting, which the connection banner reports
       }
       await new Promise((done) => setTimeout(done, LOOK_MILLISECONDS));
     }
-    this.#looking = false;
+    this.#isPolling = false;
   }
 
   /** @param {Attempt} attempt */
@@ -224,7 +224,6 @@ export class CoursePanel {
   }
 }
 
-/** The parts of the panel. */
 function parts(/** @type {HTMLElement} */ help, /** @type {HTMLElement} */ ghost) {
   const made = { ...words(), ...controls(), ...verdicts() };
   const { program, trials, start, stop, write, here } = made;
@@ -242,7 +241,7 @@ function parts(/** @type {HTMLElement} */ help, /** @type {HTMLElement} */ ghost
   return { ...made, detail };
 }
 
-/** What is to be read about an exercise. */
+/** Texts about an exercise. */
 function words() {
   return {
     list: element('ol', { class: 'lessons' }),
@@ -254,7 +253,7 @@ function words() {
   };
 }
 
-/** What starts and stops an attempt. */
+/** Controls of an attempt. */
 function controls() {
   const control = (/** @type {string} */ id, /** @type {string} */ title, text = '') =>
     element('button', { type: 'button', id, title }, text);
@@ -263,28 +262,28 @@ function controls() {
     trials,
     TRIALS.map((count) => [count, count === '1' ? '1 trial' : `${count} trials`]),
   );
-  trials.value = USUAL_TRIALS;
+  trials.value = DEFAULT_TRIALS;
   return {
-    program: element('select', { id: 'course-program', 'aria-label': 'Program that solves it' }),
+    program: element('select', { id: 'course-program', 'aria-label': 'Program to run' }),
     trials,
     here: control(
       'course-here',
-      'Opens the program to begin with, or yours, in the room Program',
+      'Opens the starter program, or yours, in the room Program',
       'Program it beside the robot',
     ),
-    write: control('course-write', 'Writes the program to begin with into the working folder'),
-    start: control('course-start', 'Tries the program on this pitch', 'Start'),
+    write: control('course-write', 'Creates the starter program in the working folder'),
+    start: control('course-start', 'Runs the program on this pitch and judges it', 'Start'),
     stop: control('course-stop', 'Ends the attempt and shows the free pitch', 'Stop'),
   };
 }
 
-/** What came out. */
+/** Results of an attempt. */
 function verdicts() {
   return {
     progress: element('p', { id: 'course-progress', role: 'status' }),
     judged: element('ul', { id: 'course-judged' }),
     advice: element('div', { id: 'course-hints' }),
     printed: element('pre', {}),
-    output: element('details', { id: 'course-output' }, element('summary', {}, 'What the program printed')),
+    output: element('details', { id: 'course-output' }, element('summary', {}, 'Output of the program')),
   };
 }

@@ -1,4 +1,4 @@
-/** Shows in the picture what robots draw, and the tree of layers in which each of them is switched on and off. */
+/** Shows the drawings of the robots, with a tree of layers that can be switched on and off. */
 import { CYCLE_SECONDS } from '../state/cycle.js';
 import { ALL_DRAWINGS, DrawingLayers, KINDS, layerOf } from '../state/drawing-layers.js';
 import { standOf } from '../state/drawing-shapes.js';
@@ -16,7 +16,7 @@ const KEY = 'robonewbie-drawings-off';
 export class DrawingController {
   /**
    * @param {import('../field/field-view.js').FieldView} view
-   * @param {() => void} changed asks for another picture
+   * @param {() => void} changed requests a redraw
    */
   constructor(view, changed) {
     this.view = view;
@@ -32,13 +32,13 @@ export class DrawingController {
     this.panel.hidden = true;
   }
 
-  /** What the key does. @returns {import('./keys.js').Action} */
+  /** The key action. @returns {import('./keys.js').Action} */
   get action() {
     const act = () => this.#set(ALL_DRAWINGS, !this.layers.isOn(ALL_DRAWINGS));
     return { keys: ['d', 'D'], shown: 'D', text: 'drawings of robots on or off', act };
   }
 
-  /** @param {Moment} moment whose robots the picture shows @param {DrawingMemory} memory */
+  /** @param {Moment} moment shown moment @param {DrawingMemory} memory */
   show({ scene, frame }, memory) {
     const seconds = (frame?.cycle ?? 0) * CYCLE_SECONDS;
     const placed = [...memory.kinds.keys()].flatMap((robot) => {
@@ -56,7 +56,7 @@ export class DrawingController {
     this.#list(memory.kinds);
   }
 
-  /** @param {ReadonlyMap<string, ReadonlySet<string>>} kinds of each robot */
+  /** @param {ReadonlyMap<string, ReadonlySet<string>>} kinds of drawings of each robot */
   #list(kinds) {
     const listing = [...kinds].map(([robot, made]) => `${robot}\n${[...made].join()}`).join('\n');
     if (listing !== this.listed) {

@@ -1,4 +1,4 @@
-/** Small words for drawings made of SVG. */
+/** Helpers that create SVG elements. */
 
 const SVG = 'http://www.w3.org/2000/svg';
 
@@ -24,7 +24,7 @@ export function label(content, x, y, kind) {
   return made;
 }
 
-/** @param {string} content shown when the mouse rests on the shape around it */
+/** @param {string} content tooltip of the parent shape */
 export function title(content) {
   const made = shape('title');
   made.textContent = content;

@@ -1,10 +1,10 @@
-/** Small words for making and changing parts of the page. */
+/** Helpers that create and change page elements. */
 
-/** How long an offered file is kept for the browser to read. */
+/** How long an offered file stays available for download. */
 const OFFER_MILLISECONDS = 20_000;
 
 /**
- * Makes an element.
+ * Creates an element.
  *
  * @template {keyof HTMLElementTagNameMap} K
  * @param {K} tag
@@ -22,10 +22,10 @@ export function element(tag, attributes = {}, ...children) {
 }
 
 /**
- * Makes a push button.
+ * Creates a push button.
  *
  * @param {string} text
- * @param {string} hint shown when the mouse rests on it
+ * @param {string} hint tooltip
  * @param {() => void} action
  * @param {Record<string, string>} [attributes]
  */
@@ -36,7 +36,7 @@ export function button(text, hint, action, attributes = {}) {
 }
 
 /**
- * Makes a list of which one entry is chosen.
+ * Creates a drop-down list.
  *
  * @param {Record<string, string>} attributes
  * @param {ReadonlyArray<readonly [value: string, text: string]>} entries
@@ -58,7 +58,7 @@ export function setEntries(list, entries) {
 }
 
 /**
- * Makes a box to tick with its words.
+ * Creates a labelled check box.
  *
  * @param {string} id
  * @param {string} text
@@ -72,11 +72,11 @@ export function check(id, text, hint, changed) {
 }
 
 /**
- * Lets the person save something as a file.
+ * Offers a file for download.
  *
  * @param {string} name of the file
  * @param {string | Blob} content
- * @param {string} [type] what kind of text it is
+ * @param {string} [type] MIME type of a text
  */
 export function offer(name, content, type = 'text/plain') {
   const address = URL.createObjectURL(typeof content === 'string' ? new Blob([content], { type }) : content);
@@ -85,7 +85,7 @@ export function offer(name, content, type = 'text/plain') {
 }
 
 /**
- * Writes a text only if it differs, which spares the browser work.
+ * Sets a text if it differs, which avoids a layout.
  *
  * @param {Element} target
  * @param {string} text
@@ -97,7 +97,7 @@ export function setText(target, text) {
 }
 
 /**
- * Finds a part of the page that must be there.
+ * Returns the page element with this id, which must exist.
  *
  * @param {string} id
  * @returns {HTMLElement}

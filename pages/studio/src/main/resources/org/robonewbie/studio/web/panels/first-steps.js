@@ -1,4 +1,4 @@
-/** Three things to try, for people who are here for the first time; each is crossed out once it is done, and then it is gone for good. */
+/** Getting-started list: three things to try; each is crossed out when done, and the list disappears for good after the last. */
 import { button, byId, element } from './elements.js';
 import { keep, recall } from './memory.js';
 
@@ -10,7 +10,7 @@ const KEY = 'robonewbie-first-steps';
 const STEPS = [
   { step: 'ball', text: 'Drag the ball somewhere else' },
   { step: 'puppet', text: 'Add a puppet (Tools), then hold W: it walks' },
-  { step: 'motion', text: 'Shape a motion: the room Motion, above' },
+  { step: 'motion', text: 'Edit a motion: the room Motion, above' },
 ];
 
 export class FirstSteps {
@@ -20,7 +20,7 @@ export class FirstSteps {
   constructor() {
     this.place = byId('first-steps');
     this.items = STEPS.map(({ step, text }) => element('li', { 'data-step': step }, text));
-    const close = button('Got it', 'Takes this away for good', () => this.#finish());
+    const close = button('Got it', 'Hides this list permanently', () => this.#finish());
     this.place.append(element('h2', {}, 'Try this'), element('ol', {}, ...this.items), close);
     this.#draw();
   }

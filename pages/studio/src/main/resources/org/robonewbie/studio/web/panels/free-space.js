@@ -1,7 +1,7 @@
-/** How much of the picture panels cover, so that the camera looks at what is left free. */
+/** Measures how much of the picture the panels cover, so that the camera can use the rest. */
 import { byId } from './elements.js';
 
-/** Panels at the sides of the picture. */
+/** Panels at the edges of the picture. */
 const PANELS = /** @type {const} */ ([
   ['score-board', 'top'],
   ['side', 'right'],

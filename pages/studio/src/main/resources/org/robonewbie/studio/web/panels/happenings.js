@@ -1,9 +1,9 @@
-/** What has happened in the game lately: fouls and goals, shown below the score board for some seconds. */
+/** Recent game events: fouls and goals, shown below the score board for some seconds. */
 import { foulText } from '../state/happenings.js';
 import { byId, element } from './elements.js';
 
 const SHOWN_MILLISECONDS = 6000;
-const MOST = 4;
+const MAX_ENTRIES = 4;
 
 export class Happenings {
   constructor() {
@@ -12,19 +12,19 @@ export class Happenings {
   }
 
   /**
-   * @param {string} event as the recording writes it, such as `foul CHARGING left 3`
+   * @param {string} event in the format of recordings, such as `foul CHARGING left 3`
    * @param {{left: string, right: string}} teams
    */
   add(event, teams) {
-    this.tell(foulText(event, teams));
+    this.show(foulText(event, teams));
   }
 
-  /** @param {string} text nothing is shown if it is empty */
-  tell(text) {
+  /** @param {string} text ignored if empty */
+  show(text) {
     if (text) {
       const line = element('li', {}, text);
       this.list.append(line);
-      while (this.list.children.length > MOST) {
+      while (this.list.children.length > MAX_ENTRIES) {
         this.list.children[0].remove();
       }
       setTimeout(() => line.remove(), SHOWN_MILLISECONDS);

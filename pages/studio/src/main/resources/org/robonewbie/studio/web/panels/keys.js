@@ -1,27 +1,27 @@
-/** Everything that keys do, and the page that explains it. */
+/** Keyboard handling and the page that explains the keys. */
 import { CAMERAS } from '../field/camera-controller.js';
 import { byId, element } from './elements.js';
 
 /**
  * @typedef {object} Action
- * @property {string[]} keys as the browser names them
- * @property {string} shown as people read them
+ * @property {string[]} keys names of the keys in the browser
+ * @property {string} shown label of the keys
  * @property {string} text
  * @property {() => void} act
  * @property {boolean} [ctrl] whether Ctrl must be held
  */
 
 /**
- * @param {object} desk
- * @param {(degreesRight: number, degreesUp: number) => void} desk.turn
- * @param {(factor: number) => void} desk.zoom
- * @param {(index: number) => void} desk.camera
- * @param {() => void} desk.next follows the next robot
+ * @param {object} camera
+ * @param {(degreesRight: number, degreesUp: number) => void} camera.turn
+ * @param {(factor: number) => void} camera.zoom
+ * @param {(index: number) => void} camera.select
+ * @param {() => void} camera.next follows the next robot
  * @param {ReturnType<typeof import('./transport.js').timeActions>} time
  * @param {(command: object) => void} send
  * @returns {Action[]}
  */
-export function fieldDeeds(desk, time, send) {
+export function fieldActions(camera, time, send) {
   return [
     { keys: [' '], shown: 'Space', text: 'pause or play', act: time.toggle },
     { keys: ['.'], shown: '.', text: 'one cycle (20 ms)', act: () => time.step(1) },
@@ -29,8 +29,8 @@ export function fieldDeeds(desk, time, send) {
     { keys: ['+', '='], shown: '+', text: 'faster', act: time.faster },
     { keys: ['-'], shown: '−', text: 'slower', act: time.slower },
     { keys: ['r', 'R'], shown: 'R', text: 'reset', act: time.reset },
-    { keys: ['z'], ctrl: true, shown: 'Ctrl+Z', text: 'undo what was done to the world', act: time.undo },
-    { keys: ['Z', 'y'], ctrl: true, shown: 'Ctrl+Shift+Z', text: 'do it again', act: time.redo },
+    { keys: ['z'], ctrl: true, shown: 'Ctrl+Z', text: 'undo the last change to the world', act: time.undo },
+    { keys: ['Z', 'y'], ctrl: true, shown: 'Ctrl+Shift+Z', text: 'redo', act: time.redo },
     { keys: ['k'], shown: 'K', text: 'kick-off of the left team', act: () => send({ do: 'kickOff', side: 'left' }) },
     { keys: ['l'], shown: 'L', text: 'kick-off of the right team', act: () => send({ do: 'kickOff', side: 'right' }) },
     { keys: ['b'], shown: 'B', text: 'drop ball', act: () => send({ do: 'dropBall' }) },
@@ -38,30 +38,30 @@ export function fieldDeeds(desk, time, send) {
       keys: [String(i + 1)],
       shown: String(i + 1),
       text: `camera: ${name}`,
-      act: () => desk.camera(i),
+      act: () => camera.select(i),
     })),
-    { keys: ['n', 'N'], shown: 'N', text: 'next robot', act: desk.next },
-    { keys: ['ArrowLeft'], shown: '←', text: 'turn the view left', act: () => desk.turn(-6, 0) },
-    { keys: ['ArrowRight'], shown: '→', text: 'turn the view right', act: () => desk.turn(6, 0) },
-    { keys: ['ArrowUp'], shown: '↑', text: 'look from higher', act: () => desk.turn(0, 4) },
-    { keys: ['ArrowDown'], shown: '↓', text: 'look from lower', act: () => desk.turn(0, -4) },
-    { keys: ['PageUp'], shown: 'Page up', text: 'nearer', act: () => desk.zoom(0.85) },
-    { keys: ['PageDown'], shown: 'Page down', text: 'farther', act: () => desk.zoom(1.18) },
+    { keys: ['n', 'N'], shown: 'N', text: 'next robot', act: camera.next },
+    { keys: ['ArrowLeft'], shown: '←', text: 'turn the view left', act: () => camera.turn(-6, 0) },
+    { keys: ['ArrowRight'], shown: '→', text: 'turn the view right', act: () => camera.turn(6, 0) },
+    { keys: ['ArrowUp'], shown: '↑', text: 'move the camera up', act: () => camera.turn(0, 4) },
+    { keys: ['ArrowDown'], shown: '↓', text: 'move the camera down', act: () => camera.turn(0, -4) },
+    { keys: ['PageUp'], shown: 'Page up', text: 'nearer', act: () => camera.zoom(0.85) },
+    { keys: ['PageDown'], shown: 'Page down', text: 'farther', act: () => camera.zoom(1.18) },
   ];
 }
 
-/** With Ctrl, these go to the motion even while an angle is typed: it is the motion that is saved and undone. */
+/** Ctrl shortcuts that act on the document even while a field has the focus. */
 const FOR_DOCUMENT = ['s', 'z', 'y'];
 
-/** Fields with an undo of their own. */
+/** Input types with their own undo. */
 const WRITTEN = new Set(['text', 'search', 'number', 'textarea']);
 
-/** What the mouse does on the pitch. */
+/** Mouse actions on the pitch. */
 export const FIELD_MOUSE = [
   ['Drag the ground', 'turn the view'],
   ['Right button, Shift', 'drag to move the view'],
   ['Wheel', 'nearer, farther'],
-  ['Drag ball, robot', 'put it elsewhere'],
+  ['Drag ball, robot', 'move it'],
   ['Drag a robot’s ring', 'turn the robot'],
   ['Pull the ball’s ring', 'throw the ball; Shift: high'],
   ['Ctrl, drag', 'turn or throw without the ring'],
@@ -69,7 +69,7 @@ export const FIELD_MOUSE = [
 ];
 
 /**
- * Listens to the keys of the room that one is in, and explains them.
+ * Listens to the keys of the current room, and explains them.
  *
  * @param {() => {actions: Action[], mouse: string[][]}} current
  */
@@ -94,7 +94,7 @@ export function listenToKeys(current) {
   });
 }
 
-/** @param {KeyboardEvent} event @returns {boolean} whether a key goes to the page and not to a field, an editor, a button or a dialog */
+/** @param {KeyboardEvent} event @returns {boolean} whether the key is for the page and not for a field, an editor, a button or a dialog */
 function isForPage(event) {
   const target = /** @type {HTMLElement} */ (event.target);
   if (target.shadowRoot) {
@@ -107,7 +107,7 @@ function isForPage(event) {
   return isElsewhere && !pressing && !event.altKey && !document.querySelector('dialog[open]');
 }
 
-/** @param {HTMLElement} target @returns {boolean} whether keys write something there */
+/** @param {HTMLElement} target @returns {boolean} whether it accepts text input */
 export function isTyping(target) {
   const isField = ['SELECT', 'INPUT', 'TEXTAREA'].includes(target.tagName);
   return isField && /** @type {HTMLInputElement} */ (target).type !== 'range';
@@ -118,7 +118,7 @@ function isAskedBy(action, event) {
   return action.keys.includes(keyOf(event)) && Boolean(action.ctrl) === hasCtrl(event);
 }
 
-/** The key as it is without Caps Lock: a capital letter only together with Shift. @param {KeyboardEvent} event */
+/** The key without Caps Lock: a capital letter only together with Shift. @param {KeyboardEvent} event */
 function keyOf({ key, shiftKey }) {
   const isLetter = key.length === 1;
   return isLetter && shiftKey ? key.toUpperCase() : isLetter ? key.toLowerCase() : key;

@@ -1,9 +1,9 @@
-/** What the browser remembers for its user. A page that is a file may have no memory: then choices hold until it is closed. */
+/** Settings in the browser's local storage. A page opened from a file may have none; then settings last until it is closed. */
 
 /**
  * @template T
  * @param {string} key
- * @param {T} otherwise what holds as long as nothing is remembered
+ * @param {T} otherwise default value
  * @returns {T}
  */
 export function recall(key, otherwise) {
@@ -14,7 +14,7 @@ export function recall(key, otherwise) {
   }
 }
 
-/** @param {string} key @returns {string | null} a text as it was remembered */
+/** @param {string} key @returns {string | null} the stored text */
 export function recallText(key) {
   try {
     return localStorage.getItem(key);
@@ -28,7 +28,7 @@ export function keepText(key, text) {
   try {
     localStorage.setItem(key, text);
   } catch {
-    // The choice holds until the page is closed.
+    // The setting lasts until the page is closed.
   }
 }
 

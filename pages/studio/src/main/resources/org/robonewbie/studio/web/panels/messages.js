@@ -1,4 +1,4 @@
-/** What the studio says: a banner while nothing can be seen, and short notes. */
+/** Messages of the studio: a banner while there is nothing to see, and short notes. */
 import { message } from '../state/studio-state.js';
 import { byId, element, setText } from './elements.js';
 
@@ -6,17 +6,17 @@ import { byId, element, setText } from './elements.js';
 
 const NOTE_MILLISECONDS = 6000;
 
-/** @returns {(state: StudioState, now: number) => void} draws the banner */
+/** @returns {(state: StudioState, now: number) => void} updates the banner */
 export function banner() {
-  return (state, now) => tell(message(state, now));
+  return (state, now) => showBanner(message(state, now));
 }
 
 /**
- * Shows a message in the banner, or no banner at all.
+ * Shows a message in the banner, or hides the banner.
  *
  * @param {import('../state/studio-state.js').Message | undefined} shown
  */
-export function tell(shown) {
+export function showBanner(shown) {
   const panel = byId('banner');
   panel.hidden = !shown;
   if (!shown) {
@@ -48,9 +48,9 @@ export function notes() {
   };
 }
 
-/** Says so when a script of this page fails. @param {(text: string) => void} note */
+/** Shows a note when a script of this page fails. @param {(text: string) => void} note */
 export function reportMistakes(note) {
-  const report = (/** @type {unknown} */ what) => note(`This page has met an error: ${what}. Load it again.`);
+  const report = (/** @type {unknown} */ what) => note(`This page has failed: ${what}. Reload it.`);
   window.addEventListener('error', (event) => report(event.message));
   window.addEventListener('unhandledrejection', (event) => report(event.reason));
 }

@@ -1,20 +1,20 @@
-/** What has gone wrong in the robots' programs: it stays on the picture until it is read and taken away. */
+/** Errors of the robots' programs; they stay on the picture until dismissed. */
 import { button, byId, element } from './elements.js';
 
-const MOST = 3;
+const MAX_ENTRIES = 3;
 const LONGEST = 300;
 
 export class Mistakes {
-  /** @param {(team: string, number: number) => void} look shows a robot from inside, with its log */
+  /** @param {(team: string, number: number) => void} look opens the robot room with this robot's log */
   constructor(look) {
     this.look = look;
     this.place = byId('mistakes');
     this.list = element('ul', {});
-    const close = button('×', 'Take these away', () => this.clear(), {
+    const close = button('×', 'Dismiss', () => this.clear(), {
       class: 'quiet',
-      'aria-label': 'Take these away',
+      'aria-label': 'Dismiss',
     });
-    this.place.append(element('h2', {}, 'Mistakes of programs'), close, this.list);
+    this.place.append(element('h2', {}, 'Errors of programs'), close, this.list);
   }
 
   clear() {
@@ -25,10 +25,10 @@ export class Mistakes {
   /** @param {{team: string, number: number, level: string, text: string}} mistake */
   add({ team, number, level, text }) {
     const name = `${team} ${number}`.trim();
-    const robot = button(name, 'See this robot with its log', () => this.look(team, number), { class: 'quiet' });
+    const robot = button(name, 'Show this robot with its log', () => this.look(team, number), { class: 'quiet' });
     const words = text.length > LONGEST ? `${text.slice(0, LONGEST)}…` : text;
     this.list.append(element('li', { class: level.toLowerCase() }, robot, ` ${words}`));
-    while (this.list.children.length > MOST) {
+    while (this.list.children.length > MAX_ENTRIES) {
       this.list.children[0].remove();
     }
     this.place.hidden = false;

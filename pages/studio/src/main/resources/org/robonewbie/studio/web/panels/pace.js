@@ -1,9 +1,9 @@
-/** Draws something not more often than people can read it. */
+/** Throttles drawing to a rate that is readable. */
 
 /**
  * @param {(now: number) => void} draw
- * @param {number} milliseconds least time between two drawings
- * @returns {{ask: () => void, turn: (now: number) => void}} asks for a drawing, and draws what was asked for when its time has come
+ * @param {number} milliseconds minimum interval between two drawings
+ * @returns {{ask: () => void, turn: (now: number) => void}} `ask` requests a drawing, `turn` draws once the interval has passed
  */
 export function paced(draw, milliseconds) {
   let asked = false;

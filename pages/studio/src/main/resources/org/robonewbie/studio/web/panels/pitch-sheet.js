@@ -1,10 +1,10 @@
-/** A small pitch, drawn from above. */
+/** SVG drawing of a small pitch from above. */
 import { shape } from './drawing.js';
 
 /**
  * @param {number} length of the pitch in metres
  * @param {number} width
- * @param {...Node} content drawn on it, in metres, y pointing down
+ * @param {...Node} content in metres, y pointing down
  */
 export function pitchSheet(length, width, ...content) {
   const line = { class: 'line' };

@@ -1,4 +1,4 @@
-/** A robot in one's own hands before a line of code is written: keys let it walk and kick, sliders move its joints. */
+/** Remote control of a robot: keys make it walk and kick, sliders move its joints. Needs no program. */
 import { buttonsOfPad, PAD_TEXT, walkOfPad } from '../state/gamepad.js';
 import { PUPPET_KEYS, puppetKey, turned, walkOf } from '../state/puppet.js';
 import { isTyping } from './keys.js';
@@ -15,9 +15,9 @@ export class PuppetPanel {
   /**
    * @param {object} world
    * @param {() => StudioState} world.now
-   * @param {() => number} world.chosen index of the robot that is followed
+   * @param {() => number} world.chosen index of the followed robot
    * @param {(index: number) => void} world.choose
-   * @param {() => boolean} world.isHere whether the field is shown
+   * @param {() => boolean} world.isHere whether the field is visible
    * @param {(command: object) => void} world.send
    */
   constructor(world) {
@@ -27,15 +27,15 @@ export class PuppetPanel {
     /** @type {[number, number]} */
     this.gaze = [0, 0];
     this.waitsForNew = 0;
-    /** Buttons of the gamepad that are down. @type {Set<number>} */
+    /** Buttons of the gamepad that are pressed. @type {Set<number>} */
     this.padDown = new Set();
     this.padWalk = '';
     this.pad = element('p', { class: 'faint', id: 'gamepad', hidden: '' }, PAD_TEXT);
-    this.add = button('Add a puppet', 'A robot that you steer yourself', () => this.#add());
+    this.add = button('Add a puppet', 'A robot under your control', () => this.#add());
     this.add.id = 'add-puppet';
-    this.away = button('Take away', 'Takes this puppet off the pitch', () => this.#order({ do: 'removePuppet' }));
+    this.away = button('Remove', 'Removes this puppet from the pitch', () => this.#order({ do: 'removePuppet' }));
     this.away.id = 'remove-puppet';
-    this.stand = button('Stand', 'Lets all joints go and stands', () =>
+    this.stand = button('Stand', 'Releases all joints and stands up', () =>
       this.#order({ do: 'perform', motion: 'stand' }),
     );
     this.hint = element('p', { class: 'faint' });
@@ -67,7 +67,7 @@ export class PuppetPanel {
     window.addEventListener('blur', () => this.#releaseAll());
   }
 
-  /** @returns {Player | undefined} the puppet that is followed */
+  /** @returns {Player | undefined} the followed puppet */
   get player() {
     const player = this.world.now().scene?.robots[this.world.chosen()];
     return player?.puppet && player.side ? player : undefined;
@@ -99,7 +99,7 @@ export class PuppetPanel {
     }
   }
 
-  /** Obeys the first gamepad, if there is one; to be called for each picture. */
+  /** Applies the first gamepad's input; call once per animation frame. */
   readGamepad() {
     const pad = navigator.getGamepads?.().find((each) => each?.connected);
     this.pad.hidden = !pad;
@@ -124,7 +124,7 @@ export class PuppetPanel {
     this.world.send({ do: 'addPuppet', side: 'left' });
   }
 
-  /** The robot that one has just asked for is the one to steer. @param {Player[]} robots */
+  /** Selects a robot that was just requested. @param {Player[]} robots */
   #chooseNew(robots) {
     const puppets = robots.map((_, i) => i).filter((i) => robots[i].puppet);
     if (this.waitsForNew > 0 && puppets.length >= this.waitsForNew) {
@@ -147,12 +147,12 @@ export class PuppetPanel {
     if (known && this.player && this.world.isHere() && isPlain(event)) {
       event.preventDefault();
       event.stopPropagation();
-      this.#obey(known, event.repeat);
+      this.#execute(known, event.repeat);
     }
   }
 
   /** @param {NonNullable<ReturnType<typeof puppetKey>>} known @param {boolean} isRepeated */
-  #obey(known, isRepeated) {
+  #execute(known, isRepeated) {
     if (known.walk && !this.held.has(known.key)) {
       this.held.add(known.key);
       this.#order({ do: 'walk', ...walkOf(this.held) });
@@ -178,7 +178,7 @@ export class PuppetPanel {
     }
   }
 
-  /** The sliders open below the others; they are of no use beyond the edge of the window. */
+  /** Shows the joint sliders below the other controls and scrolls them into view. */
   #showJoints() {
     this.joints.scrollIntoView({ block: 'start' });
   }
@@ -223,7 +223,7 @@ export class PuppetPanel {
   }
 }
 
-/** @param {KeyboardEvent} event @returns {boolean} whether a key is pressed by itself, and not into a field or a dialog */
+/** @param {KeyboardEvent} event @returns {boolean} whether a key is pressed without modifiers and outside of fields and dialogs */
 function isPlain(event) {
   const hasModifier = event.ctrlKey || event.metaKey || event.altKey;
   return (

@@ -1,4 +1,4 @@
-/** Opens the rooms when one enters them first, so that nobody waits for a room that is not needed. */
+/** Loads each room when it is first entered, so that startup does not wait for unused rooms. */
 
 import { element } from './elements.js';
 
@@ -12,18 +12,18 @@ const MOTION_MOUSE = [
   ['Shift, drag', 'the whole arm or leg follows'],
   ['Drag the torso', 'the feet stay where they are'],
   ['Drag the ground', 'turn the view'],
-  ['Drag a keyframe', 'change its time, those after it follow; with Alt they stay'],
+  ['Drag a keyframe', 'change its time and shift those after it; with Alt they stay in place'],
   ['Shift, Ctrl, click', 'choose several keyframes'],
   ['Drag over joints', 'choose what is in the box'],
   ['Drag a point of a curve', 'change the angle'],
-  ['Wheel', 'on the timeline: closer and farther, with Shift scroll'],
+  ['Wheel', 'on the timeline: zoom, with Shift scroll'],
 ];
 
 const ROBOT_MOUSE = [
   ['Click a curve', 'all rooms show this moment'],
-  ['Drag over a curve', 'zoom in; H lets it go on'],
+  ['Drag over a curve', 'zoom in; H resumes'],
   ['Click a log time', 'all rooms show this moment'],
-  ['Drag an edge', 'panels become larger, smaller'],
+  ['Drag an edge', 'resize the panels'],
 ];
 
 const REPLAY_MOUSE = [
@@ -33,8 +33,8 @@ const REPLAY_MOUSE = [
 ];
 
 const PROGRAM_MOUSE = [
-  ['Drag the edge', 'the program gets more or less room'],
-  ['Double click an edge', 'all panels go back to where they were'],
+  ['Drag the edge', 'resize the program'],
+  ['Double click an edge', 'restore the default layout'],
 ];
 
 const MOTION_STYLES = ['motion.css', 'motion-bars.css', 'motion-timeline.css', 'motion-tracks.css'];
@@ -47,12 +47,12 @@ export class RoomController {
    * @param {(text: string) => void} surroundings.note
    * @param {() => import('../state/quality.js').Quality} surroundings.quality
    * @param {(command: object) => void} surroundings.send
-   * @param {() => void} surroundings.goLive shows what happens now
-   * @param {() => boolean} surroundings.hasClock whether time can be stopped
+   * @param {() => void} surroundings.goLive shows the present
+   * @param {() => boolean} surroundings.hasClock whether the clock can be paused
    * @param {(seconds: number) => void} surroundings.goTo shows a moment of the running simulation
    * @param {(panel: import('../state/layout.js').PanelName) => void} surroundings.fold folds or unfolds a panel
    * @param {() => import('../field/camera-controller.js').CameraController} surroundings.camera of the field
-   * @param {() => readonly import('../live/state-frame.js').Player[]} surroundings.robots that are there now
+   * @param {() => readonly import('../live/state-frame.js').Player[]} surroundings.robots on the pitch now
    * @param {() => {name: string, degrees: ArrayLike<number>} | undefined} surroundings.robotOfRun
    */
   constructor(surroundings) {
@@ -96,24 +96,24 @@ export class RoomController {
     this.opening.delete(room);
   }
 
-  /** @returns {boolean} whether something is lost if the page is closed now */
+  /** @returns {boolean} whether closing the page would lose work */
   get isAtRisk() {
     return this.motion?.editor.isAtRisk === true || this.program?.isAtRisk === true;
   }
 
-  /** The simulator, or the room that has asked it for a robot, is another one now. */
+  /** Forgets the watched robot after the simulator or another room's request has changed. */
   forget() {
     this.robot?.forget();
     this.program?.forget();
   }
 
-  /** @param {any} news of robots */
-  hear(news) {
-    this.robot?.hear(news);
-    this.program?.hear(news);
+  /** @param {any} news telemetry of robots */
+  receive(news) {
+    this.robot?.receive(news);
+    this.program?.receive(news);
   }
 
-  /** @param {RoomName} room @param {Keys} field @returns {Keys} what keys and mouse do in a room */
+  /** @param {RoomName} room @param {Keys} field @returns {Keys} the key and mouse actions of a room */
   keys(room, field) {
     if (room === 'motion') {
       return { actions: this.motion?.actions ?? [], mouse: MOTION_MOUSE };
@@ -156,14 +156,14 @@ export class RoomController {
   }
 }
 
-/** Loads the style sheets of a room, in their order. @param {readonly string[]} sheets */
+/** Loads the style sheets of a room, in order. @param {readonly string[]} sheets */
 function loadStyles(sheets) {
   const loads = sheets.map((href) => {
     const link = element('link', { rel: 'stylesheet', href });
     document.head.append(link);
     return new Promise((done, failed) => {
       link.addEventListener('load', done);
-      link.addEventListener('error', () => failed(new Error(`${href} is missing. Load the page again.`)));
+      link.addEventListener('error', () => failed(new Error(`${href} is missing. Reload the page.`)));
     });
   });
   return Promise.all(loads);

@@ -1,21 +1,21 @@
-/** The rooms of the studio and the way from one to the other: the fragment of the address names the room. */
+/** Navigation between the rooms of the studio; the fragment of the address names the room. */
 import { byId, element } from './elements.js';
 
 /** @typedef {'field' | 'program' | 'robot' | 'motion' | 'replay'} RoomName */
 
-/** Only rooms that one can enter are listed. @type {Array<{room: RoomName, place: string, name: string, hint: string, part?: string}>} */
+/** Rooms with an entry in the navigation. @type {Array<{room: RoomName, place: string, name: string, hint: string, part?: string}>} */
 const ROOMS = [
   { room: 'field', place: 'field-room', name: 'Field', hint: 'Watch and steer the game' },
   { room: 'program', place: 'field-room', name: 'Program', hint: 'Write a program beside the robot' },
-  { room: 'robot', place: 'field-room', name: 'Robot', hint: 'See one robot from inside' },
-  { room: 'motion', place: 'motion-room', name: 'Motion', hint: 'Shape motions' },
-  { room: 'replay', place: 'field-room', name: 'Replay', hint: 'See runs again' },
-  { room: 'field', place: 'field-room', name: 'Exercises', hint: 'Let your program be judged', part: '/exercises' },
+  { room: 'robot', place: 'field-room', name: 'Robot', hint: 'Inspect one robot' },
+  { room: 'motion', place: 'motion-room', name: 'Motion', hint: 'Edit motions' },
+  { room: 'replay', place: 'field-room', name: 'Replay', hint: 'Replay runs' },
+  { room: 'field', place: 'field-room', name: 'Exercises', hint: 'Have your program judged', part: '/exercises' },
 ];
 
 /**
  * @param {(room: RoomName) => void} entered
- * @returns {() => RoomName} the room that one is in
+ * @returns RoomName} the room that one is in => RoomName} the room that one is in
  */
 export function roomsPanel(entered) {
   const links = ROOMS.map(({ room, name, hint, part = '' }) =>

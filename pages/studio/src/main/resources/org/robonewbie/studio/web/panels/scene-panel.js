@@ -1,4 +1,4 @@
-/** Scenes: the present state is kept under a name, and one can go back to it as often as one likes. */
+/** Scenes: saves the present state under a name and restores it any number of times. */
 import { pathPart } from '../state/path-part.js';
 import { button, byId, element, setEntries } from './elements.js';
 
@@ -12,7 +12,7 @@ async function ask(path, options) {
 }
 
 /**
- * How much of what was kept has come back.
+ * Describes how completely a scene was restored.
  *
  * @param {{exact: boolean, agents: number}} restored
  */
@@ -25,7 +25,7 @@ export function restoredText({ exact, agents }) {
 }
 
 /**
- * Lets the simulation go on from a moment of a recording.
+ * Continues the simulation from a moment of a recording.
  *
  * @param {string} recording
  * @param {number} moment
@@ -37,8 +37,8 @@ export function startFrom(recording, moment) {
 
 /**
  * @param {(text: string) => void} note
- * @param {() => void} goLive shows what happens now
- * @returns {(state: import('../state/studio-state.js').StudioState) => void} draws the scenes
+ * @param {() => void} goLive shows the present
+ * @returns {(state: import('../state/studio-state.js').StudioState) => void} updates the scenes
  */
 export function scenePanel(note, goLive) {
   const panel = new ScenePanel(note, goLive);
@@ -50,9 +50,9 @@ export function scenePanel(note, goLive) {
 }
 
 class ScenePanel {
-  /** Actions are done one after the other, however fast one clicks. @type {Promise<void>} */
+  /** Serialises the actions, however fast the user clicks. @type {Promise<void>} */
   #last = Promise.resolve();
-  /** What could be undone when the list was read: a scene may have come back or gone since. */
+  /** Undoable actions when the list was read; undo may restore or remove a scene. */
   #known = '';
 
   /** @param {(text: string) => void} note @param {() => void} goLive */
@@ -63,19 +63,17 @@ class ScenePanel {
     this.name = element('input', { id: 'scene-name', ...words });
     this.list = element('select', { id: 'scene-list', 'aria-label': 'Saved scenes' });
     this.place = byId('scenes');
-    const save = this.#control('scene-save', 'Save', 'Keeps ball, robots, score and time as they are now', () =>
-      this.#save(),
+    const save = this.#control('scene-save', 'Save', 'Saves ball, robots, score and time', () => this.#save());
+    this.back = this.#control('scene-restore', 'Restore', 'Restores the scene, with the clock stopped', () =>
+      this.#restore(),
     );
-    this.back = this.#control(
-      'scene-restore',
-      'Go back to it',
-      'Puts everything where it was, with the clock stopped',
-      () => this.#restore(),
+    this.rename = this.#control(
+      'scene-rename',
+      'Rename',
+      'Renames the chosen scene to the name in the field above',
+      () => this.#rename(),
     );
-    this.rename = this.#control('scene-rename', 'Rename', 'Gives the chosen scene the name that is written above', () =>
-      this.#rename(),
-    );
-    this.remove = this.#control('scene-remove', 'Delete', 'Takes the chosen scene away; Undo brings it back', () =>
+    this.remove = this.#control('scene-remove', 'Delete', 'Deletes the chosen scene; Undo restores it', () =>
       this.#remove(),
     );
     this.place.append(
@@ -86,7 +84,7 @@ class ScenePanel {
     );
   }
 
-  /** @param {boolean} isPossible @param {string} actions what can be undone and redone */
+  /** @param {boolean} isPossible @param {string} actions actions that can be undone and redone */
   show(isPossible, actions) {
     this.place.hidden = !isPossible;
     if (isPossible && this.#known !== actions) {
@@ -134,7 +132,7 @@ class ScenePanel {
     const [from, to] = [this.list.value, this.name.value.trim()];
     if (to === '') {
       this.name.focus();
-      throw new Error('Write the new name first, in the field above.');
+      throw new Error('Enter the new name in the field above first.');
     }
     await this.#put(to, `?was=${encodeURIComponent(from)}`);
     await this.#refresh(to);
@@ -145,7 +143,7 @@ class ScenePanel {
     const scene = this.list.value;
     await this.#ask(scene, '', 'DELETE');
     await this.#refresh();
-    this.note(`Scene "${scene}" is deleted. Undo brings it back.`);
+    this.note(`Scene "${scene}" was deleted. Undo restores it.`);
   }
 
   /** @param {string} scene */
@@ -158,7 +156,7 @@ class ScenePanel {
     return ask(`scenes/${pathPart(scene)}${how}`, { method });
   }
 
-  /** Empties the field, unless another name was written meanwhile. @param {string} used */
+  /** Clears the field, unless another name has been typed meanwhile. @param {string} used */
   #forgetName(used) {
     this.name.value = this.name.value.trim() === used ? '' : this.name.value;
   }

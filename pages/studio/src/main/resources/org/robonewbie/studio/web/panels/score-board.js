@@ -1,10 +1,10 @@
-/** Teams, score, time of play and play mode. */
+/** Score board: teams, score, game time and play mode. */
 import { scoreBoard } from '../state/studio-state.js';
 import { byId, element, setText } from './elements.js';
 
 /** @typedef {import('../state/studio-state.js').StudioState} StudioState */
 
-/** @returns {(state: StudioState, now: number) => void} draws the score board */
+/** @returns {(state: StudioState, now: number) => void} updates the score board */
 export function scoreBoardPanel() {
   const left = element('span', { class: 'team left' });
   const right = element('span', { class: 'team right' });

@@ -1,4 +1,4 @@
-/** Which camera looks, and what the referee can be told. */
+/** Camera selection and referee commands. */
 import { BALL_RADIUS } from '../field/ball.js';
 import { CAMERAS } from '../field/camera-controller.js';
 import { playModeText } from '../state/play-mode.js';
@@ -9,21 +9,21 @@ import { keep, recall } from './memory.js';
  * @typedef {import('../state/studio-state.js').StudioState} StudioState
  * @typedef {import('../field/camera-controller.js').CameraController} CameraController
  * @typedef {import('../field/camera-controller.js').CameraMode} CameraMode
- * @typedef {{names: boolean, trail: boolean}} Picture what is shown beside robots and ball
+ * @typedef {{names: boolean, trail: boolean}} Picture overlays of the picture
  */
 
 const PICTURE_KEY = 'robonewbie-picture';
 
 /**
- * @param {CameraController} desk
+ * @param {CameraController} camera
  * @param {object} options
  * @param {(mode: CameraMode) => void} options.choose
  * @param {boolean} options.shadows
  * @param {(on: boolean) => void} options.setShadows
  * @param {(shown: Picture) => void} options.show
- * @returns {(state: StudioState) => void} draws the camera buttons
+ * @returns {(state: StudioState) => void} updates the camera buttons
  */
-export function cameraPanel(desk, options) {
+export function cameraPanel(camera, options) {
   const buttons = CAMERAS.map(({ mode, name, hint }, i) => {
     const made = button(name, `${hint} (${i + 1})`, () => options.choose(mode));
     made.dataset.camera = mode;
@@ -37,13 +37,13 @@ export function cameraPanel(desk, options) {
     const robots = state.scene?.robots.length ?? 0;
     for (const each of buttons) {
       const mode = each.dataset.camera;
-      each.setAttribute('aria-pressed', String(mode === desk.mode));
+      each.setAttribute('aria-pressed', String(mode === camera.mode));
       each.hidden = robots === 0 && (mode === 'follow' || mode === 'eye');
     }
   };
 }
 
-/** @param {(shown: Picture) => void} show @returns {HTMLElement[]} switches that the browser remembers */
+/** @param {(shown: Picture) => void} show @returns {HTMLElement[]} check boxes whose state the browser stores */
 function pictureChecks(show) {
   /** @type {Picture} */
   const shown = { names: true, trail: true, ...recall(PICTURE_KEY, {}) };
@@ -64,7 +64,7 @@ function pictureChecks(show) {
 
 /**
  * @param {(command: object) => void} send
- * @returns {(state: StudioState) => void} draws the referee's buttons
+ * @returns {(state: StudioState) => void} updates the referee's buttons
  */
 export function trainerPanel(send) {
   const modes = choice({ id: 'play-mode', 'aria-label': 'Play mode', title: 'Sets any play mode' }, [], (mode) =>
@@ -98,7 +98,7 @@ function trainerButtons(send) {
   return [
     button('◀ Kick off', 'The left team begins (K)', () => send({ do: 'kickOff', side: 'left' })),
     button('Kick off ▶', 'The right team begins (L)', () => send({ do: 'kickOff', side: 'right' })),
-    button('Drop ball', 'The ball is free where it lies (B)', () => send({ do: 'dropBall' }), { id: 'drop-ball' }),
+    button('Drop ball', 'Drops the ball where it is (B)', () => send({ do: 'dropBall' }), { id: 'drop-ball' }),
     button('Ball to centre', 'Puts the ball on the centre spot', () => send(centre)),
   ];
 }

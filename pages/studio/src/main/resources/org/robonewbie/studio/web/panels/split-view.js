@@ -1,4 +1,4 @@
-/** Panels side by side, with edges that mouse and arrow keys move; the browser remembers where they are. */
+/** Split view: panels side by side with edges that mouse and arrow keys move; the browser stores the layout. */
 import { EDGE_PIXELS, LAYOUTS, placed, restoredLayout, toggled, widthOf, withEdgeMoved } from '../state/layout.js';
 import { element } from './elements.js';
 import { keep, recall } from './memory.js';
@@ -10,11 +10,11 @@ import { keep, recall } from './memory.js';
 
 const KEY = 'robonewbie-layout';
 const KEY_STEP = 0.03;
-/** @type {Record<string, [number, number]>} right and down */
+/** @type {Record<string, [number, number]>} steps to the right and down */
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
 export class SplitView {
-  /** What was kept for each width. @type {Record<string, unknown>} */
+  /** Stored layouts by width. @type {Record<string, unknown>} */
   #kept = recall(KEY, {});
   /** @type {import('../state/layout.js').Layout} */
   #layout = LAYOUTS.understand.wide;
@@ -27,8 +27,8 @@ export class SplitView {
   #edges = [];
 
   /**
-   * @param {HTMLElement} place that holds all panels
-   * @param {() => Map<PanelName, HTMLElement>} panels those that are there; the picture is always
+   * @param {HTMLElement} place container of all panels
+   * @param {() => Map<PanelName, HTMLElement>} panels existing panels, always including the picture
    */
   constructor(place, panels) {
     this.place = place;
@@ -36,7 +36,7 @@ export class SplitView {
     new ResizeObserver(() => requestAnimationFrame(() => this.draw())).observe(place);
   }
 
-  /** Whether panels lie beside the picture; else it has all the place. */
+  /** Whether panels lie beside the picture; otherwise the picture fills the view. */
   get isOn() {
     return this.#isOn;
   }
@@ -48,7 +48,7 @@ export class SplitView {
     this.draw();
   }
 
-  /** Which panels lie beside the picture. @param {import('../state/layout.js').PresetName} preset */
+  /** The preset of panels beside the picture. @param {import('../state/layout.js').PresetName} preset */
   set preset(preset) {
     if (preset !== this.#preset) {
       this.#preset = preset;
@@ -56,7 +56,7 @@ export class SplitView {
     }
   }
 
-  /** Under what the layout of this width is kept. */
+  /** Storage key of the layout for this width. */
   get #place() {
     const width = this.#width ?? 'wide';
     return this.#preset === 'understand' ? width : `${this.#preset}-${width}`;
@@ -72,7 +72,7 @@ export class SplitView {
     this.#set(toggled(this.#layout, name));
   }
 
-  /** Puts all panels back to where they are usually. */
+  /** Restores the default layout. */
   reset() {
     this.#set(LAYOUTS[this.#preset][this.#width ?? 'wide']);
   }
@@ -128,7 +128,7 @@ export class SplitView {
 
   /** @param {number} index */
   #newEdge(index) {
-    const hint = 'Drag, or press arrow keys; a double click puts all panels back';
+    const hint = 'Drag, or press arrow keys; a double click restores the default layout';
     const limits = { 'aria-valuemin': '0', 'aria-valuemax': '100', 'aria-valuenow': '50' };
     const made = element('div', { class: 'edge', role: 'separator', tabindex: '0', title: hint, ...limits });
     made.addEventListener('pointerdown', (event) => {
@@ -160,7 +160,7 @@ export class SplitView {
     return { column: Number(dataset.column), panel: dataset.panel === '' ? undefined : Number(dataset.panel) };
   }
 
-  /** @param {number} index @param {number} x of the pointer @param {number} y */
+  /** @param {number} index @param {number} x pointer position @param {number} y */
   #moveTo(index, x, y) {
     const made = this.#edges[index];
     const [box, all] = [made.getBoundingClientRect(), this.place.getBoundingClientRect()];

@@ -1,4 +1,4 @@
-/** Light and dark: as the computer is set, until the person chooses. */
+/** Light or dark theme: follows the system until the user chooses. */
 import { keepText, recallText } from './memory.js';
 import { byId } from './elements.js';
 
@@ -7,7 +7,7 @@ import { byId } from './elements.js';
 const KEY = 'robonewbie-theme';
 
 /**
- * @param {string | null} forced theme of the page's address
+ * @param {string | null} forced theme given in the page's address
  * @param {(theme: Theme) => void} changed
  */
 export function themeSwitch(forced, changed) {

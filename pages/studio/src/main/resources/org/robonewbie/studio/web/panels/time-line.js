@@ -1,4 +1,4 @@
-/** The line on which one goes back in the running simulation, the same in all rooms; and the way back to now. */
+/** Time line of the running simulation, shared by all rooms, with a button that returns to the present. */
 import { CYCLE_SECONDS } from '../state/cycle.js';
 import { button, byId, element, setText } from './elements.js';
 
@@ -7,18 +7,18 @@ import { button, byId, element, setText } from './elements.js';
 /**
  * @param {TimeCursor} cursor
  * @param {() => void} changed
- * @returns {(tense: 'live' | 'past' | 'recorded', isHidden: boolean) => void} draws the line
+ * @returns {(tense: 'live' | 'past' | 'recorded', isHidden: boolean) => void} updates the line
  */
 export function timeLinePanel(cursor, changed) {
   const place = byId('time-line');
   const line = element('input', {
     type: 'range',
     id: 'moment',
-    'aria-label': 'Moment that is shown',
-    title: 'Go back in time; the simulation goes on',
+    'aria-label': 'Shown moment',
+    title: 'Go back in time; the simulation continues',
   });
   const reading = element('span', { class: 'moment-reading', role: 'status' });
-  const live = button('Live', 'Show what happens now (End)', () => act(() => cursor.goLive()));
+  const live = button('Live', 'Return to the present (End)', () => act(() => cursor.goLive()));
   live.id = 'go-live';
   place.append(element('span', { class: 'faint moment-name' }, 'Running simulation'), live, line, reading);
   /** @param {() => void} action */
@@ -54,13 +54,13 @@ function readingOf({ cycle, recorded, history }) {
 /**
  * @param {TimeCursor} cursor
  * @param {() => void} changed
- * @returns {import('./keys.js').Action[]} what keys do with time
+ * @returns {import('./keys.js').Action[]} key actions of the time line
  */
-export function timeLineDeeds(cursor, changed) {
+export function timeLineActions(cursor, changed) {
   const go = (/** @type {() => void} */ action) => () => (action(), changed());
   return [
-    { keys: ['<', ';'], shown: '<', text: 'a moment back, the simulation goes on', act: go(() => cursor.step(-5)) },
-    { keys: ['>', ':'], shown: '>', text: 'a moment on', act: go(() => cursor.step(5)) },
-    { keys: ['End'], shown: 'End', text: 'back to now', act: go(() => cursor.goLive()) },
+    { keys: ['<', ';'], shown: '<', text: 'back in time; the simulation continues', act: go(() => cursor.step(-5)) },
+    { keys: ['>', ':'], shown: '>', text: 'forward in time', act: go(() => cursor.step(5)) },
+    { keys: ['End'], shown: 'End', text: 'back to the present', act: go(() => cursor.goLive()) },
   ];
 }

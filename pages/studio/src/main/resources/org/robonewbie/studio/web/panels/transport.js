@@ -1,4 +1,4 @@
-/** Pause, step, speed, reset, and how fast the world runs. */
+/** Transport controls: pause, step, speed, reset, and the real-time factor. */
 import { neighbourSpeed, SPEEDS, transport } from '../state/studio-state.js';
 import { button, byId, choice, element, setText } from './elements.js';
 
@@ -8,11 +8,11 @@ import { button, byId, choice, element, setText } from './elements.js';
  * @typedef {ReturnType<typeof timeActions>} Actions
  */
 
-/** Why time cannot be stopped when one looks through a monitor port. */
-export const NO_CLOCK = 'The server that is watched keeps its own clock; a monitor cannot stop it.';
+/** Explains why time cannot be stopped over a monitor port. */
+export const NO_CLOCK = 'The watched server has its own clock; a monitor cannot stop it.';
 
 /**
- * What the time controls do; shared by buttons and keys.
+ * Actions of the time controls, shared by buttons and keys.
  *
  * @param {() => StudioState} now
  * @param {Send} send
@@ -35,7 +35,7 @@ export function timeActions(now, send) {
 
 /**
  * @param {Actions} actions
- * @returns {(state: StudioState) => void} draws the controls
+ * @returns {(state: StudioState) => void} updates the controls
  */
 export function transportPanel(actions) {
   const parts = partsOf(actions);
@@ -61,7 +61,7 @@ export function transportPanel(actions) {
 /** @param {Actions} actions */
 function partsOf(actions) {
   const speeds = SPEEDS.map((each) => /** @type {[string, string]} */ ([String(each), speedText(each)]));
-  const resetHint = 'Robots, ball, time and score back to the start (R)';
+  const resetHint = 'Resets robots, ball, time and score (R)';
   return {
     toggle: button('', '', actions.toggle, { id: 'toggle', class: 'primary' }),
     step: button('Step', '', () => actions.step(1), { id: 'step' }),

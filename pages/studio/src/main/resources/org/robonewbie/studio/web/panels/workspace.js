@@ -1,4 +1,4 @@
-/** What is seen together: the picture alone, or with panels of one robot beside it; and the tools over the picture, which fold. */
+/** View presets: the picture alone or with panels of one robot beside it; and the collapsible tools over the picture. */
 import { button, byId } from './elements.js';
 import { keep, recall } from './memory.js';
 import { SplitView } from './split-view.js';
@@ -10,7 +10,7 @@ import { SplitView } from './split-view.js';
  * @typedef {object} Preset
  * @property {string} name
  * @property {string} hint
- * @property {RoomName} [room] where it leads if one is not in a room that has it itself
+ * @property {RoomName} [room] room to open if the current room lacks this preset
  */
 
 /** @type {Preset[]} */
@@ -18,12 +18,12 @@ const PRESETS = [
   { name: 'Watch', hint: 'The picture alone', room: 'field' },
   { name: 'Understand', hint: 'Picture, curves, joints, log and messages side by side', room: 'robot' },
   { name: 'Program', hint: 'A program beside its robot', room: 'program' },
-  { name: 'Shape', hint: 'Shape motions', room: 'motion' },
+  { name: 'Shape', hint: 'Edit motions', room: 'motion' },
 ];
 
 const KEY = 'robonewbie-workspace';
 const FOCUSABLE = 'button:enabled, input:enabled, select:enabled, a[href], summary, [tabindex]:not([tabindex="-1"])';
-const LEAST_HIDDEN_PIXELS = 12;
+const MIN_HIDDEN_PIXELS = 12;
 
 /** In a narrower window the tools would cover the picture. */
 const WIDE_PIXELS = 900;
@@ -31,12 +31,12 @@ const WIDE_PIXELS = 900;
 export class Workspace {
   /** @type {RoomName} */
   #room = 'field';
-  /** The robot that picture and panels agree on. */
+  /** The robot shown by both picture and panels. */
   #robot = 0;
-  /** Whether panels lie beside a replay, and whether the tools are unfolded in each view. */
+  /** Whether panels lie beside a replay, and whether the tools are expanded in each view. */
   #kept = { replay: false, tools: { watch: innerWidth > WIDE_PIXELS, understand: false }, ...recall(KEY, {}) };
 
-  /** @param {(room: 'robot' | 'program') => Promise<void> | void} openPanels makes the panels when they are needed first */
+  /** @param {(room: 'robot' | 'program') => Promise<void> | void} openPanels creates the panels on first use */
   constructor(openPanels) {
     this.openPanels = openPanels;
     this.split = new SplitView(byId('workspace'), panelsOf);
@@ -62,7 +62,7 @@ export class Workspace {
   }
 
   /**
-   * Lets picture and panels show the same robot, wherever it was chosen last.
+   * Synchronises the robot of picture and panels; the most recent choice wins.
    *
    * @param {{chosen: number}} picture
    * @param {{chosen: number}} panels
@@ -76,11 +76,11 @@ export class Workspace {
     this.#robot = picture.chosen;
   }
 
-  /** What lies below the edge of a panel is not to be overlooked, and keys reach it too. To be called now and then. */
+  /** Marks panels whose content continues below their edge, and makes them focusable. Call periodically. */
   markMore() {
     for (const panel of document.querySelectorAll('#side, .panel-inside, .curves, .log')) {
       const hidden = panel.scrollHeight - panel.clientHeight - panel.scrollTop;
-      panel.toggleAttribute('data-more', hidden > LEAST_HIDDEN_PIXELS);
+      panel.toggleAttribute('data-more', hidden > MIN_HIDDEN_PIXELS);
     }
     for (const panel of document.querySelectorAll('.panel-inside')) {
       const inside = [...panel.querySelectorAll(FOCUSABLE)];
@@ -127,7 +127,7 @@ export class Workspace {
     const isUnfolded = this.#kept.tools[this.split.isOn ? 'understand' : 'watch'];
     byId('side').dataset.folded = String(!isUnfolded);
     this.tools.setAttribute('aria-expanded', String(isUnfolded));
-    this.tools.title = isUnfolded ? 'Fold camera, game, scenes and puppets' : 'Camera, game, scenes and puppets';
+    this.tools.title = isUnfolded ? 'Hide camera, game, scenes and puppets' : 'Camera, game, scenes and puppets';
   }
 }
 

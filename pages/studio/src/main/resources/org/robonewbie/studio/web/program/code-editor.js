@@ -1,4 +1,4 @@
-/** The editor for one program after the other, each with an undo of its own. It knows no files and no compiler. */
+/** Code editor with a separate undo history per program. Independent of files and compiler. */
 import {
   autocompletion,
   bracketMatching,
@@ -32,20 +32,20 @@ import {
 import { element } from '../panels/elements.js';
 import { rangeOf } from '../state/program/remarks.js';
 import { LOOK } from './editor-look.js';
-import { SAID_LINES, sayBelow, showValues } from './said-lines.js';
+import { SAID_LINES, showMessages, showValues } from './said-lines.js';
 
 /**
  * @typedef {import('../state/program/remarks.js').Remark} Remark
  * @typedef {import('../state/program/remarks.js').Mistake} Mistake
  *
  * @typedef {object} Listener
- * @property {() => void} changed by the person
+ * @property {() => void} changed by the user
  * @property {import('@codemirror/autocomplete').CompletionSource} complete
  * @property {() => void} save
  * @property {() => void} run
  */
 
-const MOST_SAID = 6;
+const MAX_SAID = 6;
 
 export class CodeEditor {
   /** @type {Map<string, EditorState>} */
@@ -75,7 +75,7 @@ export class CodeEditor {
   }
 
   /**
-   * Shows a program, with the undo of when it was shown before.
+   * Shows a program and restores its undo history.
    *
    * @param {string} name
    * @param {string} text
@@ -91,7 +91,7 @@ export class CodeEditor {
     this.replace(text);
   }
 
-  /** Changes the text to what another program has written; that can be undone. @param {string} text */
+  /** Replaces the text with what another program has written; undoable. @param {string} text */
   replace(text) {
     const { doc } = this.view.state;
     const change = difference(doc.toString(), text);
@@ -124,7 +124,7 @@ export class CodeEditor {
     showValues(this.view, values);
   }
 
-  /** @param {number} line from 1 */
+  /** @param {number} line starting at 1 */
   goTo(line) {
     const { doc } = this.view.state;
     const { from } = doc.line(Math.max(1, Math.min(doc.lines, line)));
@@ -132,7 +132,7 @@ export class CodeEditor {
     this.view.focus();
   }
 
-  /** Indents all lines as Java does. */
+  /** Reindents all lines. */
   indentAll() {
     const { state } = this.view;
     const { head } = state.selection.main;
@@ -146,7 +146,10 @@ export class CodeEditor {
       .filter(({ line }) => line > 0)
       .map(({ line, serious, text, hint }) => ({ line, kind: serious ? 'error' : 'warning', text, hint, ran: false }));
     const robot = this.#mistakes.map(({ line, text }) => ({ line, kind: 'error', text, hint: '', ran: true }));
-    sayBelow(this.view, /** @type {import('./said-lines.js').Said[]} */ ([...compiler.slice(0, MOST_SAID), ...robot]));
+    showMessages(
+      this.view,
+      /** @type {import('./said-lines.js').Said[]} */ ([...compiler.slice(0, MAX_SAID), ...robot]),
+    );
   }
 
   /** @param {string} text @param {boolean} readOnly */
@@ -189,13 +192,13 @@ function difference(before, after) {
   if (before === after) {
     return undefined;
   }
-  const most = Math.min(before.length, after.length);
+  const length = Math.min(before.length, after.length);
   let start = 0;
-  while (start < most && before[start] === after[start]) {
+  while (start < length && before[start] === after[start]) {
     start += 1;
   }
   let end = 0;
-  while (end < most - start && before[before.length - 1 - end] === after[after.length - 1 - end]) {
+  while (end < length - start && before[before.length - 1 - end] === after[after.length - 1 - end]) {
     end += 1;
   }
   return { from: start, to: before.length - end, insert: after.slice(start, after.length - end) };

@@ -1,11 +1,11 @@
-/** What is typed and not saved, kept beside the file, so that neither a crash nor another window takes it away. */
+/** Autosaves unsaved text as a draft beside the file, so that it survives a crash and edits in another window. */
 import { isOpenToChange, isUnsaved, written } from '../state/program/documents.js';
 
 const DRAFT_MILLISECONDS = 400;
 
 /**
- * @typedef {object} Desk
- * @property {import('../state/program/documents.js').OpenFile | undefined} file that is open
+ * @typedef {object} DraftSource
+ * @property {import('../state/program/documents.js').OpenFile | undefined} file the open file
  * @property {{text: string}} editor
  * @property {import('./program-service.js').ProgramService} service
  */
@@ -13,52 +13,56 @@ const DRAFT_MILLISECONDS = 400;
 export class DraftKeeper {
   #timer = 0;
   #isKept = true;
-  /** Of the draft that this window has read or written, empty if there is none. Another window may have written another one. */
+  /** Version of the draft that this window last read or wrote, empty if there is none. Another window may have written a newer one. */
   #version = '';
-  /** One after the other, since each has to know what the one before made. @type {Promise<unknown>} */
+  /** Serialises the writes, because each needs the version of the one before. @type {Promise<unknown>} */
   #last = Promise.resolve();
 
-  /** @param {Desk} desk @param {(action: () => Promise<unknown>) => void} attempt @param {() => void} taken another window has unsaved work too */
-  constructor(desk, attempt, taken) {
-    this.desk = desk;
+  /**
+   * @param {DraftSource} source
+   * @param {(action: () => Promise<unknown>) => void} attempt
+   * @param {() => void} taken called if another window has unsaved changes
+   */
+  constructor(source, attempt, taken) {
+    this.source = source;
     this.attempt = attempt;
     this.taken = taken;
   }
 
-  /** @returns {boolean} whether something is lost if the page is closed now */
+  /** @returns {boolean} whether closing the page would lose work */
   get isAtRisk() {
     return !this.#isKept;
   }
 
-  /** Another file is open. @param {string} version of its draft, empty if it has none */
+  /** Starts with another open file. @param {string} version version of its draft, empty if there is none */
   begin(version) {
     clearTimeout(this.#timer);
     this.#version = version;
     this.#isKept = true;
   }
 
-  /** The open file was saved; a draft with the same text went with it. */
+  /** Called after the open file was saved, which removes a draft with the same text. */
   saved() {
     this.begin('');
   }
 
-  /** The next draft replaces that of another window. @param {string} version of that one */
+  /** Makes the next draft replace that of another window. @param {string} version version of that draft */
   replace(version) {
     this.#version = version;
   }
 
-  /** Keeps what is there in a moment, if nothing else is typed meanwhile. */
+  /** Saves a draft after a short idle time. */
   keepSoon() {
-    this.#isKept = !isUnsaved(this.desk.file, this.desk.editor.text);
+    this.#isKept = !isUnsaved(this.source.file, this.source.editor.text);
     clearTimeout(this.#timer);
     this.#timer = window.setTimeout(() => this.attempt(() => this.keep()), DRAFT_MILLISECONDS);
   }
 
   /**
-   * Keeps what is there now.
+   * Saves a draft now.
    *
-   * @returns {Promise<boolean>} false if another window has unsaved work on the same file
-   * @throws {Error} if there is no room for it
+   * @returns {Promise<boolean>} false if another window has unsaved changes to the same file
+   * @throws {Error} if the storage is full
    */
   keep() {
     clearTimeout(this.#timer);
@@ -68,7 +72,7 @@ export class DraftKeeper {
   }
 
   async #keep() {
-    const { file, editor, service } = this.desk;
+    const { file, editor, service } = this.source;
     const { text } = editor;
     if (!file || !isOpenToChange(file)) {
       return true;

@@ -1,4 +1,4 @@
-/** How the editor looks: all colours are those of the page, so that it follows light and dark. */
+/** Theme of the code editor: uses the page's colours, so that it follows light and dark. */
 import { EditorView, HighlightStyle, syntaxHighlighting, tags } from 'codemirror';
 
 const theme = EditorView.theme({
@@ -30,7 +30,7 @@ const theme = EditorView.theme({
   '.cm-tooltip-autocomplete .cm-completionDetail': { marginLeft: '1em', fontStyle: 'normal', opacity: '0.75' },
   '.cm-completionInfo': { maxWidth: '30em', padding: '6px 10px', whiteSpace: 'pre-wrap', fontFamily: 'inherit' },
   '.cm-said': {
-    // As wide as the program's lines, and wrapped there: long remarks do not widen the editor.
+    // As wide as the visible lines and wrapped there, so that long remarks do not widen the editor.
     boxSizing: 'border-box',
     width: '0',
     minWidth: '100%',
@@ -59,5 +59,4 @@ const colours = HighlightStyle.define([
   { tag: [tags.annotation, tags.meta], color: 'var(--code-number)' },
 ]);
 
-/** The extension. */
 export const LOOK = [theme, syntaxHighlighting(colours)];

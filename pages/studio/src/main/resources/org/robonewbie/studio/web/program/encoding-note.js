@@ -1,4 +1,4 @@
-/** Says above a program how its file is encoded, if that is not certain or has changed. */
+/** Notes above a program how its file is encoded, if that is uncertain or has changed. */
 import { button, element } from '../panels/elements.js';
 import { encodingNote } from '../state/decoded-text.js';
 import { fileName } from '../state/program/remarks.js';
@@ -13,15 +13,15 @@ export class EncodingNote {
     this.change = change;
   }
 
-  /** @param {OpenFile} file @param {string} before its encoding before it was saved */
+  /** @param {OpenFile} file @param {string} before its encoding before the last save */
   show(file, before) {
     const { encoding } = file.source;
     const inferred = encodingNote({ ...file.source, content: file.content });
     const name = fileName(file.path);
     if (file.problem !== '') {
-      this.#say(`${name} cannot be decoded and is only shown: ${file.problem}`);
+      this.#say(`${name} cannot be decoded and is read-only: ${file.problem}`);
     } else if (encoding !== before) {
-      this.#say(`${name} is saved as ${encoding} now, since ${before} cannot hold all of its letters.`);
+      this.#say(`${name} is saved as ${encoding} now, because ${before} cannot represent all of its characters.`);
     } else if (inferred !== '') {
       this.#say(
         `${name}: ${inferred}`,

@@ -1,4 +1,4 @@
-/** Exercises in the room for programs: the goal above the program, and Check, which lets the judge try what is in the editor. */
+/** Exercises in the program room: the task above the program, and the button Check, which runs the judge on the editor's text. */
 import { button, element, setText } from '../panels/elements.js';
 import { hints, progressText, trialText } from '../state/course.js';
 import { lessonOf } from '../state/program/documents.js';
@@ -34,7 +34,7 @@ export class ExerciseController {
     room.said.verdict.append(this.verdict);
   }
 
-  /** Name and title of each exercise, as the list of programs shows them. */
+  /** Name and title of each exercise, for the list of programs. */
   get names() {
     return this.lessons.map(({ name, number, title }) => `${name}\t${number} ${title}`);
   }
@@ -48,25 +48,25 @@ export class ExerciseController {
     this.lessons = await this.service.lessons();
   }
 
-  /** Opens an exercise with the program to begin with, or with what there is of it. @param {string} name */
+  /** Opens an exercise with its starter program or the existing solution. @param {string} name */
   async begin(name) {
     const { files } = this.room;
     const lesson = this.lessons.find((each) => each.name === name);
     const there = [...files.list.own, ...files.list.drafts].find(({ path }) => lessonOf(path, this.lessons) === lesson);
-    const path = there?.path ?? (await this.service.handOut(name));
+    const path = there?.path ?? (await this.service.createStarter(name));
     await files.refresh();
     await files.openOwn(path);
   }
 
-  /** Shows the goal of the exercise that the open program solves. */
+  /** Shows the task of the exercise that the open program solves. */
   draw() {
     const { file } = this.room.files;
-    const lesson = file?.shelf === 'own' ? lessonOf(file.path, this.lessons) : undefined;
+    const lesson = file?.kind === 'own' ? lessonOf(file.path, this.lessons) : undefined;
     if (!lesson) {
       this.place.replaceChildren();
       return;
     }
-    const judge = button('Check', 'Saves the program and lets the judge try it', () => {
+    const judge = button('Check', 'Saves the program and has it judged', () => {
       this.room.attempt(() => this.#check(lesson));
     });
     judge.id = 'program-check';
@@ -86,7 +86,7 @@ export class ExerciseController {
     this.#watch();
   }
 
-  /** Ends a trial and shows the free pitch again, if a trial is shown. */
+  /** Ends a running trial and returns to the free pitch. */
   async leave() {
     if (this.#isShown) {
       this.#show(await this.service.leaveAttempt());
@@ -104,7 +104,7 @@ export class ExerciseController {
       try {
         this.#show(await this.service.attemptNow());
       } catch {
-        // The studio has ended or begins again; the page says so elsewhere.
+        // The studio is down or restarting, which the connection banner reports.
       }
     }
     this.#looking = false;

@@ -1,4 +1,4 @@
-/** Which program is open: chooses, opens, makes, saves; keeps what is unsaved; takes over what an IDE writes meanwhile. */
+/** Manages the open program: selects, opens, creates and saves it; keeps drafts; takes over changes made in an IDE. */
 import { button, byId, choice, element } from '../panels/elements.js';
 import { keep, recall } from '../panels/memory.js';
 import { encodeText, encodingFor, UTF_8 } from '../state/decoded-text.js';
@@ -28,8 +28,8 @@ import { note } from './note.js';
 const LOOK_MILLISECONDS = 1000;
 
 export class FileController {
-  #looking = false;
-  /** The shared program that was opened last, as it came. */
+  #isPolling = false;
+  /** Original text of the shared program that was opened last. */
   #asShared = '';
   #sharedVersion = '';
 
@@ -41,7 +41,7 @@ export class FileController {
     this.drafts = new DraftKeeper(
       this,
       (action) => room.attempt(action),
-      () => this.#sayTaken(),
+      () => this.#showDraftConflict(),
     );
     /** @type {ProgramList} */
     this.list = { open: true, folder: '', own: [], drafts: [], examples: [] };
@@ -52,7 +52,7 @@ export class FileController {
     );
     this.change = element('div', {});
     this.encoding = new EncodingNote((file) => room.attempt(() => this.#toUtf8(file)));
-    const make = button('New…', 'Makes another program', () => room.attempt(() => makeProgram(this, '')), {
+    const make = button('New…', 'Creates a program', () => room.attempt(() => makeProgram(this, '')), {
       id: 'program-new',
     });
     this.saveButton = button('Save', 'Saves the program (Ctrl+S)', () => room.attempt(() => room.save()), {
@@ -62,7 +62,7 @@ export class FileController {
     room.notes.append(this.change, this.encoding.place);
   }
 
-  /** @returns {boolean} whether something is lost if the page is closed now */
+  /** @returns {boolean} whether closing the page would lose work */
   get isAtRisk() {
     return this.drafts.isAtRisk;
   }
@@ -80,13 +80,13 @@ export class FileController {
       const path = folderOfNew(list.own) + FIRST_NAME;
       this.#show(opened('own', path, newText(await this.service.newProgram(path))), '');
     }
-    if (!this.#looking) {
-      this.#looking = true;
+    if (!this.#isPolling) {
+      this.#isPolling = true;
       setInterval(() => this.#look(), LOOK_MILLISECONDS);
     }
   }
 
-  /** @param {string} path of one of the person's own programs */
+  /** @param {string} path of one of the user's programs */
   async openOwn(path) {
     const isSaved = this.list.own.some((each) => each.path === path);
     const isDraft = this.list.drafts.some((each) => each.path === path);
@@ -99,25 +99,25 @@ export class FileController {
     if (shared) {
       this.#asShared = this.editor.text;
       this.#sharedVersion = draft.version;
-      this.#say('A program that was shared with you. Your own programs are as they were.', [
+      this.#showNote('This program was shared with you. Your own programs have not been changed.', [
         ['Keep a copy', () => this.room.save()],
-        ['Back to mine', () => this.#giveBack(shared)],
+        ['Back to mine', () => this.#discardShared(shared)],
       ]);
     } else if (isSaved && draft.version !== '' && normal(draft.text.content) !== file.saved) {
-      this.#say('This is what you had not saved.', [
-        ['Take the saved one', () => this.#takeSaved()],
-        ['Keep this', async () => this.#say('', [])],
+      this.#showNote('This is your unsaved draft.', [
+        ['Use the saved version', () => this.#takeSaved()],
+        ['Keep the draft', async () => this.#showNote('', [])],
       ]);
     }
   }
 
-  /** Saves the program. @returns {Promise<boolean>} whether that was possible */
+  /** Saves the program. @returns {Promise<boolean>} whether it succeeded */
   async save() {
     const { file } = this;
     if (!file || !isOpenToChange(file)) {
       return false;
     }
-    await this.drafts.keep().catch(() => false); // what cannot be kept may be saved all the same
+    await this.drafts.keep().catch(() => false); // a text without a draft can still be saved
     const content = written(file, this.editor.text);
     const encoding = encodingFor(file.source, content);
     try {
@@ -126,7 +126,7 @@ export class FileController {
       this.file = opened('own', file.path, { text, version, problem: '' });
       this.drafts.saved();
       if (file.version === '') {
-        this.#say('', []);
+        this.#showNote('', []);
       }
       this.encoding.show(this.file, file.source.encoding);
       await this.refresh();
@@ -135,12 +135,12 @@ export class FileController {
       if (/** @type {any} */ (error).status !== 409) {
         throw error;
       }
-      this.#sayChanged(/** @type {Error} */ (error).message);
+      this.#showFileConflict(/** @type {Error} */ (error).message);
       return false;
     }
   }
 
-  /** Something was typed. */
+  /** Called when the text has changed. */
   changed() {
     this.saveButton.disabled = !isUnsaved(this.file, this.editor.text);
     if (isOpenToChange(this.file)) {
@@ -153,18 +153,18 @@ export class FileController {
     this.#draw();
   }
 
-  /** @param {OpenFile} file @param {string} text of the editor, if it is another one than that of the file */
+  /** @param {OpenFile} file @param {string} text text of the editor, if it differs from the file */
   #show(file, text) {
     this.file = file;
-    const isExample = file.shelf === 'example';
+    const isExample = file.kind === 'example';
     const isReadOnly = !isOpenToChange(file);
-    const shelf = isReadOnly ? `${file.shelf}, to read` : file.shelf;
-    this.editor.open(`${shelf} ${file.path}`, text || file.saved, isReadOnly);
+    const kind = isReadOnly ? `${file.kind}, to read` : file.kind;
+    this.editor.open(`${kind} ${file.path}`, text || file.saved, isReadOnly);
     this.encoding.show(file, file.source.encoding);
     this.drafts.begin('');
-    this.#say('', []);
+    this.#showNote('', []);
     if (isExample) {
-      this.#say('An example, which can only be read. Run makes a copy of your own.', [
+      this.#showNote('This example is read-only. Run creates your own copy.', [
         ['Make my own copy', () => makeProgram(this, file.path)],
       ]);
     }
@@ -175,24 +175,24 @@ export class FileController {
   #draw() {
     const { file, list } = this;
     fillChoice(this.choice, list, this.room.exercises.names, file);
-    this.choice.value = file ? `${file.shelf} ${file.path}` : '';
+    this.choice.value = file ? `${file.kind} ${file.path}` : '';
     this.choice.title = `${list.folder}`;
     this.saveButton.disabled = !isUnsaved(file, this.editor.text);
     this.room.runs.draw();
   }
 
-  /** @param {string} value the kind of program and its path or name, with a space between */
+  /** @param {string} value kind of program and its path or name, separated by a space */
   async choose(value) {
-    const [shelf, ...words] = value.split(' ');
+    const [kind, ...words] = value.split(' ');
     const path = words.join(' ');
     if (!(await this.drafts.keep())) {
       this.#draw();
       return;
     }
     await this.refresh();
-    if (shelf === 'example') {
+    if (kind === 'example') {
       this.#show(opened('example', path, await this.service.read('example', path)), '');
-    } else if (shelf === 'exercise') {
+    } else if (kind === 'exercise') {
       await this.room.exercises.begin(path);
     } else {
       await this.openOwn(path);
@@ -210,7 +210,7 @@ export class FileController {
       this.file = now;
       this.editor.replace(now.saved);
       this.encoding.show(now, now.source.encoding);
-      this.#say('', []);
+      this.#showNote('', []);
       await this.drafts.keep();
       this.#draw();
     }
@@ -222,8 +222,8 @@ export class FileController {
     await this.room.save();
   }
 
-  /** The shared program goes, unless it was changed, and the one before it is shown. @param {{path: string, before: string}} shared */
-  async #giveBack({ path, before }) {
+  /** Discards the shared program unless it was changed, and opens the previous one. @param {{path: string, before: string}} shared */
+  async #discardShared({ path, before }) {
     if (this.editor.text === this.#asShared) {
       await this.service.removeDraft(path, this.#sharedVersion);
     } else {
@@ -234,11 +234,11 @@ export class FileController {
     await this.open(await this.service.list());
   }
 
-  /** Another window has unsaved work on the open file, too. */
-  #sayTaken() {
+  /** Reports that another window has unsaved changes to the open file. */
+  #showDraftConflict() {
     const { path = '' } = this.file ?? {};
-    this.#say(`Another window has unsaved work on ${fileName(path)}, too.`, [
-      ['Take the other one', () => this.#takeDraft(path)],
+    this.#showNote(`Another window has unsaved changes to ${fileName(path)}, too.`, [
+      ['Use the other version', () => this.#takeDraft(path)],
       ['Keep mine', () => this.#replaceDraft(path)],
     ]);
   }
@@ -248,21 +248,21 @@ export class FileController {
     const { text, version } = await this.service.read('draft', path);
     this.drafts.replace(version);
     this.editor.replace(normal(text.content));
-    this.#say('', []);
+    this.#showNote('', []);
     await this.drafts.keep();
   }
 
   /** @param {string} path */
   async #replaceDraft(path) {
     this.drafts.replace((await this.service.read('draft', path)).version);
-    this.#say('', []);
+    this.#showNote('', []);
     await this.drafts.keep();
   }
 
   /** @param {string} text */
-  #sayChanged(text) {
-    this.#say(text, [
-      ['Take the other one', () => this.#takeSaved()],
+  #showFileConflict(text) {
+    this.#showNote(text, [
+      ['Use the other version', () => this.#takeSaved()],
       ['Keep mine', () => this.#keepMine()],
     ]);
   }
@@ -273,12 +273,12 @@ export class FileController {
       const gone = { version: '' };
       const { version } = await this.service.read('own', file.path).catch(() => gone);
       this.file = { ...file, version };
-      this.#say('', []);
+      this.#showNote('', []);
       await this.room.save();
     }
   }
 
-  /** Takes over what another program has written, unless there is unsaved work. */
+  /** Reloads the file if another program has written it and there are no unsaved changes. */
   async #look() {
     if (document.hidden || byId('program-room').hidden) {
       return;
@@ -289,28 +289,28 @@ export class FileController {
       const now = list.own.find((/** @type {{path: string}} */ { path }) => path === file?.path)?.version;
       const isOther = JSON.stringify(list) !== JSON.stringify(this.list);
       this.list = list;
-      if (file && file === this.file && file.shelf === 'own' && now && now !== file.version) {
-        await this.#takeOver(file);
+      if (file && file === this.file && file.kind === 'own' && now && now !== file.version) {
+        await this.#reloadChanged(file);
       } else if (isOther && document.activeElement !== this.choice) {
         this.#draw();
       }
     } catch {
-      // The studio has ended or begins again; the page says so elsewhere.
+      // The studio is down or restarting, which the connection banner reports.
     }
   }
 
   /** @param {OpenFile} file */
-  async #takeOver(file) {
+  async #reloadChanged(file) {
     if (file.version !== '' && !isUnsaved(file, this.editor.text)) {
       await this.#takeSaved();
       await this.room.runs.saved();
     } else if (this.change.childElementCount === 0) {
-      this.#sayChanged(`${fileName(file.path)} was changed by another program.`);
+      this.#showFileConflict(`${fileName(file.path)} was changed by another program.`);
     }
   }
 
   /** @param {string} text @param {Array<[string, () => Promise<void>]>} actions */
-  #say(text, actions) {
+  #showNote(text, actions) {
     const buttons = actions.map(([name, action]) => button(name, '', () => this.room.attempt(action)));
     this.change.replaceChildren(...(text ? [note(text, ...buttons)] : []));
   }

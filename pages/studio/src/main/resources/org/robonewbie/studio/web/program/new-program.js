@@ -1,4 +1,4 @@
-/** Makes programs: the shortest one, and copies of examples. None takes the place of one that is there, saved or not. */
+/** Creates programs: a minimal one, or a copy of an example. Never replaces an existing one, saved or not. */
 import { ask } from '../motion/questions.js';
 import { encodeText, UTF_8 } from '../state/decoded-text.js';
 import { classNameProblem, FIRST_NAME, folderOfNew, freeName, javaName } from '../state/program/documents.js';
@@ -6,7 +6,7 @@ import { fileName } from '../state/program/remarks.js';
 
 /** @typedef {import('./file-controller.js').FileController} FileController */
 
-/** Asks for a name. @param {FileController} files @param {string} example what to begin with, or nothing */
+/** Asks for a name and creates the program. @param {FileController} files @param {string} example template, or empty */
 export async function makeProgram(files, example) {
   const folder = folderOfNew(files.list.own);
   const name = await ask({
@@ -15,23 +15,23 @@ export async function makeProgram(files, example) {
     value: nameFor(files, example)
       .slice(folder.length)
       .replace(/\.java$/, ''),
-    action: 'Make it',
+    action: 'Create',
     problem: classNameProblem,
-    hint: 'The name of a class: letters and digits, a capital letter first.',
+    hint: 'The name of a class: letters and digits, starting with a capital letter.',
   });
   if (name) {
     await create(files, folder + javaName(name), example);
   }
 }
 
-/** Makes a copy of the example that is shown, which can be changed and run. @param {FileController} files */
+/** Creates an editable copy of the shown example. @param {FileController} files */
 export async function copyExample(files) {
-  if (files.file?.shelf === 'example') {
+  if (files.file?.kind === 'example') {
     await create(files, nameFor(files, files.file.path), files.file.path);
   }
 }
 
-/** @param {FileController} files @param {string} example @returns {string} a free path for a program that begins with it */
+/** @param {FileController} files @param {string} example @returns {string} a free path for a copy of it */
 function nameFor({ list, file }, example) {
   const wanted = example ? `My${example.replace(/^Agent_/, '')}.java` : FIRST_NAME;
   return freeName(folderOfNew(list.own) + wanted, [...list.own, ...list.drafts, ...(file ? [file] : [])]);
@@ -44,7 +44,7 @@ async function create(files, path, example) {
   }
   await files.refresh();
   if (files.list.drafts.some((each) => each.path === path)) {
-    throw new Error(`There is a program ${fileName(path)} already, which is not saved yet. Choose another name.`);
+    throw new Error(`There is a program ${fileName(path)} already, not saved yet. Choose another name.`);
   }
   await files.service.write(path, encodeText(UTF_8, await files.service.newProgram(path, example)), '');
   await files.refresh();

@@ -1,4 +1,4 @@
-/** The room for programs: editor, compiler and the running program, beside the robot. */
+/** The program room: editor, compiler and the running program, beside the robot. */
 import { button, byId, element } from '../panels/elements.js';
 import { PANEL_TITLES } from '../state/layout.js';
 import { isOpenToChange, programAt } from '../state/program/documents.js';
@@ -17,7 +17,7 @@ import { SaidPanel } from './said-panel.js';
  * @property {() => void} goLive
  * @property {(command: object) => void} send
  * @property {(panel: import('../state/layout.js').PanelName) => void} fold
- * @property {() => readonly import('../live/state-frame.js').Player[]} robots that are there now
+ * @property {() => readonly import('../live/state-frame.js').Player[]} robots on the pitch now
  */
 
 const CHECK_MILLISECONDS = 300;
@@ -42,7 +42,7 @@ class ProgramRoom {
     this.bar = element('div', { class: 'program-bar' });
     this.notes = element('div', { class: 'program-notes' });
     const place = element('div', { id: 'program-editor' });
-    /** Below the program: how it runs, and what is needed less often. */
+    /** Below the program: its run, and less frequent actions. */
     this.foot = element('div', { class: 'program-foot' });
     code.append(this.bar, this.notes, place, this.foot);
     this.editor = new CodeEditor(place, {
@@ -75,7 +75,7 @@ class ProgramRoom {
     await this.runs.look();
   }
 
-  /** Opens what the address names: an exercise, or one of the person's own files. */
+  /** Opens the exercise or program that the address names. */
   async #followAddress() {
     const wanted = programAt(location.hash);
     if (wanted !== '') {
@@ -84,7 +84,7 @@ class ProgramRoom {
     }
   }
 
-  /** What keys do here, outside of the editor. */
+  /** Key actions of this room outside of the editor. */
   get actions() {
     const action = (/** @type {string} */ key, /** @type {string} */ text, /** @type {() => Promise<void>} */ act) => ({
       keys: [key],
@@ -94,46 +94,46 @@ class ProgramRoom {
       act: () => this.attempt(act),
     });
     return [
-      action('s', 'save the program; if it runs, it is changed at once', () => this.save()),
+      action('s', 'save the program; if it is running, it is replaced immediately', () => this.save()),
       action('Enter', 'run the program', () => this.runs.run()),
     ];
   }
 
-  /** @returns {boolean} whether work is neither in its file nor kept as a draft */
+  /** @returns {boolean} whether there is work stored neither in its file nor as a draft */
   get isAtRisk() {
     return this.files.isAtRisk;
   }
 
-  /** Says so if something does not work. @param {() => Promise<void>} action */
+  /** Runs an action and reports its failure. @param {() => Promise<void>} action */
   attempt(action) {
     action().catch((error) => this.surroundings.note(error.message));
   }
 
-  /** Saves the program; if it is the one that runs, it is changed at once. */
+  /** Saves the program, and hot-swaps it if it is running. */
   async save() {
     if (await this.files.save()) {
       await this.runs.saved();
     }
   }
 
-  /** Another file is shown. */
+  /** Called when another file is shown. */
   opened() {
     this.exercises.draw();
     this.runs.forgetMistakes();
     this.attempt(() => this.check());
   }
 
-  /** @param {{robot: string, lines: string[]}} news of a robot */
-  hear(news) {
-    this.runs.hear(news);
+  /** @param {{robot: string, lines: string[]}} news telemetry of a robot */
+  receive(news) {
+    this.runs.receive(news);
   }
 
-  /** What was asked for is asked again: another room has asked for something else, or the simulator is another one. */
+  /** Repeats the requests to the simulator, after another room has replaced them or the simulator has changed. */
   forget() {
     this.runs.forgetRobot();
   }
 
-  /** Lets the compiler read what is in the editor. */
+  /** Compiles the text of the editor. */
   async check() {
     clearTimeout(this.#checkTimer);
     const { file } = this.files;
@@ -184,10 +184,10 @@ class ProgramRoom {
     return { from: word.from, options, validFor: /^\w*$/ };
   }
 
-  /** A panel below its name, which folds it. @param {'code' | 'said'} name */
+  /** A panel below its title, which collapses it. @param {'code' | 'said'} name */
   #panel(name) {
     const title = PANEL_TITLES[name];
-    const fold = button(title, 'Fold and unfold', () => this.surroundings.fold(name), {
+    const fold = button(title, 'Collapse or expand', () => this.surroundings.fold(name), {
       class: 'panel-title',
       'aria-expanded': 'true',
     });
@@ -199,7 +199,7 @@ class ProgramRoom {
 }
 
 /**
- * Writes a proposal; behind an open parenthesis one goes on with the parameters.
+ * Inserts a completion; after an open parenthesis, completion continues with the arguments.
  *
  * @param {string} insert
  * @returns {string | ((view: import('@codemirror/view').EditorView, chosen: unknown, from: number, to: number) => void)}

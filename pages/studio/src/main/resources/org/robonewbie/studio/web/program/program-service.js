@@ -1,16 +1,16 @@
-/** All that the room for programs asks of others: files, compiler, processes, exercises. Nothing else here knows a server. */
+/** Client for everything that the program room needs: files, compiler, processes, exercises. The only server access of the room. */
 
 import { decodeText, legibleText, UTF_8 } from '../state/decoded-text.js';
 
 /**
  * @typedef {{path: string, version: string}} ListedFile
  * @typedef {object} ProgramList
- * @property {boolean} open whether programs can be written here at all
+ * @property {boolean} open whether programs can be written at all
  * @property {string} folder
  * @property {ListedFile[]} own
  * @property {ListedFile[]} drafts
  * @property {string[]} examples
- * @property {Array<{path: string, before: string}>} [shared] drafts that came with a link, and what was open before
+ * @property {Array<{path: string, before: string}>} [shared] drafts opened by a link, with the program that was open before
  *
  * @typedef {import('../state/program/remarks.js').Remark} Remark
  * @typedef {import('../state/program/run.js').ProgramRun} ProgramRun
@@ -26,9 +26,9 @@ export class ProgramService {
     return (await this.#ask('GET', 'programs')).json();
   }
 
-  /** @param {'own' | 'draft' | 'example'} shelf @param {string} path @returns {Promise<ReadProgram>} */
-  async read(shelf, path) {
-    const answer = await this.#ask('GET', `programs/${shelf}/${escaped(path)}`);
+  /** @param {'own' | 'draft' | 'example'} kind @param {string} path @returns {Promise<ReadProgram>} */
+  async read(kind, path) {
+    const answer = await this.#ask('GET', `programs/${kind}/${escaped(path)}`);
     const version = answer.headers.get('Version') ?? '';
     const bytes = new Uint8Array(await answer.arrayBuffer());
     try {
@@ -39,7 +39,7 @@ export class ProgramService {
     }
   }
 
-  /** @param {string} path @param {string} [example] what to begin with @returns {Promise<string>} the text of a new program */
+  /** @param {string} path @param {string} [example] template @returns {Promise<string>} the text of a new program */
   async newProgram(path, example = '') {
     const how = new URLSearchParams({ example });
     return (await this.#ask('GET', `programs/new/${escaped(path)}?${how}`)).text();
@@ -48,7 +48,7 @@ export class ProgramService {
   /**
    * @param {string} path
    * @param {Uint8Array} bytes
-   * @param {string} known the version that this page has seen, empty for a new file
+   * @param {string} known the version last read by this page, empty for a new file
    * @returns {Promise<string>} the new version
    */
   async write(path, bytes, known) {
@@ -57,13 +57,18 @@ export class ProgramService {
     return answer.headers.get('Version') ?? '';
   }
 
-  /** @param {string} path @param {string} text @param {string} known version of the draft that is replaced @returns {Promise<string>} the new version */
+  /**
+   * @param {string} path
+   * @param {string} text
+   * @param {string} known version of the draft to replace
+   * @returns {Promise<string>} the new version
+   */
   async writeDraft(path, text, known) {
     const answer = await this.#ask('PUT', `programs/draft/${escaped(path)}`, text, { 'Known-Version': known });
     return answer.headers.get('Version') ?? '';
   }
 
-  /** @param {string} path @param {string} known another version stays */
+  /** @param {string} path @param {string} known version to remove; any other is kept */
   async removeDraft(path, known) {
     await this.#ask('DELETE', `programs/draft/${escaped(path)}`, undefined, { 'Known-Version': known });
   }
@@ -98,8 +103,8 @@ export class ProgramService {
     return (await (await this.#ask('GET', 'course')).json()).lessons;
   }
 
-  /** Writes the program to begin with. @param {string} lesson @returns {Promise<string>} its path */
-  async handOut(lesson) {
+  /** Creates the starter program of an exercise. @param {string} lesson @returns {Promise<string>} its path */
+  async createStarter(lesson) {
     return (await this.#ask('PUT', `course/${lesson}`)).json();
   }
 

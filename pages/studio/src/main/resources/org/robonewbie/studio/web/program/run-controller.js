@@ -1,4 +1,4 @@
-/** Runs the program, and shows how it runs: what it says, what it plots, and what goes wrong at which line. */
+/** Runs the program and shows its log, its plots and its errors at their lines. */
 import { button, byId, choice, element, setText } from '../panels/elements.js';
 import { keep, recall } from '../panels/memory.js';
 import { lineOf, withMistake } from '../state/program/remarks.js';
@@ -15,7 +15,7 @@ const LOOK_MILLISECONDS = 400;
 const VALUE_MILLISECONDS = 200;
 
 export class RunController {
-  #looking = false;
+  #isPolling = false;
   #valuesAt = 0;
   #robot = '';
   /** @type {string[]} */
@@ -49,9 +49,9 @@ export class RunController {
       act(() => this.stop()),
       { id: 'program-stop' },
     );
-    this.again = button(
+    this.restartButton = button(
       '⟲ Restart',
-      'World and program begin again',
+      'Restarts world and program',
       act(() => this.#start('fresh')),
       {
         id: 'program-restart',
@@ -59,14 +59,14 @@ export class RunController {
     );
     this.stepButton = button(
       'Step',
-      'One cycle of 20 ms, in which the program thinks once; then the world stands still until Play (Space) or Run',
+      'One cycle of 20 ms with one call of think(); then the world pauses until Play (Space) or Run',
       () => room.surroundings.send({ do: 'step', cycles: 1 }),
       { id: 'program-step' },
     );
     this.world = worldChoice();
     this.state = element('p', { id: 'program-state', role: 'status' });
     this.sliders = this.#newSliders();
-    room.bar.append(this.start, this.stopButton, this.again, this.stepButton);
+    room.bar.append(this.start, this.stopButton, this.restartButton, this.stepButton);
     room.foot.append(this.state, this.world);
   }
 
@@ -78,7 +78,7 @@ export class RunController {
     }
   }
 
-  /** The program was saved: if it runs, it is changed at once. */
+  /** Called after a save; hot-swaps the program if it is running. */
   async saved() {
     if (isUnderWay(this.now) && this.now.program === this.room.files.file?.path) {
       await this.#start(this.#chosenWorld);
@@ -97,7 +97,7 @@ export class RunController {
   /** @param {'keep' | 'fresh'} world */
   async #start(world) {
     const { file } = this.room.files;
-    if (!file || file.shelf === 'example') {
+    if (!file || file.kind === 'example') {
       return;
     }
     await this.room.exercises.leave();
@@ -114,14 +114,14 @@ export class RunController {
     if (run.state === 'REFUSED') {
       await this.room.check();
       await this.look();
-      this.#tell(runText(run), 'trouble');
+      this.#showState(runText(run), 'trouble');
     } else {
       this.#show(run);
       this.#watch();
     }
   }
 
-  /** Looks once how the program runs. */
+  /** Polls the run once. */
   async look() {
     this.#show(await this.service.state());
     if (isUnderWay(this.now)) {
@@ -129,22 +129,22 @@ export class RunController {
     }
   }
 
-  /** Looks again and again, as long as the program runs. */
+  /** Polls as long as the program runs. */
   async #watch() {
-    if (this.#looking) {
+    if (this.#isPolling) {
       return;
     }
-    this.#looking = true;
+    this.#isPolling = true;
     while (isUnderWay(this.now)) {
       this.#listen();
       await new Promise((done) => setTimeout(done, LOOK_MILLISECONDS));
       try {
         this.#show(await this.service.state());
       } catch {
-        // The studio has ended or begins again; the page says so elsewhere.
+        // The studio is down or restarting, which the connection banner reports.
       }
     }
-    this.#looking = false;
+    this.#isPolling = false;
   }
 
   /** @param {ProgramRun} run */
@@ -156,15 +156,15 @@ export class RunController {
 
   draw() {
     const { file } = this.room.files;
-    const goesOn = isUnderWay(this.now);
-    this.start.hidden = goesOn && this.now.program === file?.path;
-    this.stopButton.hidden = this.again.hidden = this.stepButton.hidden = !goesOn;
+    const isRunning = isUnderWay(this.now);
+    this.start.hidden = isRunning && this.now.program === file?.path;
+    this.stopButton.hidden = this.restartButton.hidden = this.stepButton.hidden = !isRunning;
     const isTrouble = this.now.state === 'ENDED' && this.now.exitCode !== 0;
-    this.#tell(runText(this.now), isTrouble ? 'trouble' : '');
+    this.#showState(runText(this.now), isTrouble ? 'trouble' : '');
   }
 
   /** @param {string} text @param {string} tone */
-  #tell(text, tone) {
+  #showState(text, tone) {
     const mistakes = this.#hasMistakes ? `${this.#remarks}. ` : '';
     setText(this.state, `${mistakes}${text}`);
     this.state.dataset.tone = this.#hasMistakes ? 'trouble' : tone;
@@ -177,7 +177,7 @@ export class RunController {
     this.draw();
   }
 
-  /** Lines have moved: values are shown beside the right ones. */
+  /** Called after an edit; shows values at the right lines. */
   edited() {
     this.#valuesAt = 0;
   }
@@ -200,7 +200,7 @@ export class RunController {
     });
   }
 
-  /** Gives a number of the running program another value. @param {string} name @param {number} value */
+  /** Changes a tunable number of the running program. @param {string} name @param {number} value */
   #tune(name, value) {
     const [team, number] = this.#robot.split('\t');
     this.room.surroundings.send({ do: 'tune', team, number: Number(number), name, value });
@@ -212,7 +212,7 @@ export class RunController {
       .map((/** @type {{team: string, number: number}} */ { team, number }) => robotKey(team, number));
   }
 
-  /** Asks for what the program's robot tells; a page hears one robot at a time. */
+  /** Subscribes to the telemetry of the program's robot; a page receives one robot at a time. */
   #listen() {
     const key = ownRobot(this.#robot, this.#before, this.#keys(), this.now.entersFirst);
     if (key !== this.#robot && !byId('program-room').hidden) {
@@ -223,30 +223,30 @@ export class RunController {
     }
   }
 
-  /** Another room has asked for another robot. */
+  /** Called when another room has subscribed to another robot. */
   forgetRobot() {
     this.#robot = '';
   }
 
-  /** @param {{robot: string, lines: string[]}} news of a robot */
-  hear({ robot, lines }) {
+  /** @param {{robot: string, lines: string[]}} news telemetry of a robot */
+  receive({ robot, lines }) {
     if (robot !== this.#robot) {
       return;
     }
     for (const each of lines.map(readTelemetry)) {
       if (each.kind === 'log') {
-        this.#hearLine(each.log);
+        this.#addLogLine(each.log);
       } else if (each.kind === 'plot') {
         this.#values.set(each.name, each.value);
       } else if (each.kind === 'number') {
-        this.sliders.hear(each.number);
+        this.sliders.receive(each.number);
       }
     }
     this.#showValues();
   }
 
   /** @param {import('../state/robot/telemetry.js').LogLine} log */
-  #hearLine(log) {
+  #addLogLine(log) {
     this.room.said.addLine(log);
     const line = lineOf(log.text, this.now.program);
     if (line > 0 && ['WARNING', 'ERROR'].includes(log.level) && this.now.program === this.room.files.file?.path) {

@@ -1,9 +1,9 @@
-/** What compiler and robot say, below the lines that they mean, and values at the end of lines. */
+/** Messages of compiler and robot below their lines, and values at the ends of lines. */
 import { Decoration, EditorView, StateEffect, StateField, WidgetType } from 'codemirror';
 import { element } from '../panels/elements.js';
 
 /**
- * @typedef {{line: number, kind: 'error' | 'warning', text: string, hint: string, ran: boolean}} Said ran: while it ran
+ * @typedef {{line: number, kind: 'error' | 'warning', text: string, hint: string, ran: boolean}} Said `ran` if reported at run time
  * @typedef {{line: number, text: string}} Value
  */
 
@@ -59,12 +59,12 @@ function fieldFor(effect, shown) {
   return StateField.define({
     create: () => Decoration.none,
     update(before, transaction) {
-      const told = transaction.effects.find((each) => each.is(effect));
-      if (!told) {
+      const change = transaction.effects.find((each) => each.is(effect));
+      if (!change) {
         return before.map(transaction.changes);
       }
       const { doc } = transaction.state;
-      const items = /** @type {Array<T & {line: number}>} */ (told.value).filter(({ line }) => line <= doc.lines);
+      const items = /** @type {Array<T & {line: number}>} */ (change.value).filter(({ line }) => line <= doc.lines);
       return Decoration.set(
         items.flatMap((item) => shown(item, doc.line(Math.max(1, item.line)))),
         true,
@@ -74,7 +74,6 @@ function fieldFor(effect, shown) {
   });
 }
 
-/** The extensions. */
 export const SAID_LINES = [
   fieldFor(setSaid, (said, line) => [
     ...(said.ran ? [Decoration.line({ class: 'cm-failed' }).range(line.from)] : []),
@@ -86,7 +85,7 @@ export const SAID_LINES = [
 ];
 
 /** @param {EditorView} view @param {readonly Said[]} said */
-export function sayBelow(view, said) {
+export function showMessages(view, said) {
   view.dispatch({ effects: setSaid.of(said) });
 }
 

@@ -1,21 +1,20 @@
-/** What compiler, robot and judge say about the program: mistakes with their lines, values, log and printed text. */
+/** Output panel of a program: errors with their lines, values, log, printed text and verdicts. */
 import { button, element, setText } from '../panels/elements.js';
 import { valueText } from '../state/program/values.js';
 
-const MOST_LINES = 200;
-const NOTHING =
-  'Here stands what the program says with log.info("…"), nao.plot("name", value) and System.out.println("…").';
+const MAX_LINES = 200;
+const NOTHING = 'Output of log.info("…"), nao.plot("name", value) and System.out.println("…") appears here.';
 
 export class SaidPanel {
   /** @param {HTMLElement} place @param {(line: number) => void} goTo */
   constructor(place, goTo) {
     this.goTo = goTo;
     this.place = place;
-    /** Where the judge of an exercise speaks. */
+    /** Place of the judge's verdict. */
     this.verdict = element('div', { id: 'program-verdict' });
-    this.compiler = element('ul', { id: 'program-remarks', 'aria-label': 'Mistakes that the compiler has found' });
-    this.mistakes = element('ul', { id: 'program-mistakes', 'aria-label': 'Mistakes while the program ran' });
-    /** Where the sliders for the program's numbers are. */
+    this.compiler = element('ul', { id: 'program-remarks', 'aria-label': 'Errors found by the compiler' });
+    this.mistakes = element('ul', { id: 'program-mistakes', 'aria-label': 'Errors of the running program' });
+    /** Place of the sliders for the program's numbers. */
     this.sliders = element('div', { id: 'program-sliders', role: 'group', 'aria-label': 'Numbers of the program' });
     this.values = element('p', { id: 'program-values', role: 'group', 'aria-label': 'Values that the program plots' });
     this.log = element('ol', { id: 'program-log', 'aria-label': 'Log of the robot' });
@@ -25,7 +24,7 @@ export class SaidPanel {
     place.append(this.verdict, this.compiler, this.mistakes, head, this.silence, this.log, this.printed);
   }
 
-  /** Forgets what the running program has said. */
+  /** Clears the output of the running program. */
   clear() {
     this.log.replaceChildren();
     this.values.replaceChildren();
@@ -57,7 +56,7 @@ export class SaidPanel {
     const isAtEnd = this.place.scrollHeight - this.place.scrollTop - this.place.clientHeight < 40;
     this.silence.hidden = true;
     this.log.append(element('li', { class: level.toLowerCase() }, `${seconds.toFixed(2)} s  ${text}`));
-    while (this.log.children.length > MOST_LINES) {
+    while (this.log.children.length > MAX_LINES) {
       this.log.children[0].remove();
     }
     if (isAtEnd) {
@@ -65,7 +64,7 @@ export class SaidPanel {
     }
   }
 
-  /** @param {string} text that the program has printed */
+  /** @param {string} text printed by the program */
   showOutput(text) {
     setText(this.printed, text);
     this.silence.hidden ||= text !== '';

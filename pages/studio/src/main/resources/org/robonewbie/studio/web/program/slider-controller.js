@@ -1,6 +1,6 @@
-/** Sliders for the numbers of the program that runs: they act at once, and what was found can be written into the program. */
+/** Sliders for the tunable numbers of the running program: they act immediately, and the values can be written into the program. */
 import { button, element, setText } from '../panels/elements.js';
-import { ChosenNumbers, numberText, stepOf, withUsual } from '../state/program/sliders.js';
+import { ChosenNumbers, numberText, stepOf, withDefault } from '../state/program/sliders.js';
 
 /** @typedef {import('../state/program/sliders.js').DeclaredNumber} DeclaredNumber */
 /** @typedef {{line: HTMLElement, range: HTMLInputElement, shown: HTMLElement, keep: HTMLElement, number: DeclaredNumber}} Slider */
@@ -15,54 +15,62 @@ export class SliderController {
    * @param {object} program
    * @param {(name: string, value: number) => void} program.tune
    * @param {() => string} program.text
-   * @param {(text: string) => void} program.write takes the place of the program's text
+   * @param {(text: string) => void} program.write replaces the program's text
    */
   constructor(place, program) {
     this.place = place;
     this.program = program;
   }
 
-  /** The program begins once more. */
+  /** Called when the program is restarted. */
   begin() {
     this.#sliders.clear();
     this.place.replaceChildren();
   }
 
-  /** Another program is shown. */
+  /** Called when another program is shown. */
   forget() {
     this.begin();
     this.#chosen.forget();
   }
 
-  /** @param {DeclaredNumber} number that the running program has */
-  hear(number) {
+  /** @param {DeclaredNumber} number declared by the running program */
+  receive(number) {
     const slider = this.#sliders.get(number.name) ?? this.#add(number);
     slider.number = number;
-    const wish = this.#chosen.wish(number, performance.now());
-    if (wish !== undefined) {
-      this.program.tune(number.name, wish);
+    const pendingValue = this.#chosen.pendingValue(number, performance.now());
+    if (pendingValue !== undefined) {
+      this.program.tune(number.name, pendingValue);
     }
     this.#show(slider, this.#chosen.shown(number));
   }
 
   /** @param {DeclaredNumber} number */
   #add(number) {
-    const { name, least, most } = number;
+    const { name, min, max } = number;
     const range = element('input', {
       type: 'range',
-      min: String(least),
-      max: String(most),
+      min: String(min),
+      max: String(max),
       step: String(stepOf(number)),
       'aria-label': name,
     });
     const shown = element('output');
-    const usual = button('⟲', `Back to ${numberText(number.usual)}, as in the program`, () =>
-      this.#choose(slider, slider.number.usual),
+    const resetButton = button('⟲', `Back to ${numberText(number.defaultValue)}, as in the program`, () =>
+      this.#choose(slider, slider.number.defaultValue),
     );
     const keep = button('Write into the program', `Changes number("${name}", …) in the editor`, () =>
       this.#write(slider),
     );
-    const line = element('div', { class: 'program-slider' }, element('span', {}, name), range, shown, usual, keep);
+    const line = element(
+      'div',
+      { class: 'program-slider' },
+      element('span', {}, name),
+      range,
+      shown,
+      resetButton,
+      keep,
+    );
     /** @type {Slider} */
     const slider = { line, range, shown, keep, number };
     range.addEventListener('input', () => this.#choose(slider, Number(range.value)));
@@ -84,12 +92,12 @@ export class SliderController {
       range.value = String(value);
     }
     setText(shown, numberText(value));
-    keep.hidden = value === number.usual || withUsual(this.program.text(), number.name, value) === undefined;
+    keep.hidden = value === number.defaultValue || withDefault(this.program.text(), number.name, value) === undefined;
   }
 
   /** @param {Slider} slider */
   #write({ number }) {
-    const text = withUsual(this.program.text(), number.name, this.#chosen.shown(number));
+    const text = withDefault(this.program.text(), number.name, this.#chosen.shown(number));
     if (text !== undefined) {
       this.program.write(text);
     }

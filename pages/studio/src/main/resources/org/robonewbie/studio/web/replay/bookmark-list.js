@@ -1,4 +1,4 @@
-/** The bookmarks of the open recording: moments with notes, to go to and to link to. */
+/** Bookmarks of the open recording: moments with notes, to jump to and to link to. */
 import { button, element, setText } from '../panels/elements.js';
 import { MOMENTS_PER_SECOND } from '../state/replay/replay-state.js';
 import { addBookmark, deleteBookmark } from './recording-api.js';
@@ -7,13 +7,13 @@ import { addBookmark, deleteBookmark } from './recording-api.js';
  * @typedef {import('./recording-api.js').Bookmark} Bookmark
  *
  * @typedef {object} Actions
- * @property {() => number} now the index of the moment that is shown
+ * @property {() => number} now the index of the shown moment
  * @property {(index: number) => void} goTo
- * @property {() => Promise<void>} changed the list of recordings has to be fetched again
+ * @property {() => Promise<void>} changed the list of recordings must be reloaded
  * @property {(text: string) => void} note
  */
 
-/** @param {string} name of a recording @param {number} seconds @returns {string} the part of the address that shows this moment */
+/** @param {string} name of a recording @param {number} seconds @returns {string} address fragment of this moment */
 export const momentLink = (name, seconds) => `#replay/${encodeURIComponent(name)}@${seconds}`;
 
 export class BookmarkList {
@@ -25,9 +25,9 @@ export class BookmarkList {
     'aria-label': 'Note for this moment',
     maxlength: '300',
   });
-  #undo = button('Undo', 'Brings the bookmark back that was deleted last', () => this.#bringBack(), { hidden: '' });
+  #undo = button('Undo', 'Restores the last deleted bookmark', () => this.#bringBack(), { hidden: '' });
   #drawn = '';
-  /** The bookmarks that were deleted, the last one at the end. @type {Bookmark[]} */
+  /** Deleted bookmarks, the most recent last. @type {Bookmark[]} */
   #deleted = [];
 
   /** @param {Actions} actions */
@@ -35,7 +35,7 @@ export class BookmarkList {
     this.actions = actions;
     this.recording = '';
     const form = element('form', { class: 'bookmark-form' }, this.#field, this.#undo);
-    form.prepend(element('button', { id: 'bookmark-add', title: 'Keep this moment with the note' }, 'Add'));
+    form.prepend(element('button', { id: 'bookmark-add', title: 'Bookmark this moment with the note' }, 'Add'));
     form.addEventListener('submit', (event) => {
       event.preventDefault();
       this.#add();
@@ -48,7 +48,7 @@ export class BookmarkList {
     );
   }
 
-  /** Lets one write the note of a new bookmark. */
+  /** Opens the input for the note of a new bookmark. */
   ask() {
     this.element.open = true;
     this.#field.focus();
@@ -117,9 +117,9 @@ export class BookmarkList {
     history.replaceState(undefined, '', link);
     try {
       await navigator.clipboard.writeText(location.href);
-      this.actions.note('The address of this moment is copied.');
+      this.actions.note('The address of this moment was copied.');
     } catch {
-      this.actions.note('The address of this moment stands in the bar of the browser; copy it from there.');
+      this.actions.note('The address of this moment is in the address bar; copy it from there.');
     }
   }
 

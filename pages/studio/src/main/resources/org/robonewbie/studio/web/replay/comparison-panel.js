@@ -1,4 +1,4 @@
-/** Chooses a second run to compare with, and tells how far the two are apart. */
+/** Selects a second run for comparison and shows the distances between the two. */
 import { element, setText } from '../panels/elements.js';
 import { curveOf, differences, withGhosts } from '../state/replay/comparison.js';
 import { frameOf, sceneOf } from '../state/replay/replay-state.js';
@@ -35,7 +35,7 @@ export class ComparisonPanel {
     this.svg.setAttribute('viewBox', `0 0 ${POINTS} ${HEIGHT}`);
     this.svg.setAttribute('preserveAspectRatio', 'none');
     this.polyline = document.createElementNS(SVG, 'polyline');
-    this.scale = element('span', { class: 'faint', title: 'How far ball and robots are apart over time' });
+    this.scale = element('span', { class: 'faint', title: 'Distance of ball and robots over time' });
     this.svg.append(this.polyline);
     this.line = element('div', { class: 'compare-line', hidden: '' });
     this.line.append(this.scale, this.svg, this.reading);
@@ -45,7 +45,7 @@ export class ComparisonPanel {
     this.last = undefined;
   }
 
-  /** @param {readonly RecordingEntry[]} entries @param {string} own name of the run that is shown */
+  /** @param {readonly RecordingEntry[]} entries @param {string} own name of the shown run */
   list(entries, own) {
     const names = entries.map(({ name }) => name).filter((name) => name !== own);
     const key = names.join('\n');
@@ -73,7 +73,7 @@ export class ComparisonPanel {
     this.listener.changed();
   }
 
-  /** @param {Picture} own @param {number} index @returns {Picture} what is to be seen, with ghosts if there is a second run */
+  /** @param {Picture} own @param {number} index @returns {Picture} the picture, with ghosts if there is a second run */
   picture(own, index) {
     const moment = this.file?.run.at(Math.round(index));
     if (!moment || !this.file) {
@@ -103,11 +103,11 @@ export class ComparisonPanel {
     if (own && other && key !== this.drawn) {
       this.drawn = key;
       const curve = curveOf({ count: own.count, ...own.summary }, { count: other.count, ...other.summary }, POINTS);
-      const most = Math.max(0.05, ...curve);
-      setText(this.scale, `Apart, 0 to ${most.toFixed(2)} m`);
+      const max = Math.max(0.05, ...curve);
+      setText(this.scale, `Apart, 0 to ${max.toFixed(2)} m`);
       this.polyline.setAttribute(
         'points',
-        curve.map((metres, i) => `${i},${(HEIGHT - 1 - ((HEIGHT - 2) * metres) / most).toFixed(1)}`).join(' '),
+        curve.map((metres, i) => `${i},${(HEIGHT - 1 - ((HEIGHT - 2) * metres) / max).toFixed(1)}`).join(' '),
       );
     }
   }

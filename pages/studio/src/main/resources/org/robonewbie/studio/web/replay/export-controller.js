@@ -1,4 +1,4 @@
-/** Makes files of the open recording, shows how far they are, and lets one cancel that. */
+/** Exports the open recording to files, with progress and cancel. */
 import { byId, offer } from '../panels/elements.js';
 import { pageOf, tableOf } from './exports.js';
 import { loadLog } from './recording-api.js';
@@ -12,14 +12,14 @@ import { loadLog } from './recording-api.js';
  * @property {Record<string, import('../state/kinematics.js').RobotModel>} models
  * @property {(text: string) => void} note
  * @property {() => RecordingFile | undefined} file
- * @property {() => Section} section what files hold
- * @property {() => import('../field/camera-controller.js').CameraController} camera that videos look like
+ * @property {() => Section} section the exported section
+ * @property {() => import('../field/camera-controller.js').CameraController} camera of the view in videos
  */
 
-/** Ends work that somebody has cancelled. */
+/** Thrown when the user has cancelled the export. */
 class Cancelled extends Error {}
 
-/** Shows how far a file is made, and lets one cancel it. */
+/** Progress bar with a cancel button. */
 class ProgressLine {
   #isCancelled = false;
   isBusy = false;
@@ -60,7 +60,7 @@ export class ExportController {
     this.source = source;
   }
 
-  /** What the buttons do. */
+  /** Actions of the export buttons. */
   get actions() {
     return {
       csv: () => this.#save('csv', tableOf),
@@ -77,7 +77,7 @@ export class ExportController {
   }
 
   /**
-   * @param {string} ending of the file
+   * @param {string} ending extension of the file
    * @param {(file: RecordingFile, models: Source['models'], section: Section, progress: Progress) => Promise<Blob>} make
    */
   async #save(ending, make) {
@@ -87,7 +87,7 @@ export class ExportController {
       return;
     }
     if (this.#line.isBusy) {
-      note('One file after the other: cancel the one that is being made, or wait for it.');
+      note('Another export is running: cancel it, or wait for it to finish.');
       return;
     }
     try {
@@ -96,7 +96,7 @@ export class ExportController {
       });
     } catch (error) {
       const text = /** @type {Error} */ (error).message;
-      note(error instanceof Cancelled ? 'No file was made.' : `The file cannot be made: ${text}`);
+      note(error instanceof Cancelled ? 'The export was cancelled.' : `The export failed: ${text}`);
     }
   }
 }

@@ -1,20 +1,20 @@
-/** Recordings as files for other programs: a table, a page of its own, the log of a SimSpark server. */
+/** Exports of recordings: a table, a self-contained page, the log of a SimSpark server. */
 import { RecordingWriter } from '../state/replay/recording-writer.js';
 import { mainRoster, tableHead, tableRows } from '../state/replay/table.js';
 
 /**
  * @typedef {import('./recordings.js').RecordingFile} RecordingFile
  * @typedef {import('../state/kinematics.js').RobotModel} RobotModel
- * @typedef {(part: number) => void} Progress hears how much is done, 0 to 1; may throw to end the work
- * @typedef {[from: number, to: number]} Section first and last moment
+ * @typedef {(part: number) => void} Progress called with the completed fraction, 0 to 1; may throw to cancel
+ * @typedef {[from: number, to: number]} Section indices of the first and the last moment
  */
 
-/** A page holds about one megabyte beside the run, and at most two for each minute of it. */
-const MOST_BYTES_PER_MINUTE = 2_000_000;
+/** A page has about one megabyte beside the run, which gets at most two per minute. */
+const MAX_BYTES_PER_MINUTE = 2_000_000;
 const MOMENTS_PER_MINUTE = 3000;
 const LETTERS_PER_BYTE = 4 / 3;
 
-/** Kinds of events that stand in recordings; others follow from them. */
+/** Event kinds stored in recordings; the others are derived. */
 const KEPT_EVENTS = ['goal', 'foul', 'playmode'];
 
 /**
@@ -45,9 +45,9 @@ export async function tableOf({ run }, models, [from, to], progress) {
  */
 export async function pageOf(file, models, section, progress) {
   const { standalonePage } = await import('./standalone.js');
-  const most = (MOST_BYTES_PER_MINUTE * (section[1] + 1 - section[0])) / MOMENTS_PER_MINUTE / LETTERS_PER_BYTE;
+  const maxBytes = (MAX_BYTES_PER_MINUTE * (section[1] + 1 - section[0])) / MOMENTS_PER_MINUTE / LETTERS_PER_BYTE;
   let packed = await shortened(file, models, section, 1, progress);
-  for (let every = 2; packed.length > Math.max(most, MOST_BYTES_PER_MINUTE / 10) && every <= 8; every *= 2) {
+  for (let every = 2; packed.length > Math.max(maxBytes, MAX_BYTES_PER_MINUTE / 10) && every <= 8; every *= 2) {
     packed = await shortened(file, models, section, every, progress);
   }
   const page = await standalonePage({ packed, name: file.name, pictures: file.pictures }, models);
@@ -58,9 +58,9 @@ export async function pageOf(file, models, section, progress) {
  * @param {RecordingFile} file
  * @param {Record<string, RobotModel>} models
  * @param {Section} section
- * @param {number} every how many moments make one
+ * @param {number} every number of moments combined into one
  * @param {Progress} progress
- * @returns {Promise<Uint8Array>} the section as a recording, packed
+ * @returns {Promise<Uint8Array>} the section as a gzip-compressed recording
  */
 async function shortened({ run }, models, [from, to], every, progress) {
   const writer = new RecordingWriter(run.header, (type) => models[type].hinges.length);

@@ -1,4 +1,4 @@
-/** The page of a single HTML file: plays the recording that it carries, without any server. */
+/** Page of a self-contained HTML file: plays the embedded recording without a server. */
 import { CameraController } from '../field/camera-controller.js';
 import { FieldView } from '../field/field-view.js';
 import { PointerController } from '../field/pointer-controller.js';
@@ -32,13 +32,13 @@ const view = new FieldView(byId('stage'), QUALITIES[1]);
 const chooser = new QualityChooser(qualityRange(view.graphics), false);
 view.setQuality(chooser.quality);
 view.setTheme(document.documentElement.dataset.theme === 'dark' ? 'dark' : 'light');
-const desk = new CameraController(view.camera, () => view.free);
+const cameraController = new CameraController(view.camera, () => view.free);
 let replay = { ...BEGINNING, count: moments.length, playing: true };
 let state = withConnection(initialState());
 let revision = 0;
 let stale = true;
 let last = 0;
-new PointerController(view, desk, {
+new PointerController(view, cameraController, {
   now: () => state,
   isSteered: () => false,
   send: () => {},
@@ -47,7 +47,7 @@ new PointerController(view, desk, {
   },
 });
 const drawings = new DrawingMemory(Infinity);
-drawings.hear(JSON.parse(byId('pictures').textContent ?? '[]'));
+drawings.receive(JSON.parse(byId('pictures').textContent ?? '[]'));
 const layers = new DrawingController(view, () => {
   stale = true;
 });
@@ -96,15 +96,15 @@ function draw(now, seconds) {
   const scene = sceneOf(moment, reader.header, models, roster ? ++revision : revision);
   if (roster) {
     view.setScene(scene);
-    desk.setScene(scene);
+    cameraController.setScene(scene);
   }
   state = withFrame(withScene(state, scene), frameOf(moment, scene), now);
   const frame = /** @type {import('../live/state-frame.js').Frame} */ (state.frame);
   view.update(frame);
   view.trail.follow(frame.cycle, frame.ball);
   layers.show(state, drawings);
-  stale = desk.update(view.robots.poses, seconds, view.ball.position.toArray());
-  view.light.shine(desk.shown.target, view.camera.position);
+  stale = cameraController.update(view.robots.poses, seconds, view.ball.position.toArray());
+  view.light.shine(cameraController.shown.target, view.camera.position);
   view.draw();
   board(state, now);
   line.draw(replay, events);

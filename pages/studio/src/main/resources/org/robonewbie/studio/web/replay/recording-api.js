@@ -1,5 +1,5 @@
 /**
- * What the server of the studio does with recordings.
+ * Client for the recordings of the studio's server.
  *
  * @typedef {{seconds: number, note: string}} Bookmark
  *
@@ -7,21 +7,21 @@
  * @property {string} name
  * @property {number} bytes
  * @property {boolean} running
- * @property {string} agent that was run, or empty
- * @property {boolean} ofProject whether it was made in this project
+ * @property {string} agent name of the recorded agent, or empty
+ * @property {boolean} ofProject whether it was recorded in this project
  * @property {boolean} starred
  * @property {Bookmark[]} bookmarks
  *
- * @typedef {object} RecordingCard what a recording holds
- * @property {number} count of its cycles
- * @property {string} left name of a team, or empty
+ * @typedef {object} RecordingCard summary of a recording
+ * @property {number} count number of cycles
+ * @property {string} left team name, or empty
  * @property {string} right
  * @property {[number, number]} score
  * @property {number} robots
  * @property {Array<{kind: string}>} events
  * @property {[number, number]} pitch
- * @property {Array<[x: number, y: number]>} ball its way
- * @property {Array<{side: number, places: Array<[x: number, y: number]>}>} ways of the robots
+ * @property {Array<[x: number, y: number]>} ball its path
+ * @property {Array<{side: number, places: Array<[x: number, y: number]>}>} ways paths of the robots
  *
  * @typedef {import('../state/replay/recorded-run.js').Growth} Growth
  * @typedef {import('../state/replay/recorded-run.js').Summary} Summary
@@ -46,11 +46,11 @@ export const loadCard = async (name) => (await ask(`cards/${pathPart(name)}`)).j
 /** @param {string} name @returns {Promise<Growth & Summary>} */
 export const loadIndex = async (name) => (await ask(`index/${pathPart(name)}`)).json();
 
-/** @param {string} name @param {number} events @param {number} pieces known already @returns {Promise<Growth>} */
+/** @param {string} name @param {number} events @param {number} pieces number already known @returns {Promise<Growth>} */
 export const loadGrowth = async (name, events, pieces) =>
   (await ask(`index/${pathPart(name)}?events=${events}&pieces=${pieces}`)).json();
 
-/** @param {string} name @param {number} piece @param {number} skip bytes @returns {Promise<Uint8Array>} */
+/** @param {string} name @param {number} piece @param {number} skip bytes to skip @returns {Promise<Uint8Array>} */
 export async function loadPiece(name, piece, skip) {
   const answer = await ask(`pieces/${pathPart(name)}?piece=${piece}&skip=${skip}`);
   return new Uint8Array(await answer.arrayBuffer());
@@ -59,13 +59,13 @@ export async function loadPiece(name, piece, skip) {
 /** @returns {Promise<Record<string, import('../state/kinematics.js').RobotModel>>} */
 export const loadModels = async () => (await ask('models')).json();
 
-/** @param {string} name @returns {Promise<Blob>} the recording as the log of a SimSpark server, packed */
+/** @param {string} name @returns {Promise<Blob>} the recording as a SimSpark log, gzip-compressed */
 export const loadLog = async (name) => (await ask(`log/${pathPart(name)}`)).blob();
 
 /**
  * @param {string} name
- * @param {number} skip bytes that are known already
- * @returns {Promise<{lines: string, bytes: number}>} what robots logged and drew, one line of JSON each
+ * @param {number} skip bytes already known
+ * @returns {Promise<{lines: string, bytes: number}>} logs and drawings of the robots, one line of JSON each
  */
 export async function loadNotes(name, skip) {
   const bytes = await (await ask(`notes/${pathPart(name)}?skip=${skip}`)).arrayBuffer();

@@ -1,4 +1,4 @@
-/** The recordings as cards: what happened in each, and the ways of ball and robots. */
+/** The recordings as cards, with their events and the paths of ball and robots. */
 import { button, byId, choice, element, setText } from '../panels/elements.js';
 import { bringBackRecording, deleteRecording, loadCard, renameRecording, starRecording } from './recording-api.js';
 import { RecordingTile } from './recording-tile.js';
@@ -8,8 +8,8 @@ import { RecordingTile } from './recording-tile.js';
 /** @type {Array<[value: string, text: string]>} */
 const FILTERS = [
   ['', 'All runs'],
-  ['project', 'Of this project'],
-  ['starred', 'With a star'],
+  ['project', 'From this project'],
+  ['starred', 'Starred'],
   ['empty', 'Without robots'],
 ];
 
@@ -24,25 +24,25 @@ export class RecordingRepository {
     placeholder: 'Team, agent, date…',
     'aria-label': 'Search recordings',
   });
-  #filter = choice({ id: 'recording-filter', 'aria-label': 'Which recordings' }, FILTERS, () => this.#sift());
-  #undo = button('Undo', 'Brings the recording back that was deleted last', () => this.#act(() => this.#bringBack()), {
+  #filter = choice({ id: 'recording-filter', 'aria-label': 'Which recordings' }, FILTERS, () => this.#applyFilter());
+  #undo = button('Undo', 'Restores the last deleted recording', () => this.#act(() => this.#bringBack()), {
     id: 'recording-undo',
     hidden: '',
   });
-  /** Names of the recordings that were deleted, the last one at the end. @type {string[]} */
+  /** Names of deleted recordings, the most recent last. @type {string[]} */
   #deleted = [];
 
   /**
    * @param {object} listener
    * @param {(name: string) => void} listener.choose
-   * @param {() => Promise<void>} listener.changed the list has to be fetched again
-   * @param {(from: string, to: string) => void} listener.renamed to nothing, if it was deleted
+   * @param {() => Promise<void>} listener.changed the list must be reloaded
+   * @param {(from: string, to: string) => void} listener.renamed to an empty name if it was deleted
    * @param {(text: string) => void} listener.note
    */
   constructor(listener) {
     this.listener = listener;
     this.place = byId('recordings');
-    this.#search.addEventListener('input', () => this.#sift());
+    this.#search.addEventListener('input', () => this.#applyFilter());
     const tools = element('span', { class: 'list-tools' }, this.#undo, this.#filter, this.#search);
     const head = element('div', { class: 'list-head' }, element('h2', {}, 'Recordings'), tools);
     this.place.append(head, this.#nothing, this.#grid);
@@ -57,7 +57,7 @@ export class RecordingRepository {
     return !this.place.hidden;
   }
 
-  /** @param {readonly RecordingEntry[]} entries the newest first */
+  /** @param {readonly RecordingEntry[]} entries newest first */
   list(entries) {
     const names = new Set(entries.map(({ name }) => name));
     for (const name of [...this.#tiles.keys()].filter((each) => !names.has(each))) {
@@ -73,7 +73,7 @@ export class RecordingRepository {
       );
     }
     this.#fetch([...fresh, ...ended].map(({ name }) => name));
-    this.#sift();
+    this.#applyFilter();
   }
 
   /** @param {string} name @returns {import('./recording-tile.js').TileActions} */
@@ -108,7 +108,7 @@ export class RecordingRepository {
     this.#deleted.push(name);
     this.#undo.hidden = false;
     this.listener.renamed(name, '');
-    this.listener.note(`“${name}” is deleted. Undo brings it back for an hour.`);
+    this.listener.note(`“${name}” was deleted. Undo restores it for an hour.`);
   }
 
   async #bringBack() {
@@ -116,22 +116,22 @@ export class RecordingRepository {
     this.#undo.hidden = this.#deleted.length === 0;
     if (name) {
       await bringBackRecording(name);
-      this.listener.note(`“${name}” is back.`);
+      this.listener.note(`“${name}” was restored.`);
     }
   }
 
-  /** One after the other, so that the newest come first and the server is not flooded. @param {string[]} names */
+  /** Fetches the summaries one after the other, so that the newest come first and the server is not flooded. @param {string[]} names */
   async #fetch(names) {
     for (const name of names) {
       const tile = this.#tiles.get(name);
       if (tile) {
         tile.fill(await loadCard(name).catch(() => undefined));
-        this.#sift();
+        this.#applyFilter();
       }
     }
   }
 
-  #sift() {
+  #applyFilter() {
     const wanted = this.#search.value.trim().toLowerCase();
     const tiles = [...this.#tiles.values()];
     tiles.forEach((tile) => tile.card.toggleAttribute('hidden', !tile.fits(wanted, this.#filter.value)));
@@ -143,5 +143,5 @@ export class RecordingRepository {
 
 /** @param {string} wanted */
 function nothingFound(wanted) {
-  return wanted === '' ? 'There is no such recording.' : `Nothing is found for “${wanted}”.`;
+  return wanted === '' ? 'No recording matches.' : `No recording matches “${wanted}”.`;
 }

@@ -1,4 +1,4 @@
-/** One recording as a card, with what one can do to it. */
+/** Card of one recording, with its actions. */
 import { shape } from '../panels/drawing.js';
 import { button, element, setText } from '../panels/elements.js';
 import { pitchSheet } from '../panels/pitch-sheet.js';
@@ -28,7 +28,7 @@ export class RecordingTile {
   #agent = element('span', { class: 'faint' });
   #name = element('span', { class: 'faint recording-title' });
   #content = '';
-  /** How many robots took part, if that is known yet. @type {number | undefined} */
+  /** Number of robots, once known. @type {number | undefined} */
   #robots;
 
   /** @param {RecordingEntry} entry @param {TileActions} actions */
@@ -40,21 +40,21 @@ export class RecordingTile {
     this.open.append(this.#picture, this.#teams, this.#facts, this.#agent, this.#name);
     this.star = button('☆', '', () => actions.star(!this.entry.starred), { class: 'quiet star' });
     this.rename = button('Rename', `Give ${name} another name`, () => this.#askName(), { class: 'quiet' });
-    const remove = button('Delete', `Delete ${name}; Undo brings it back`, actions.remove, { class: 'quiet' });
+    const remove = button('Delete', `Delete ${name}; Undo restores it`, actions.remove, { class: 'quiet' });
     this.tools = element('div', { class: 'recording-tools' }, this.star, this.rename, remove);
     this.card = element('article', { 'data-recording': name }, this.open, this.tools);
     this.update(entry);
   }
 
-  /** @param {RecordingEntry} entry @returns {boolean} whether the run has ended since the last time */
+  /** @param {RecordingEntry} entry @returns {boolean} whether the run has ended since the last update */
   update(entry) {
     const hasEnded = this.entry.running && !entry.running;
     this.entry = entry;
     const { name, agent, starred, running, bookmarks } = entry;
     setText(this.star, starred ? '★' : '☆');
     this.star.title = starred
-      ? `${name} is kept. Take its star away`
-      : `Give ${name} a star: it is kept when others make room`;
+      ? `${name} is kept. Remove its star`
+      : `Give ${name} a star: it is kept when old recordings are removed`;
     this.star.setAttribute('aria-pressed', String(starred));
     this.star.setAttribute('aria-label', `Star of ${name}`);
     const marks = bookmarks.length === 1 ? '1 bookmark' : `${bookmarks.length} bookmarks`;
@@ -63,7 +63,7 @@ export class RecordingTile {
     return hasEnded;
   }
 
-  /** @param {RecordingCard | undefined} content nothing, if it cannot be read */
+  /** @param {RecordingCard | undefined} content undefined if it is unreadable */
   fill(content) {
     if (!content) {
       setText(this.#teams, 'cannot be read');
@@ -82,7 +82,7 @@ export class RecordingTile {
     this.#content = `${title} ${events.join(' ')}`;
   }
 
-  /** @param {string} wanted in small letters @param {string} filter @returns {boolean} whether it is to be shown */
+  /** @param {string} wanted search text in lower case @param {string} filter @returns {boolean} whether the card matches */
   fits(wanted, filter) {
     const { name, agent, starred, ofProject, running, bookmarks } = this.entry;
     const notes = bookmarks.map(({ note }) => note).join(' ');

@@ -1,4 +1,4 @@
-/** Opens recordings of the studio's server; a run that goes on is followed. */
+/** Opens recordings of the studio's server; a running recording is followed. */
 import { notesOf, picturesOf } from '../state/replay/notes.js';
 import { RecordedRun } from '../state/replay/recorded-run.js';
 import { DrawingMemory } from '../state/robot/drawing-memory.js';
@@ -6,7 +6,7 @@ import { loadGrowth, loadIndex, loadNotes, loadPiece } from './recording-api.js'
 
 const FOLLOW_MILLISECONDS = 1000;
 
-/** One recording that is open. */
+/** An open recording. */
 export class RecordingFile {
   /**
    * @param {string} name
@@ -21,31 +21,31 @@ export class RecordingFile {
       (piece, skip) => loadPiece(name, piece, skip),
       grown,
     );
-    /** @type {import('../state/replay/recording-reader.js').RecordedEvent[]} lines of logs */
+    /** @type {import('../state/replay/recording-reader.js').RecordedEvent[]} log lines */
     this.notes = [];
     this.noteBytes = 0;
-    /** @type {string[]} lines of telemetry with what robots drew */
+    /** @type {string[]} telemetry lines with drawings */
     this.pictures = [];
     this.drawings = new DrawingMemory(Infinity);
     this.open = true;
-    /** Whether all has been looked at that there was when it was asked for. */
+    /** Whether everything that existed at the last request has been examined. */
     this.isWhole = false;
     this.timer = 0;
   }
 
-  /** @param {boolean} follows whether the run goes on */
+  /** @param {boolean} follows whether the run is still being recorded */
   async load(follows) {
     const index = await loadIndex(this.name);
     this.run.summary = index;
     this.run.grow(index);
     await this.#readOn(index.whole);
-    await this.#hearNotes();
+    await this.#loadNotes();
     this.isWhole = true;
     this.grown();
     this.#follow(follows);
   }
 
-  /** All that the time line marks. */
+  /** All events marked on the time line. */
   get events() {
     return [...this.run.events, ...this.notes];
   }
@@ -68,12 +68,12 @@ export class RecordingFile {
     }
   }
 
-  async #hearNotes() {
+  async #loadNotes() {
     const { lines, bytes } = await loadNotes(this.name, this.noteBytes);
     this.noteBytes += bytes;
     const pictures = picturesOf(lines);
     this.notes.push(...notesOf(lines, this.run.firstCycle));
-    this.drawings.hear(pictures);
+    this.drawings.receive(pictures);
     this.pictures.push(...pictures);
   }
 
@@ -82,7 +82,7 @@ export class RecordingFile {
     if (follows && this.open) {
       const look = async () => {
         await this.#readOn(false);
-        await this.#hearNotes();
+        await this.#loadNotes();
       };
       this.timer = window.setTimeout(
         () =>

@@ -1,4 +1,4 @@
-/** The controls below the picture of a replay. */
+/** Playback controls below the picture of a replay. */
 import { button, choice, element, setText } from '../panels/elements.js';
 import { NO_CLOCK } from '../panels/transport.js';
 import { MOMENTS_PER_SECOND } from '../state/replay/replay-state.js';
@@ -9,8 +9,8 @@ import { legend, ReplayLine } from './replay-line.js';
  * @typedef {import('./recording-api.js').RecordingEntry} RecordingEntry
  *
  * @typedef {object} Actions
- * @property {(key: string) => void} press does what a key does
- * @property {() => void} showShelf lets one choose another recording
+ * @property {(key: string) => void} press performs the action of a key
+ * @property {() => void} showRecordings shows the list of recordings
  * @property {(speed: number) => void} setSpeed
  * @property {(index: number) => void} goTo
  * @property {() => void} startHere
@@ -20,12 +20,11 @@ import { legend, ReplayLine } from './replay-line.js';
  * @property {ReplayState} state
  * @property {readonly RecordingEntry[]} list
  * @property {import('./recordings.js').RecordingFile | undefined} file
- * @property {boolean} hasClock whether the simulation can go on from here
+ * @property {boolean} hasClock whether the simulation can continue from here
  */
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8];
-const START_HINT =
-  'The simulation goes on from this moment, with the clock stopped; puppets stand in for missing robots';
+const START_HINT = 'Continues the simulation from this moment, with the clock stopped; puppets replace missing robots';
 
 export class ReplayBar {
   /**
@@ -36,12 +35,12 @@ export class ReplayBar {
    */
   constructor(place, comparison, bookmarks, actions) {
     this.actions = actions;
-    /** What needs an open recording. @type {HTMLButtonElement[]} */
+    /** Buttons that need an open recording. @type {HTMLButtonElement[]} */
     this.keys = [];
     this.play = this.#key('replay-play', '', 'Play or pause', 'Space');
     this.play.className = 'primary';
     this.loop = this.#key('replay-loop', 'Loop', 'Repeat two seconds around this moment', 'L');
-    this.recording = button('Recordings', 'Choose another recording', actions.showShelf, { id: 'recording' });
+    this.recording = button('Recordings', 'Choose another recording', actions.showRecordings, { id: 'recording' });
     this.speed = choice(
       { id: 'replay-speed', 'aria-label': 'Speed of the replay' },
       SPEEDS.map((each) => [String(each), `${each}×`]),
@@ -82,10 +81,10 @@ export class ReplayBar {
       { class: 'replay-bar' },
       this.recording,
       this.name,
-      this.#key('event-before', '|◂', 'Event before', '['),
+      this.#key('event-before', '|◂', 'Previous event', '['),
       this.#key('replay-back', '◂', 'One cycle back', '←'),
       this.play,
-      this.#key('replay-on', '▸', 'One cycle on', '→'),
+      this.#key('replay-on', '▸', 'One cycle forward', '→'),
       this.#key('event-next', '▸|', 'Next event', ']'),
       this.loop,
       bookmarks.element,
@@ -97,7 +96,7 @@ export class ReplayBar {
     );
   }
 
-  /** A button that does what a key does. @param {string} id @param {string} name @param {string} hint @param {string} key */
+  /** A button that performs the action of a key. @param {string} id @param {string} name @param {string} hint @param {string} key */
   #key(id, name, hint, key) {
     const made = button(name, `${hint} (${key})`, () => this.actions.press(key), { id });
     this.keys.push(made);
@@ -110,10 +109,10 @@ function saveButtons(save) {
   return [
     button('CSV', 'Save all cycles as a table, or those of the loop', save.csv, { id: 'export-csv' }),
     button('Log', 'Save the run as the log of a SimSpark server, for RoboViz', save.log, { id: 'export-log' }),
-    button('HTML', 'Save one file that plays this run, or the loop, in any browser without network', save.html, {
+    button('HTML', 'Save one file that plays this run, or the loop, in any browser, also offline', save.html, {
       id: 'export-html',
     }),
-    button('Video', 'Save a video (WebM, 720p) of this run, or of the loop, as this camera sees it', save.video, {
+    button('Video', 'Save a video (WebM, 720p) of this run, or of the loop, from this camera', save.video, {
       id: 'export-video',
     }),
   ];

@@ -1,4 +1,4 @@
-/** The time line of a replay: events as marks, the part that is repeated, the moment that is shown. */
+/** Time line of a replay: event marks, the repeated section, and the shown moment. */
 import { element } from '../panels/elements.js';
 import { MOMENTS_PER_SECOND } from '../state/replay/replay-state.js';
 
@@ -11,7 +11,7 @@ const SVG = 'http://www.w3.org/2000/svg';
 const SIDE = 12;
 const HEIGHT = 44;
 
-/** Each kind of event has a colour and a shape of its own. @type {Record<RecordedEvent['kind'], string>} */
+/** Each kind of event has its own colour and shape. @type {Record<RecordedEvent['kind'], string>} */
 const SHAPES = {
   goal: 'M0 10l2.4 5 5.4.6-4 3.7 1.1 5.4L0 22l-4.9 2.7 1.1-5.4-4-3.7 5.4-.6z',
   fall: 'M-6 12h12L0 22z',
@@ -92,7 +92,7 @@ export class ReplayLine {
   }
 }
 
-/** Says what the marks on the line are. */
+/** Legend of the marks. */
 export function legend() {
   const kinds = /** @type {Array<RecordedEvent['kind']>} */ (Object.keys(NAMES));
   const entries = kinds.map((kind) => {

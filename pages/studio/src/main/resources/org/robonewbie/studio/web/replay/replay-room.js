@@ -1,4 +1,4 @@
-/** The room in which runs are seen again: recordings, the time line, and what the picture of the field shows of them. */
+/** The replay room: recordings, the time line, and the moment that the field picture shows. */
 import { byId } from '../panels/elements.js';
 import {
   advanced,
@@ -60,13 +60,13 @@ class ReplayRoom {
     this.list = [];
     this.stale = true;
     this.scenes = new SceneMemory(models);
-    /** The moment that is to be shown as soon as it has come. @type {{index: number, playing: boolean} | undefined} */
+    /** The moment to show as soon as it has been loaded. @type {{index: number, playing: boolean} | undefined} */
     this.wanted = undefined;
     this.comparison = new ComparisonPanel(models, {
       note: surroundings.note,
       changed: () => this.#set(this.state),
     });
-    this.shelf = new RecordingRepository({
+    this.repository = new RecordingRepository({
       choose: (name) => this.choose(name),
       changed: () => this.refresh(),
       renamed: (from, to) => this.#renamed(from, to),
@@ -89,19 +89,19 @@ class ReplayRoom {
     }, LIST_MILLISECONDS);
   }
 
-  /** Looks which recordings there are, and opens the one that the address names. */
+  /** Reloads the list of recordings, and opens the one that the address names. */
   async refresh() {
     const { recordings } = await listRecordings();
     this.list = recordings;
-    this.shelf.list(recordings);
+    this.repository.list(recordings);
     if (!this.file) {
       this.#followAddress();
     }
-    this.shelf.show(this.shelf.isOpen || !this.file);
+    this.repository.show(this.repository.isOpen || !this.file);
     this.stale = true;
   }
 
-  /** Opens the recording that the address names, at the moment that it names, or plays it. */
+  /** Opens the recording that the address names, at the given moment or playing. */
   #followAddress() {
     const { name, seconds, plays } = placeOf(location.hash);
     const isHere = location.hash.startsWith('#replay/') && this.list.some((each) => each.name === name);
@@ -114,7 +114,7 @@ class ReplayRoom {
     }
   }
 
-  /** The open recording has another name now, or is deleted. @param {string} from @param {string} to */
+  /** Handles that the open recording was renamed or deleted. @param {string} from @param {string} to */
   #renamed(from, to) {
     if (this.file?.name === from) {
       this.file.close();
@@ -128,7 +128,7 @@ class ReplayRoom {
   /** @param {string} name */
   choose(name) {
     this.file?.close();
-    this.shelf.show(false);
+    this.repository.show(false);
     this.wanted = undefined;
     if (placeOf(location.hash).name !== name) {
       history.replaceState(undefined, '', `#replay/${encodeURIComponent(name)}`);
@@ -141,10 +141,10 @@ class ReplayRoom {
   }
 
   /**
-   * Moves on.
+   * Advances the playback.
    *
-   * @param {number} seconds since the last turn
-   * @returns {boolean} whether the picture must be drawn again
+   * @param {number} seconds since the last call
+   * @returns {boolean} whether the picture must be redrawn
    */
   turn(seconds) {
     const before = this.state;
@@ -162,7 +162,7 @@ class ReplayRoom {
     return this.list.some(({ name, running }) => running && name === this.file?.name);
   }
 
-  /** Shows a cycle of the running simulation, if its recording is open. @param {number} cycle */
+  /** Shows a cycle of the running simulation if its recording is open. @param {number} cycle */
   showRunning(cycle) {
     const index = cycle - (this.file?.run.firstCycle ?? 0);
     if (this.isRunning && index >= 0) {
@@ -170,7 +170,7 @@ class ReplayRoom {
     }
   }
 
-  /** @returns {import('../state/time-cursor.js').RecordedMoment | undefined} what the picture shows */
+  /** @returns {import('../state/time-cursor.js').RecordedMoment | undefined} the shown moment */
   get picture() {
     const moment = this.file?.run.at(Math.round(this.state.index));
     if (!moment || !this.file) {
@@ -182,17 +182,17 @@ class ReplayRoom {
     return { ...seen, name, run, drawings, running: this.isRunning };
   }
 
-  /** What keys do here. */
+  /** Key actions of this room. */
   get actions() {
     return [
       action([' '], 'Space', 'play or pause', () => this.#set({ ...this.#restarted(), playing: !this.state.playing })),
       action(['ArrowLeft', ','], '←', 'one cycle back', () => this.#set(stepped(this.state, -1))),
-      action(['ArrowRight', '.'], '→', 'one cycle on', () => this.#set(stepped(this.state, 1))),
+      action(['ArrowRight', '.'], '→', 'one cycle forward', () => this.#set(stepped(this.state, 1))),
       action(['PageUp'], 'Page up', 'one second back', () => this.#set(stepped(this.state, -MOMENTS_PER_SECOND))),
-      action(['PageDown'], 'Page down', 'one second on', () => this.#set(stepped(this.state, MOMENTS_PER_SECOND))),
+      action(['PageDown'], 'Page down', 'one second forward', () => this.#set(stepped(this.state, MOMENTS_PER_SECOND))),
       action(['Home'], 'Home', 'to the beginning', () => this.#set(atMoment(this.state, 0))),
       action(['End'], 'End', 'to the end', () => this.#set(atMoment(this.state, this.state.count - 1))),
-      action(['['], '[', 'event before', () => this.#jump(-1)),
+      action(['['], '[', 'previous event', () => this.#jump(-1)),
       action([']'], ']', 'next event', () => this.#jump(1)),
       action(['m', 'M'], 'M', 'set a bookmark', () => this.bookmarks.ask()),
       action(['l', 'L'], 'L', 'repeat two seconds around this moment', () => this.#set(looped(this.state))),
@@ -203,7 +203,7 @@ class ReplayRoom {
     return this.state.index >= this.state.count - 1 ? atMoment(this.state, 0) : this.state;
   }
 
-  /** @param {number} index of a moment, at which it stands still then */
+  /** @param {number} index index of the moment at which to pause */
   #goTo(index) {
     this.#set({ ...atMoment(this.state, index), playing: false });
   }
@@ -252,7 +252,7 @@ class ReplayRoom {
   #bar() {
     return new ReplayBar(byId('replay'), this.comparison, this.bookmarks, {
       press: (key) => this.actions.find(({ shown }) => shown === key)?.act(),
-      showShelf: () => this.shelf.show(!this.shelf.isOpen),
+      showRecordings: () => this.repository.show(!this.repository.isOpen),
       setSpeed: (speed) => this.#set({ ...this.state, speed }),
       goTo: (index) => this.#goTo(index),
       startHere: () => this.#startHere(),
@@ -274,13 +274,13 @@ class ReplayRoom {
       const restored = await startFrom(this.file?.name ?? '', Math.round(this.state.index));
       location.hash = '#field';
       this.surroundings.goLive();
-      this.surroundings.note(`${restoredText(restored)} Press play to go on from here.`);
+      this.surroundings.note(`${restoredText(restored)} Press play to continue from here.`);
     } catch (error) {
       this.surroundings.note(/** @type {Error} */ (error).message);
     }
   }
 
-  /** What files hold: the part that is repeated, or all. @returns {import('./exports.js').Section} */
+  /** The section to export: the repeated one, or everything. @returns {import('./exports.js').Section} */
   #section() {
     const [from, to] = this.state.loop ?? [0, this.state.count - 1];
     return [Math.round(from), Math.round(to)];

@@ -1,4 +1,6 @@
-/** The scenes of a recording: a new one is made only with other robots, teams or play mode, since it costs a new picture. */
+/**
+ * Scene cache of a recording: creates a new scene only when robots, teams or play mode change, because a new scene rebuilds the picture.
+ */
 import { sceneOf } from '../state/replay/replay-state.js';
 
 /**

@@ -1,17 +1,17 @@
-/** Makes one HTML file that plays a recording anywhere: with all scripts, styles and the recording inside. */
+/** Creates a self-contained HTML file that plays a recording, with all scripts, styles and the recording embedded. */
 
 const SCRIPT = /^(import|export)([^'"]*?from\s*|\s*)(['"])(\.{1,2}\/[^'"]+|three)\3/gm;
 const START = 'replay/player.js';
 const STYLES = ['theme.css', 'layout.css', 'field.css', 'replay.css', 'drawings.css'];
 
-/** The page has no bar above its picture, so the picture takes the first row and all of the height. */
+/** The page has no toolbar, so the picture takes the whole height. */
 const WHOLE_PAGE = 'body { grid-template-rows: minmax(0, 1fr); }';
 
 /**
  * @param {object} run
- * @param {Uint8Array} run.packed the recording without commands, packed with gzip
+ * @param {Uint8Array} run.packed the recording without commands, gzip-compressed
  * @param {string} run.name
- * @param {string[]} run.pictures lines of telemetry with what robots drew
+ * @param {string[]} run.pictures telemetry lines with drawings
  * @param {Record<string, import('../state/kinematics.js').RobotModel>} models
  * @returns {Promise<string>}
  */

@@ -1,8 +1,8 @@
 /**
- * Unpacks a recording as far as it goes: that of a run that goes on, or was cut off, has no end.
+ * Decompresses a recording as far as possible: one that is still being written, or was cut off, has no end.
  *
  * @param {Uint8Array[]} packed
- * @param {(bytes: Uint8Array) => void} take gets one piece after the other
+ * @param {(bytes: Uint8Array) => void} take receives the pieces in order
  */
 export async function unpack(packed, take) {
   const stream = new Blob(/** @type {BlobPart[]} */ (packed))
@@ -14,6 +14,6 @@ export async function unpack(packed, take) {
       take(part.value);
     }
   } catch {
-    // What came before the break is good.
+    // The data before the break is valid.
   }
 }

@@ -1,4 +1,4 @@
-/** Recordings as videos: each picture is drawn for its very moment, however long that takes, and encoded by the browser. */
+/** Recordings as videos: each frame is rendered for its exact time, independent of the rendering speed, and encoded by the browser. */
 import { CameraController } from '../field/camera-controller.js';
 import { FieldView } from '../field/field-view.js';
 import { element } from '../panels/elements.js';
@@ -18,10 +18,10 @@ const PICTURES_PER_SECOND = 25;
 const MOMENTS_PER_PICTURE = MOMENTS_PER_SECOND / PICTURES_PER_SECOND;
 const PICTURES_PER_KEY = 2 * PICTURES_PER_SECOND;
 const BITS_PER_SECOND = 3_000_000;
-const MOST_WAITING = 4;
+const MAX_WAITING = 4;
 const MICROSECONDS = 1_000_000;
 
-/** What browsers can encode, the quicker one first. @type {Array<{codec: string, name: 'V_VP8' | 'V_VP9'}>} */
+/** Codecs in order of preference, the faster one first. @type {Array<{codec: string, name: 'V_VP8' | 'V_VP9'}>} */
 const CODECS = [
   { codec: 'vp8', name: 'V_VP8' },
   { codec: 'vp09.00.31.08', name: 'V_VP9' },
@@ -35,7 +35,7 @@ const MISSING =
  * @param {Record<string, import('../state/kinematics.js').RobotModel>} models
  * @param {import('./exports.js').Section} section
  * @param {import('./exports.js').Progress} progress
- * @param {CameraController} camera that the video looks like
+ * @param {CameraController} camera of the view to record
  * @returns {Promise<Blob>} a WebM file
  */
 export async function videoOf({ run }, models, [from, to], progress, camera) {
@@ -58,7 +58,7 @@ export async function videoOf({ run }, models, [from, to], progress, camera) {
   }
 }
 
-/** A picture of the field beside the page, of the size of the video, with score and time. */
+/** Offscreen picture of the field in the size of the video, with score and time. */
 class VideoStage {
   canvas = element('canvas', { width: String(WIDTH), height: String(HEIGHT) });
   #place = element('div', { class: 'video-stage', 'aria-hidden': 'true' });
@@ -72,7 +72,7 @@ class VideoStage {
     this.view.setTheme(document.documentElement.dataset.theme === 'dark' ? 'dark' : 'light');
     this.view.renderer.setPixelRatio(1);
     this.view.renderer.setSize(WIDTH, HEIGHT);
-    this.desk = new CameraController(this.view.camera);
+    this.cameraController = new CameraController(this.view.camera);
     this.model = camera;
     this.scenes = new SceneMemory(models);
     this.pen = /** @type {CanvasRenderingContext2D} */ (this.canvas.getContext('2d', { willReadFrequently: true }));
@@ -85,14 +85,18 @@ class VideoStage {
     if (scene !== this.#scene) {
       this.#scene = scene;
       this.view.setScene(scene);
-      this.desk.setScene(scene);
+      this.cameraController.setScene(scene);
     }
     if (isFirst) {
-      this.desk.lookAs(this.model);
+      this.cameraController.lookAs(this.model);
     }
     this.view.update(frameOf(moment, scene));
-    this.desk.update(this.view.robots.poses, isFirst ? 1 : 1 / PICTURES_PER_SECOND, this.view.ball.position.toArray());
-    this.view.light.shine(this.desk.shown.target, this.view.camera.position);
+    this.cameraController.update(
+      this.view.robots.poses,
+      isFirst ? 1 : 1 / PICTURES_PER_SECOND,
+      this.view.ball.position.toArray(),
+    );
+    this.view.light.shine(this.cameraController.shown.target, this.view.camera.position);
     this.view.draw();
     this.pen.drawImage(this.view.renderer.domElement, 0, 0, WIDTH, HEIGHT);
     this.#writeScore(moment);
@@ -118,7 +122,7 @@ class VideoStage {
   }
 }
 
-/** The browser's encoder, and what it has given so far. */
+/** The browser's encoder and its output so far. */
 class Encoding {
   /** @type {EncodedPicture[]} */
   #pictures = [];
@@ -137,7 +141,7 @@ class Encoding {
     this.encoder.configure(settings);
   }
 
-  /** @returns {Promise<Encoding>} @throws {Error} if the browser has no encoder; the message is meant for people */
+  /** @returns {Promise<Encoding>} @throws {Error} if the browser has no encoder; the message is meant for the user */
   static async open() {
     const common = { width: WIDTH, height: HEIGHT, bitrate: BITS_PER_SECOND, framerate: PICTURES_PER_SECOND };
     for (const { codec, name } of typeof VideoEncoder === 'undefined' ? [] : CODECS) {
@@ -156,21 +160,21 @@ class Encoding {
     this.#pictures.push({ data, milliseconds: chunk.timestamp / 1000, isKey: chunk.type === 'key' });
   }
 
-  /** @param {HTMLCanvasElement} canvas @param {number} index of the picture */
+  /** @param {HTMLCanvasElement} canvas @param {number} index index of the frame */
   async add(canvas, index) {
     const duration = MICROSECONDS / PICTURES_PER_SECOND;
     const picture = new VideoFrame(canvas, { timestamp: index * duration, duration });
     this.encoder.encode(picture, { keyFrame: index % PICTURES_PER_KEY === 0 });
     picture.close();
     do {
-      await breath();
-    } while (this.encoder.encodeQueueSize > MOST_WAITING && !this.#problem);
+      await yieldToPage();
+    } while (this.encoder.encodeQueueSize > MAX_WAITING && !this.#problem);
     if (this.#problem) {
       throw this.#problem;
     }
   }
 
-  /** @param {number} count of all pictures @returns {Promise<Blob>} */
+  /** @param {number} count count number of frames @returns {Promise<Blob>} */
   async file(count) {
     await this.encoder.flush();
     const film = { codec: this.name, width: WIDTH, height: HEIGHT, milliseconds: (1000 * count) / PICTURES_PER_SECOND };
@@ -184,8 +188,8 @@ class Encoding {
   }
 }
 
-/** Lets the page do something else; unlike a timer also at once where nobody looks at it. @returns {Promise<void>} */
-function breath() {
+/** Yields to the event loop. Unlike timers, this is not throttled in hidden pages. @returns {Promise<void>} */
+function yieldToPage() {
   return new Promise((done) => {
     const { port1, port2 } = new MessageChannel();
     port1.onmessage = () => {

@@ -1,4 +1,4 @@
-/** What a robot's camera tells: 120 by 120 degrees, drawn as a picture. */
+/** The output of a robot's camera, 120 by 120 degrees, drawn as a picture. */
 import { BALL_RADIUS } from '../field/ball.js';
 import { label, shape, title } from '../panels/drawing.js';
 
@@ -9,14 +9,14 @@ import { label, shape, title } from '../panels/drawing.js';
 
 const HALF_DEGREES = 60;
 const PLAYER_RADIUS_METRES = 0.08;
-const LEAST_PLAYER_DEGREES = 1.2;
+const MIN_PLAYER_DEGREES = 1.2;
 const DEGREES = 180 / Math.PI;
 const POST = 'm-1.4 0l1.4 -1.4l1.4 1.4l-1.4 1.4z';
 const FLAG = 'm-1.2 -1.2h2.4v2.4h-2.4z';
 
 /**
  * @param {HTMLElement} place
- * @returns {(seen: Senses['seen'], team: string) => void} draws; the team is the robot's own
+ * @returns {(seen: Senses['seen'], team: string) => void} updates the picture; `team` is the robot's own team
  */
 export function cameraPicture(place) {
   const svg = shape('svg', {
@@ -57,7 +57,7 @@ function nearestFirst(things) {
   return [...things].sort((a, b) => distance(a) - distance(b));
 }
 
-/** Leaves out names that would be printed over others; what comes first stays. @param {SVGTextElement[]} names */
+/** Hides labels that would overlap; earlier ones win. @param {SVGTextElement[]} names */
 function hideCoveredNames(names) {
   /** @type {DOMRect[]} */
   const taken = [];
@@ -115,7 +115,7 @@ function drawnPlayer({ name, points, team: shirt }, team, hint) {
   };
   const head = points.find((each) => each.name === 'head')?.polar;
   if (!head) {
-    return points.map(({ polar }) => dot(polar, LEAST_PLAYER_DEGREES));
+    return points.map(({ polar }) => dot(polar, MIN_PLAYER_DEGREES));
   }
   const limbs = points
     .filter(({ polar }) => polar !== head)
@@ -124,7 +124,7 @@ function drawnPlayer({ name, points, team: shirt }, team, hint) {
   return [...limbs, dot(head, size(PLAYER_RADIUS_METRES, head[0])), label(name, x + 2, y - 2, 'camera-text')];
 }
 
-/** @param {number} radius metres @param {number} distance metres @returns {string} degrees, large enough to be seen */
+/** @param {number} radius metres @param {number} distance metres @returns {string} degrees, large enough to be visible */
 function size(radius, distance) {
   return Math.max(1, Math.atan2(radius, distance) * DEGREES).toFixed(2);
 }

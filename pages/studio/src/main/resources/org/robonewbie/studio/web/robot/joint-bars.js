@@ -1,4 +1,4 @@
-/** All joints of a robot: where in its range each one is, its angle, how fast it turns and how fast it was told to. */
+/** All joints of a robot: position in the range, angle, measured speed and commanded speed. */
 import { element, setText } from '../panels/elements.js';
 import { JOINT_GROUPS, jointName, shortJointName } from '../state/motion/names.js';
 import { fixed } from '../state/numbers.js';

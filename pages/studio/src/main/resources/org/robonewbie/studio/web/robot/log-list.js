@@ -1,11 +1,11 @@
-/** The log of a robot: its lines from a level on; the line of the moment is marked, and a click goes to the moment of a line. */
+/** Log of a robot: lines from a minimum level, with the line of the shown moment marked; a click jumps to the moment of a line. */
 import { element } from '../panels/elements.js';
 
 /** @typedef {import('../state/robot/telemetry.js').LogLine} LogLine */
 
 const LEVELS = ['DEBUG', 'INFO', 'WARNING', 'ERROR'];
-const MOST_LINES = 300;
-const NOTHING_SAID = 'This robot has said nothing yet. Its program writes here with nao.log("…").';
+const MAX_LINES = 300;
+const NOTHING_SAID = 'This robot has logged nothing yet. Its program writes here with nao.log("…").';
 const HALF_CYCLE = 0.01;
 
 /**
@@ -14,7 +14,7 @@ const HALF_CYCLE = 0.01;
  * @returns {(log: readonly LogLine[], seconds: number) => void}
  */
 export function logList(place, goTo) {
-  const level = element('select', { id: 'log-level', 'aria-label': 'Lines from this level on' });
+  const level = element('select', { id: 'log-level', 'aria-label': 'Minimum level' });
   level.append(
     ...LEVELS.map((each) =>
       element('option', { value: each }, each === 'DEBUG' ? 'all lines' : `from ${each.toLowerCase()} on`),
@@ -30,7 +30,7 @@ export function logList(place, goTo) {
     level.hidden = list.hidden = log.length === 0;
     const wanted = log.filter((line) => LEVELS.indexOf(line.level) >= LEVELS.indexOf(level.value));
     const last = wanted.findLastIndex((line) => line.seconds <= seconds + HALF_CYCLE);
-    const shown = wanted.slice(Math.max(0, last + 50 - MOST_LINES), last + 50);
+    const shown = wanted.slice(Math.max(0, last + 50 - MAX_LINES), last + 50);
     const key = `${wanted.length} ${shown.length} ${shown[0]?.seconds} ${shown.at(-1)?.seconds} ${level.value}`;
     if (key !== drawn) {
       drawn = key;

@@ -1,4 +1,4 @@
-/** The messages between a robot and the simulator as they are, with parts that can be folded and searched. */
+/** Raw messages between a robot and the simulator, as a collapsible and searchable tree. */
 import { element, setText } from '../panels/elements.js';
 import { readExpressions, writeExpression } from '../state/robot/expressions.js';
 
@@ -18,7 +18,7 @@ export function messageView(place) {
   const from = element('div', { class: 'message', id: 'perceptor-message' });
   const to = element('div', { class: 'message', id: 'effector-message' });
   place.append(search, element('h3', {}, 'From the simulator'), from, element('h3', {}, 'To the simulator'), to);
-  /** Parts that are unfolded, by name. @type {Set<string>} */
+  /** Expanded parts, by name. @type {Set<string>} */
   const unfolded = new Set(['GYR', 'ACC', 'GS', 'time']);
   let drawn = '';
   return (exchange) => {
@@ -38,7 +38,7 @@ function draw(place, message, wanted, unfolded) {
     writeExpression(each).toLowerCase().includes(wanted.toLowerCase()),
   );
   if (message === '' || found.length === 0) {
-    setText(place, message === '' ? 'no message in this moment' : 'nothing found');
+    setText(place, message === '' ? 'no message at this moment' : 'nothing found');
     return;
   }
   place.replaceChildren(...found.map((each) => tree(each, wanted, unfolded)));

@@ -1,4 +1,4 @@
-/** Curves of any values over time, several in each plot, with one cursor for all of them, which is the cursor of all rooms. */
+/** Plots of any values over time, several curves per plot, with one cursor that is shared with all rooms. */
 import { button, choice, element, offer, setText } from '../panels/elements.js';
 import { keep, recall } from '../panels/memory.js';
 import { fixed } from '../state/numbers.js';
@@ -29,15 +29,15 @@ export class PlotController {
     this.goTo = goTo;
     this.chosen = 0;
     this.span = 20;
-    /** Where the curves end while they stand still. @type {number | undefined} */
+    /** End of the visible range while the plots are paused. @type {number | undefined} */
     this.heldAt = undefined;
     /** @type {RobotMoment | undefined} */
     this.moment = undefined;
     this.list = element('div', { class: 'curves', id: 'curves' });
-    this.pause = button('Hold', 'Let the curves stand still; the simulation goes on', () => this.hold());
+    this.pause = button('Hold', 'Hold the curves; the simulation continues', () => this.hold());
     this.pause.id = 'hold-curves';
     const zoom = choice(
-      { id: 'curve-span', 'aria-label': 'Length of the curves', title: 'How much time the curves show' },
+      { id: 'curve-span', 'aria-label': 'Length of the curves', title: 'Time range of the curves' },
       SPANS.map((seconds) => [String(seconds), `${seconds} s`]),
       (seconds) => {
         this.span = Number(seconds);
@@ -45,7 +45,7 @@ export class PlotController {
     );
     zoom.value = String(this.span);
     const table = button('CSV', 'Save what the plots show as a table', () => this.#offer(), { id: 'curves-csv' });
-    const more = button('+ Plot', 'One more plot; choose its values in the tree', () => this.add([]), {
+    const more = button('+ Plot', 'Add a plot; choose its values in the tree', () => this.add([]), {
       id: 'add-plot',
     });
     this.tree = valueTree((name) => this.toggle(name));
@@ -80,7 +80,7 @@ export class PlotController {
     this.rows.forEach((each) => each.head.parentElement?.classList.toggle('chosen', each === row));
   }
 
-  /** Adds a value to the chosen plot, or takes it away. @param {string} name */
+  /** Adds a value to the selected plot, or removes it. @param {string} name */
   toggle(name) {
     if (this.rows.length === 0) {
       this.add([]);
@@ -111,7 +111,7 @@ export class PlotController {
     this.pause.setAttribute('aria-pressed', String(this.heldAt !== undefined));
   }
 
-  /** @param {RobotMoment} moment @param {boolean} isLive whether it is now */
+  /** @param {RobotMoment} moment @param {boolean} isLive whether it is the present */
   draw(moment, isLive) {
     this.moment = moment;
     this.tree.draw(moment.traces, this.rows[this.chosen]?.names ?? []);
@@ -122,7 +122,13 @@ export class PlotController {
     }
   }
 
-  /** What the plots show: the last seconds; if one looks at another moment, it is in the middle. @param {RobotMoment} moment @param {boolean} isLive @returns {[number, number]} */
+  /**
+   * The visible range: the last seconds; for a past moment, centred on it.
+   *
+   * @param {RobotMoment} moment
+   * @param {boolean} isLive
+   * @returns {[number, number]}
+   */
   #range({ seconds, traces }, isLive) {
     const last = traces.extent.to;
     const to =
@@ -139,9 +145,9 @@ export class PlotController {
     const key = values.join('\n');
     if (row.head.dataset.key !== key || !row.head.hasChildNodes()) {
       row.head.dataset.key = key;
-      const remove = button('×', 'Take this plot away', () => this.#remove(row));
+      const remove = button('×', 'Remove this plot', () => this.#remove(row));
       remove.className = 'quiet';
-      remove.setAttribute('aria-label', 'Take this plot away');
+      remove.setAttribute('aria-label', 'Remove this plot');
       const parts = values.map((text, i) => element('span', { class: `curve-name curve-${i % 6}` }, ...named(text)));
       row.head.replaceChildren(
         ...(parts.length > 0 ? parts : [element('span', { class: 'faint' }, 'Choose values for this plot')]),
@@ -193,7 +199,7 @@ function named(text) {
   return [`${name.split('/').join(': ')} `, element('strong', {}, value)];
 }
 
-/** @returns {string[][]} names of the values of each plot */
+/** @returns {string[][]} value names of each plot */
 function stored() {
   const kept = recall(KEY, FIRST);
   const isWhole = Array.isArray(kept) && kept.length > 0 && kept.every(Array.isArray);

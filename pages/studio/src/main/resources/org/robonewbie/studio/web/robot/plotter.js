@@ -1,9 +1,9 @@
-/** Draws curves with uPlot, which is loaded when curves are wanted first. */
+/** Draws plots with uPlot, which is loaded on first use. */
 
 const ADDRESS = 'vendor/uplot/uplot.min.js';
 const HEIGHT = 96;
 const COLOURS = 6;
-const LEAST_DRAG_PIXELS = 4;
+const MIN_DRAG_PIXELS = 4;
 const LOOK = {
   height: HEIGHT,
   legend: { show: false },
@@ -18,7 +18,7 @@ const LOOK = {
 /** @type {Promise<void> | undefined} */
 let loading;
 
-/** @returns {any} the library, undefined as long as it is not there */
+/** @returns {any} the library, undefined until it is loaded */
 export const uPlot = () => /** @type {any} */ (window).uPlot;
 
 /** @returns {Promise<void>} */
@@ -28,7 +28,7 @@ export function loadPlotter() {
     script.src = ADDRESS;
     script.addEventListener('load', () => done());
     script.addEventListener('error', () =>
-      failed(new Error('The curves cannot be drawn: a part of the page is missing. Load the page again.')),
+      failed(new Error('The curves cannot be drawn: a part of the page is missing. Reload the page.')),
     );
     document.head.append(script);
   });
@@ -39,7 +39,7 @@ export function loadPlotter() {
  * @param {HTMLElement} place
  * @param {readonly string[]} names
  * @param {{width: number, seek: (seconds: number) => void, zoomed: (range: {from: number, to: number}) => void}} options
- * @returns {any} a plot; undefined as long as the library is not there or there is no room
+ * @returns {any} a plot; undefined until the library is loaded and while there is no space
  */
 export function newPlot(place, names, { width, seek, zoomed }) {
   place.replaceChildren();
@@ -74,23 +74,23 @@ function seriesIn(colour) {
   });
 }
 
-/** Takes the chosen part of a plot. @param {any} plot @param {(range: {from: number, to: number}) => void} zoomed */
+/** Zooms to the selected range of a plot. @param {any} plot @param {(range: {from: number, to: number}) => void} zoomed */
 function zoomTo(plot, zoomed) {
   const { left, width } = plot.select;
-  if (width > LEAST_DRAG_PIXELS) {
+  if (width > MIN_DRAG_PIXELS) {
     zoomed({ from: plot.posToVal(left, 'x'), to: plot.posToVal(left + width, 'x') });
   }
   plot.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
 }
 
-/** A click is a press that does not move; a drag zooms. @param {any} plot @param {(seconds: number) => void} seek */
+/** Distinguishes clicks from drags: a click moves the cursor, a drag zooms. @param {any} plot @param {(seconds: number) => void} seek */
 function listenToClicks(plot, seek) {
   let pressedAt = 0;
   plot.over.addEventListener('pointerdown', (/** @type {PointerEvent} */ event) => {
     pressedAt = event.clientX;
   });
   plot.over.addEventListener('click', (/** @type {MouseEvent} */ event) => {
-    if (Math.abs(event.clientX - pressedAt) < LEAST_DRAG_PIXELS) {
+    if (Math.abs(event.clientX - pressedAt) < MIN_DRAG_PIXELS) {
       seek(plot.posToVal(event.offsetX, 'x'));
     }
   });
@@ -110,9 +110,15 @@ export function axes(colour) {
   ];
 }
 
-/** A flat curve lies in the middle. @param {any} _ @param {number | null} least @param {number | null} most */
-export function roomy(_, least, most) {
-  const [low, high] = [least ?? 0, most ?? 1];
+/**
+ * Range of the vertical axis with margins; a constant curve is centred.
+ *
+ * @param {any} _
+ * @param {number | null} min
+ * @param {number | null} max
+ */
+export function roomy(_, min, max) {
+  const [low, high] = [min ?? 0, max ?? 1];
   const room = Math.max((high - low) * 0.08, Math.abs(high) * 0.005, 0.01);
   return [low - room, high + room];
 }

@@ -1,4 +1,4 @@
-/** The room in which one robot is seen from inside: joints, senses, surroundings, thoughts, messages and curves. */
+/** The robot room: joints, senses, surroundings, beliefs, messages and plots of one robot. */
 import { button, byId, element, setText } from '../panels/elements.js';
 import { PANEL_TITLES } from '../state/layout.js';
 import { fixed } from '../state/numbers.js';
@@ -47,7 +47,7 @@ class RobotRoom {
     const map = element(
       'figure',
       { class: 'map' },
-      element('figcaption', { class: 'faint' }, 'From above: rings are true, filled is believed'),
+      element('figcaption', { class: 'faint' }, 'From above: rings are the truth, filled shapes are beliefs'),
     );
     const senses = element('div', { class: 'senses-row' });
     const head = element('div', { class: 'robot-head' }, this.choice, this.facts);
@@ -60,10 +60,10 @@ class RobotRoom {
     this.plots = new PlotController(right, goTo);
   }
 
-  /** A panel below its name, which folds it. @param {import('../state/layout.js').PanelName} name */
+  /** A panel below its title, which collapses it. @param {import('../state/layout.js').PanelName} name */
   #panel(name) {
     const title = PANEL_TITLES[name];
-    const fold = button(title, 'Fold and unfold', () => this.surroundings.fold(name), {
+    const fold = button(title, 'Collapse or expand', () => this.surroundings.fold(name), {
       class: 'panel-title',
       'aria-expanded': 'true',
     });
@@ -73,13 +73,13 @@ class RobotRoom {
     return inside;
   }
 
-  /** The log and the messages lie in the same place. @param {(seconds: number) => void} goTo */
+  /** Tabs for the log and the messages. @param {(seconds: number) => void} goTo */
   #sheets(goTo) {
     const log = element('div', { class: 'sheet', id: 'log-sheet' });
     const messages = element('div', { class: 'sheet', id: 'message-sheet' });
     const sheets = [log, messages];
     const tabs = ['Log', 'Messages'].map((name, i) =>
-      button(name, i === 0 ? 'What the program of the robot says (G)' : 'What goes over the wire (M)', () => show(i)),
+      button(name, i === 0 ? 'Log of the robot’s program (G)' : 'Messages on the wire (M)', () => show(i)),
     );
     tabs[0].id = 'log-tab';
     tabs[1].id = 'message-tab';
@@ -96,7 +96,7 @@ class RobotRoom {
     return element('div', { class: 'sheets' }, element('div', { class: 'tabs' }, ...tabs), ...sheets);
   }
 
-  /** What keys do here. */
+  /** Key actions of this room. */
   get actions() {
     return [
       {
@@ -107,7 +107,7 @@ class RobotRoom {
       },
       { keys: ['g', 'G'], shown: 'G', text: 'log', act: () => this.showSheet?.(0) },
       { keys: ['m', 'M'], shown: 'M', text: 'messages', act: () => this.showSheet?.(1) },
-      { keys: ['h', 'H'], shown: 'H', text: 'hold the curves, or let them go on', act: () => this.plots.hold() },
+      { keys: ['h', 'H'], shown: 'H', text: 'hold or resume the curves', act: () => this.plots.hold() },
     ];
   }
 
@@ -117,14 +117,14 @@ class RobotRoom {
     this.lastPicture = 0;
   }
 
-  /** A new line to the simulator knows nothing of what was watched. */
+  /** Forgets the subscription, which a new connection does not have. */
   forget() {
     this.watch.forget();
   }
 
   /** @param {{robot: string, lines: string[], messages: Array<[number, string, string]>}} news */
-  hear(news) {
-    this.watch.hear(news);
+  receive(news) {
+    this.watch.receive(news);
   }
 
   /**
@@ -142,7 +142,7 @@ class RobotRoom {
     if (moment) {
       this.#draw(moment, shown.tense === 'live');
     } else {
-      setText(this.facts, 'No robot is there yet. Run an agent.');
+      setText(this.facts, 'There is no robot yet. Run an agent.');
     }
   }
 
@@ -152,7 +152,7 @@ class RobotRoom {
     const place = placeOf(frame, robot);
     setText(
       this.facts,
-      `x ${fixed(place.x, 2)} m, y ${fixed(place.y, 2)} m, looks to ${fixed(place.heading, 0)}°, ${place.stands ? 'stands' : 'lies'}`,
+      `x ${fixed(place.x, 2)} m, y ${fixed(place.y, 2)} m, heading ${fixed(place.heading, 0)}°, ${place.stands ? 'stands' : 'lies'}`,
     );
     const { name, keyframe } = thoughts.motion;
     setText(this.motion, name ? `Motion ${name}, on the way to keyframe ${keyframe}` : 'No motion is running');

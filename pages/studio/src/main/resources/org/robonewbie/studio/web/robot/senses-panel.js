@@ -1,4 +1,4 @@
-/** What a robot feels and hears: accelerometer, gyroscope, feet, calls, and what the referee tells. */
+/** Perceptors of a robot: accelerometer, gyroscope, feet, hearing, and the game state of the referee. */
 import { label, shape } from '../panels/drawing.js';
 import { element, setText } from '../panels/elements.js';
 import { fixed } from '../state/numbers.js';
@@ -20,7 +20,7 @@ export function sensesPanel(place) {
   const values = Object.fromEntries(NAMES.map((name) => [name, element('dd', {})]));
   const lines = NAMES.flatMap((name) => [element('dt', {}, name), values[name]]);
   const soles = shape('svg', { class: 'soles', viewBox: '-0.13 -0.1 0.26 0.2', role: 'img' });
-  soles.setAttribute('aria-label', 'Where the ground presses against the feet; the toes are above');
+  soles.setAttribute('aria-label', 'Forces of the ground on the feet; the toes point up');
   place.append(element('dl', { class: 'senses' }, ...lines), soles);
   return (senses, said, model) => {
     setText(values.Accelerometer, vector(senses.acceleration, 1, 'm/s²'));
@@ -34,7 +34,7 @@ export function sensesPanel(place) {
   };
 }
 
-/** Writes what was said; it stays until something else is said. @param {Element} target @param {string} said */
+/** Shows the last heard message until another one arrives. @param {Element} target @param {string} said */
 function keepText(target, said) {
   setText(target, said || target.textContent || '–');
 }
@@ -53,10 +53,10 @@ function foot(force) {
     : 'touches nothing';
 }
 
-/** @param {Record<string, string>} told */
-function game(told) {
-  const score = told.sl === undefined ? '' : `, ${told.sl} : ${told.sr}`;
-  return told.pm === undefined ? '–' : `${told.pm} at ${told.t} s${score}`;
+/** @param {Record<string, string>} state */
+function game(state) {
+  const score = state.sl === undefined ? '' : `, ${state.sl} : ${state.sr}`;
+  return state.pm === undefined ? '–' : `${state.pm} at ${state.t} s${score}`;
 }
 
 /** @param {SVGElement} soles @param {Senses} senses @param {RobotModel} model */

@@ -1,4 +1,4 @@
-/** The surroundings of a robot from above: what is true, what it believes, and what it draws. */
+/** Map of a robot's surroundings: ground truth, beliefs and drawings. */
 import { label, shape, title } from '../panels/drawing.js';
 import { headingDegrees } from '../state/kinematics.js';
 import { believedPlace, thingsAround } from '../state/robot/robot-facts.js';
@@ -44,7 +44,7 @@ export function surroundingsMap(place) {
   };
 }
 
-/** @param {Float32Array} torso @param {string} side @param {number[]} self as the robot believes */
+/** @param {Float32Array} torso @param {string} side @param {number[]} self believed pose */
 function believedSelf(torso, side, self) {
   const { position, heading } = believedPlace(torso, side, self);
   const [x, y] = at(position);
@@ -52,7 +52,7 @@ function believedSelf(torso, side, self) {
   return shape(
     'path',
     { class: 'belief-self', d: ARROW, transform: `translate(${x} ${y}) rotate(${turn.toFixed(1)})` },
-    title('where the robot believes to be'),
+    title('believed position of the robot'),
   );
 }
 

@@ -1,4 +1,4 @@
-/** All values that can be plotted, as a tree of groups. */
+/** Tree of all values that can be plotted. */
 import { element, setText } from '../panels/elements.js';
 
 /** @typedef {import('../state/robot/traces.js').Traces} Traces */

@@ -1,4 +1,4 @@
-/** Starts the page on which a search for better numbers is watched. */
+/** Page that shows a running search for better numbers. */
 import { ReportPage } from '../live/report-page.js';
 import { byId, element, setText } from '../panels/elements.js';
 import { themeSwitch } from '../panels/theme.js';
@@ -15,9 +15,9 @@ import {
 } from '../state/search.js';
 import { searchPlot } from './search-plot.js';
 
-const MOST_NUMBERS = 60;
+const MAX_NUMBERS = 60;
 
-const page = new ReportPage('live-search', initialSearch(), { told: withNews, lost: withoutLine }, draw);
+const page = new ReportPage('live-search', initialSearch(), { received: withNews, lost: withoutLine }, draw);
 
 await loadPlotter();
 const valuePlot = searchPlot(byId('value-plot'), [
@@ -47,10 +47,10 @@ function draw() {
   const look = byId('look');
   look.hidden = place === '';
   look.setAttribute('href', `./${place}`);
-  setText(look, phase === 'ended' ? 'Look at the motion that came out' : 'Look at the motion as it is now');
+  setText(look, phase === 'ended' ? 'Show the resulting motion' : 'Show the current motion');
   valuePlot.setData(valueCurves(search));
   stepPlot.setData(stepCurve(search));
-  const shown = bars(numbers, MOST_NUMBERS);
+  const shown = bars(numbers, MAX_NUMBERS);
   setText(
     byId('number-count'),
     numbers.length > shown.length ? `(the ${shown.length} of ${numbers.length} numbers that changed most)` : '',
@@ -90,7 +90,7 @@ themeSwitch(page.options.get('theme'), () => {
 });
 page.open();
 
-/** What tests and the curious ask for in the browser's console. */
+/** Exposed in the browser's console for tests and debugging. */
 Object.assign(window, {
   search: {
     get state() {

@@ -1,4 +1,4 @@
-/** Curves over the rounds of a search. */
+/** Plots over the rounds of a search. */
 import { axes, roomy, uPlot } from '../robot/plotter.js';
 
 /**
@@ -10,7 +10,7 @@ import { axes, roomy, uPlot } from '../robot/plotter.js';
  */
 
 /**
- * Makes an empty plot that fills its place.
+ * Creates an empty plot that fills its container.
  *
  * @param {HTMLElement} place
  * @param {readonly Curve[]} curves
@@ -43,10 +43,10 @@ export function searchPlot(place, curves) {
   return plot;
 }
 
-/** Between two rounds there is nothing to mark. */
+/** Tick distances: whole rounds only. */
 const WHOLE_STEPS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000];
 
-/** Also a single round has room. @param {any} _ @param {number | null} least @param {number | null} most */
-function wholeRounds(_, least, most) {
-  return [Math.min(1, least ?? 1), Math.max(2, most ?? 2)];
+/** Range of the horizontal axis, with space for a single round. @param {any} _ @param {number | null} min @param {number | null} max */
+function wholeRounds(_, min, max) {
+  return [Math.min(1, min ?? 1), Math.max(2, max ?? 2)];
 }

@@ -1,17 +1,17 @@
-/** Where the ball was in the last seconds. Pure. */
+/** Recent positions of the ball. Pure. */
 import { CYCLE_SECONDS } from './cycle.js';
 
-/** How long the trail is. */
+/** Length of the trail. */
 export const TRAIL_SECONDS = 3;
 
-const LEAST_METRES = 0.03;
+const MIN_METRES = 0.03;
 const LONGEST_GAP_SECONDS = 0.5;
 
-/** Faster than any kick: the ball was put elsewhere. */
+/** A ball that is faster than any kick was repositioned. */
 const LEAP_METRES_PER_SECOND = 25;
 
 export class BallPath {
-  /** The oldest place first. @type {Array<{seconds: number, place: number[]}>} */
+  /** Positions in chronological order. @type {Array<{seconds: number, place: number[]}>} */
   #places = [];
   #now = 0;
 
@@ -19,7 +19,7 @@ export class BallPath {
     this.#places = [];
   }
 
-  /** @param {number} cycle @param {ArrayLike<number>} ball its pose */
+  /** @param {number} cycle @param {ArrayLike<number>} ball pose */
   add(cycle, ball) {
     const seconds = cycle * CYCLE_SECONDS;
     const place = [ball[0], ball[1], ball[2]];
@@ -29,7 +29,7 @@ export class BallPath {
       this.clear();
     }
     this.#now = seconds;
-    if (!this.#places.length || distance(/** @type {any} */ (this.#places.at(-1)).place, place) >= LEAST_METRES) {
+    if (!this.#places.length || distance(/** @type {any} */ (this.#places.at(-1)).place, place) >= MIN_METRES) {
       this.#places.push({ seconds, place });
     }
     while (this.#places.length > 1 && this.#places[0].seconds < seconds - TRAIL_SECONDS) {
@@ -37,7 +37,7 @@ export class BallPath {
     }
   }
 
-  /** @returns {Array<{place: number[], freshness: number}>} places and how fresh they are, from 0 to 1; none while the ball lies */
+  /** @returns {Array<{place: number[], freshness: number}>} positions with their freshness, from 0 to 1; empty while the ball is at rest */
   get trail() {
     const places = this.#places.map(({ seconds, place }) => ({
       place,
@@ -54,5 +54,5 @@ function distance(a, b) {
 
 /** @param {number} seconds */
 function leap(seconds) {
-  return LEAST_METRES * 3 + LEAP_METRES_PER_SECOND * seconds;
+  return MIN_METRES * 3 + LEAP_METRES_PER_SECOND * seconds;
 }

@@ -1,13 +1,13 @@
 /**
- * What teams draw for RoboViz, as triangles in space. Pure.
+ * Triangulates RoboViz drawings. Pure.
  *
  * @typedef {object} BoardShape
  * @property {'circle' | 'line' | 'point' | 'sphere' | 'polygon' | 'text' | 'agent'} shape
- * @property {number[]} [numbers] in the order of RoboViz's protocol, metres; thickness and size of a point are pixels there
+ * @property {number[]} [numbers] in the order of RoboViz's protocol, metres; line thickness and point size are in pixels there
  * @property {string} colour
  * @property {number} [opacity]
  * @property {string} text
- * @property {'left' | 'right'} [side] of a text above a robot
+ * @property {'left' | 'right'} [side] side of the team, for a text above a robot
  * @property {number} [number]
  */
 
@@ -17,7 +17,7 @@ const OVER_GROUND = 0.013;
 
 /** @typedef {[number, number, number]} Point */
 
-/** @param {BoardShape} shape @returns {number[]} x, y and z of three corners for each triangle; none for a text */
+/** @param {BoardShape} shape @returns {number[]} x, y and z of three vertices per triangle; empty for a text */
 export function boardTriangles({ shape, numbers: n = [] }) {
   switch (shape) {
     case 'circle':
@@ -35,7 +35,7 @@ export function boardTriangles({ shape, numbers: n = [] }) {
   }
 }
 
-/** What lies on the ground would flicker with it. @param {number} z */
+/** Raises shapes on the ground, which would cause z-fighting. @param {number} z */
 function over(z) {
   return Math.abs(z) < OVER_GROUND ? OVER_GROUND : z;
 }
@@ -52,7 +52,7 @@ function ring(x, y, radius, thickness) {
   ).flat();
 }
 
-/** Two crossed ribbons, so that a line is seen from all sides. @param {Point} a @param {Point} b @param {number} half */
+/** Two crossed ribbons, so that a line is visible from all sides. @param {Point} a @param {Point} b @param {number} half */
 function beam(a, b, half) {
   const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
   const flat = Math.hypot(dx, dy);
@@ -84,7 +84,7 @@ function ball([x, y, z], r, around = 16, high = 8) {
   }).flat();
 }
 
-/** @param {number[]} numbers x, y and z of each corner */
+/** @param {number[]} numbers x, y and z of each vertex */
 function fan(numbers) {
   const corner = (/** @type {number} */ i) => [numbers[3 * i], numbers[3 * i + 1], over(numbers[3 * i + 2])];
   const count = Math.floor(numbers.length / 3);

@@ -1,4 +1,4 @@
-/** What the page says about an exercise and its trials. Pure. */
+/** Texts about exercises and their trials. Pure. */
 
 /**
  * @typedef {{tries: number, best: number, passed: boolean, minutes: number}} Standing
@@ -9,7 +9,7 @@
  * @typedef {{id: number, state: 'NONE' | 'WAITING' | 'RUNNING' | 'OVER', exercise: string, program: string, port: number, trials: number, judged: Judged[], points: number, passed: boolean, output: string}} Attempt
  */
 
-/** @param {Lesson} lesson @returns {string} how hard it is, and how far one is with it */
+/** @param {Lesson} lesson @returns {string} its level, and the progress so far */
 export function lessonLine({ level, minutes, points, standing }) {
   if (standing.tries === 0) {
     return `${level} · ${minutes} min`;
@@ -23,12 +23,12 @@ export function lessonTitle({ number, title, standing }) {
   return `${standing.passed ? '✓ ' : ''}${number} ${title}`;
 }
 
-/** @param {Help} help @returns {string} the next hint's button; empty if all are open */
+/** @param {Help} help @returns {string} label of the button for the next hint; empty if all are open */
 export function hintButton({ hints: open, allHints }) {
   return open.length < allHints ? `Open hint ${open.length + 1} of ${allHints}` : '';
 }
 
-/** @param {Help} help @returns {string} what the button of the solution says */
+/** @param {Help} help @returns {string} label of the solution button */
 export function solutionButton({ triesLeft }) {
   if (triesLeft === 0) {
     return 'Show me a solution';
@@ -36,13 +36,13 @@ export function solutionButton({ triesLeft }) {
   return `Solution after ${triesLeft === 1 ? 'one more try' : `${triesLeft} more tries`}`;
 }
 
-/** @param {Attempt} attempt @returns {string} what happens now, as a sentence */
+/** @param {Attempt} attempt @returns {string} the current state, as a sentence */
 export function progressText(attempt) {
   const trial = `Trial ${attempt.judged.length + 1} of ${attempt.trials}`;
   if (attempt.state === 'WAITING') {
     return attempt.program
       ? `${trial}: ${attempt.program} is starting…`
-      : `${trial} waits for your agent. Start it with: ./robonewbie run MyAgent.java --port ${attempt.port} --team Students`;
+      : `${trial} is waiting for your agent. Start it with: ./robonewbie run MyAgent.java --port ${attempt.port} --team Students`;
   }
   if (attempt.state === 'RUNNING') {
     return `${trial} is running and being judged.`;
@@ -68,8 +68,8 @@ export function hints({ judged }) {
  *
  * @param {Lesson} lesson
  * @param {string[]} programs
- * @returns {string} empty if none of them does
+ * @returns {string} empty if none of them is likely
  */
-export function usualProgram(lesson, programs) {
+export function likelyProgram(lesson, programs) {
   return programs.includes(lesson.file) ? lesson.file : '';
 }

@@ -1,13 +1,13 @@
-/** Cells of tables as text with commas (RFC 4180). Pure. */
+/** Cells of CSV tables (RFC 4180). Pure. */
 
 const NUMBER = /^\s*[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?\s*$/;
 
-/** Also behind blanks, and as the wide forms that some spreadsheets read alike. */
+/** Start of a formula, also after blanks, and in the full-width forms that some spreadsheets accept. */
 const FORMULA = /^(?:[\t\r\n]|[\s\p{Cc}\p{Cf}\p{Z}]*[=+\-@＝＋－＠])/u;
 
 /**
  * @param {string} text
- * @returns {string} the cell; a text that a spreadsheet would take for a formula gets an apostrophe before it
+ * @returns {string} the cell; a text that a spreadsheet would treat as a formula is prefixed with an apostrophe
  */
 export function csvCell(text) {
   const safe = FORMULA.test(text) && !NUMBER.test(text) ? `'${text}` : text;

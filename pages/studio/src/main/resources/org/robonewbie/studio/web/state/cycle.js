@@ -1,2 +1,2 @@
-/** How long the simulator simulates in one cycle. */
+/** Simulated duration of one cycle. */
 export const CYCLE_SECONDS = 0.02;

@@ -1,31 +1,31 @@
 /**
- * Decodes the bytes of files that people wrote, and encodes changed text as the file was. The same rules as the Java class
- * DecodedText: a byte order mark decides the encoding; without one it is UTF-8, or Windows-1252 if the bytes are no UTF-8. Pure.
+ * Detects the encoding of text files, decodes them, and encodes changed text in the same encoding. The rules equal those of the Java class
+ * DecodedText: a byte order mark decides; otherwise the encoding is UTF-8, or Windows-1252 if the bytes are not valid UTF-8. Pure.
  *
  * @typedef {'UTF-8' | 'UTF-16LE' | 'UTF-16BE' | 'Windows-1252'} Encoding
  *
- * @typedef {object} Source how the bytes of a file were encoded
+ * @typedef {object} Source encoding of a file
  * @property {Encoding} encoding
  * @property {boolean} hasByteOrderMark
  *
- * @typedef {Source & {content: string}} DecodedText the content is without byte order mark
+ * @typedef {Source & {content: string}} DecodedText content excludes the byte order mark
  */
 
-/** What new files are encoded in. @type {Source} */
+/** Encoding of new files. @type {Source} */
 export const UTF_8 = { encoding: 'UTF-8', hasByteOrderMark: false };
 
 const SAVE_AS_UTF_8 = 'Save it as UTF-8 (most editors: Save As, Encoding).';
 const MARK = '\uFEFF';
-const MOST_LETTERS = 60;
+const MAX_LETTERS = 60;
 
-/** The characters of 0x80 to 0x9F in Windows-1252; \0 where it has none. */
+/** Windows-1252 characters 0x80 to 0x9F; \0 for unassigned ones. */
 const SIGNS =
   '\u20AC\0\u201A\u0192\u201E\u2026\u2020\u2021\u02C6\u2030\u0160\u2039\u0152\0\u017D\0' +
   '\0\u2018\u2019\u201C\u201D\u2022\u2013\u2014\u02DC\u2122\u0161\u203A\u0153\0\u017E\u0178';
 
-/** Bytes that are no text; the message names the line and says what to do. */
+/** Thrown for bytes that are not text; the message names the line and says what to do. */
 export class UndecodableText extends Error {
-  /** @param {number} line from 1 @param {string} problem */
+  /** @param {number} line starting at 1 @param {string} problem */
   constructor(line, problem) {
     super(`line ${line} ${problem}. ${SAVE_AS_UTF_8}`);
     this.line = line;
@@ -35,7 +35,7 @@ export class UndecodableText extends Error {
 /**
  * @param {Uint8Array} bytes all bytes of a file
  * @returns {DecodedText}
- * @throws {UndecodableText} if they are no text
+ * @throws {UndecodableText} if they are not text
  */
 export function decodeText(bytes) {
   const first = bytes.length < 2 ? 0 : 256 * bytes[0] + bytes[1];
@@ -52,9 +52,9 @@ export function decodeText(bytes) {
 }
 
 /**
- * @param {Source} source how the file was encoded
+ * @param {Source} source encoding of the file
  * @param {string} content the changed text
- * @returns {Uint8Array} in the same encoding, or in UTF-8 if that cannot hold the text
+ * @returns {Uint8Array} in the same encoding, or in UTF-8 if the text is not representable
  */
 export function encodeText(source, content) {
   const text = source.hasByteOrderMark ? MARK + content : content;
@@ -70,12 +70,12 @@ export function encodeText(source, content) {
   }
 }
 
-/** @param {Source} source @param {string} content @returns {Encoding} in which {@link encodeText} writes the text */
+/** @param {Source} source @param {string} content @returns {Encoding} used by {@link encodeText} for the text */
 export function encodingFor(source, content) {
   return source.encoding === 'Windows-1252' && !bytesOf1252(content) ? 'UTF-8' : source.encoding;
 }
 
-/** @param {DecodedText} text @returns {string} where its encoding was inferred; nothing if it is certain */
+/** @param {DecodedText} text @returns {string} how its encoding was inferred; empty if it is certain */
 export function encodingNote({ encoding, content }) {
   if (encoding !== 'Windows-1252') {
     return '';
@@ -83,11 +83,11 @@ export function encodingNote({ encoding, content }) {
   const lines = content.split(/\r\n|\r|\n/);
   const first = lines.findIndex((line) => /[^\0-\x7f]/.test(line));
   const line = lines[first].replace(/^[ \t\f]+|[ \t\f]+$/g, '');
-  const shown = line.length <= MOST_LETTERS ? line : `${line.slice(0, MOST_LETTERS)}…`;
+  const shown = line.length <= MAX_LETTERS ? line : `${line.slice(0, MAX_LETTERS)}…`;
   return `line ${first + 1} is not UTF-8 and was read as Windows-1252: "${shown}". ${SAVE_AS_UTF_8}`;
 }
 
-/** @param {Uint8Array} bytes @returns {string} to be looked at only: what cannot be decoded is replaced */
+/** @param {Uint8Array} bytes @returns {string} text for display only: undecodable bytes are replaced */
 export function legibleText(bytes) {
   return new TextDecoder().decode(bytes);
 }
@@ -105,7 +105,7 @@ function marked(encoding, decoded) {
   return { encoding, hasByteOrderMark, content: hasByteOrderMark ? decoded.slice(1) : decoded };
 }
 
-/** @param {Uint8Array} bytes @returns {string | undefined} nothing if they are not UTF-8 */
+/** @param {Uint8Array} bytes @returns {string | undefined} undefined if they are not UTF-8 */
 function utf8(bytes) {
   try {
     return new TextDecoder('utf-8', { fatal: true, ignoreBOM: true }).decode(bytes);
@@ -114,7 +114,7 @@ function utf8(bytes) {
   }
 }
 
-/** A few bytes that are no UTF-8 behind its mark or among many of its letters: the file is damaged. @param {Uint8Array} bytes */
+/** Rejects a damaged file: a few invalid bytes after a UTF-8 byte order mark or among many UTF-8 characters. @param {Uint8Array} bytes */
 function refuseDamagedUtf8(bytes) {
   let letters = 0;
   let wrong = 0;
@@ -138,7 +138,7 @@ function refuseDamagedUtf8(bytes) {
   }
 }
 
-/** How many bytes the character there has in UTF-8; 0 if it is none. @param {Uint8Array} bytes @param {number} at */
+/** Length of the UTF-8 sequence at an index; 0 if it is invalid. @param {Uint8Array} bytes @param {number} at */
 function utf8Length(bytes, at) {
   const lead = bytes[at];
   const limits = [0x80, 0xc2, 0xe0, 0xf0, 0xf5];
@@ -151,7 +151,13 @@ function utf8Length(bytes, at) {
   return length;
 }
 
-/** Whether bytes of the right form stand for a character: neither half of a pair nor written longer than needed. @param {Uint8Array} bytes @param {number} at @param {number} length */
+/**
+ * Whether a well-formed UTF-8 sequence is a valid character: neither a surrogate nor overlong.
+ *
+ * @param {Uint8Array} bytes
+ * @param {number} at
+ * @param {number} length
+ */
 function isScalar(bytes, at, length) {
   const second = bytes[at + 1];
   switch (length < 3 ? 0 : bytes[at]) {
@@ -181,7 +187,7 @@ function utf16(bytes, isLittle) {
   return text;
 }
 
-/** @param {string} text @param {number} low where in its pair the low byte is */
+/** @param {string} text @param {number} low index of the low byte within its pair */
 function bytesOfUtf16(text, low) {
   const bytes = new Uint8Array(2 * text.length);
   for (let i = 0; i < text.length; i += 1) {
@@ -209,7 +215,10 @@ function windows1252(bytes) {
   return letters.join('');
 }
 
-/** @param {string} text @returns {Uint8Array | undefined} nothing if it lacks a character, or if the bytes would be read as another text */
+/**
+ * @param {string} text
+ * @returns {Uint8Array | undefined} undefined if a character is not representable, or if the bytes would be decoded differently
+ */
 function bytesOf1252(text) {
   const codes = Array.from(text, (letter) => codeOf1252(letter));
   const bytes = Uint8Array.from(codes);
@@ -233,7 +242,7 @@ function codeOf1252(letter) {
   return code < 0x80 || (code >= 0xa0 && code <= 0xff) ? code : -1;
 }
 
-/** @param {string} text @param {number} index @returns {number} the line there, from 1 */
+/** @param {string} text @param {number} index @returns {number} line number, starting at 1 */
 function lineAt(text, index) {
   const before = text.slice(0, index);
   return (before.match(/\r\n|\r|\n/g) ?? []).length + 1;

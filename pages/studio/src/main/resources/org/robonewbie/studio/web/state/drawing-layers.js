@@ -1,12 +1,9 @@
-/**
- * Which drawings are shown: all, those of one robot, or one kind of them. A layer is off if it or what it belongs to is off.
- * Pure.
- */
+/** Visibility of drawings: all, those of one robot, or one kind of them. A layer is hidden if it or a parent is switched off. Pure. */
 
-/** The layer to which all others belong. */
+/** The root layer. */
 export const ALL_DRAWINGS = '';
 
-/** Kinds of drawings and how a list names them, in the order in which they are listed. */
+/** Kinds of drawings with their labels, in display order. */
 export const KINDS = { circle: 'Circles', line: 'Lines', point: 'Points', text: 'Texts' };
 
 /** @param {string} robot its key @param {string} kind @returns {string} */
@@ -15,7 +12,7 @@ export function layerOf(robot, kind) {
 }
 
 export class DrawingLayers {
-  /** @param {Iterable<string>} off layers */
+  /** @param {Iterable<string>} off hidden layers */
   constructor(off = []) {
     this.off = new Set(off);
   }

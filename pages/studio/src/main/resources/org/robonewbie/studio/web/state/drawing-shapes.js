@@ -1,9 +1,8 @@
 /**
- * Brings what robots draw from their heads to the ground of the pitch: places, and triangles that a picture is filled with.
- * Pure.
+ * Transforms drawings from the robot's head frame to the ground and triangulates them. Pure.
  *
  * @typedef {import('./robot/telemetry.js').Drawing} Drawing
- * @typedef {{x: number, y: number, cos: number, sin: number}} Stand where a robot's head is over the ground, and where it looks
+ * @typedef {{x: number, y: number, cos: number, sin: number}} Stand position of a robot's head above the ground, and its heading
  */
 import { headingDegrees, POSE } from './kinematics.js';
 
@@ -14,7 +13,7 @@ const POINT_PARTS = 16;
 
 /**
  * @param {ArrayLike<number>} poses of all links of a robot, the torso first
- * @param {number} head index of its head
+ * @param {number} head link index of its head
  * @returns {Stand}
  */
 export function standOf(poses, head) {
@@ -27,7 +26,7 @@ export function onGround({ x, y, cos, sin }, [forward, left]) {
   return [x + forward * cos - left * sin, y + forward * sin + left * cos];
 }
 
-/** @param {Drawing} drawing @returns {boolean} whether all its numbers can be drawn */
+/** @param {Drawing} drawing @returns {boolean} whether all its numbers are finite */
 export function isDrawable({ place, to, radius }) {
   return [...place, ...to, radius].every(Number.isFinite);
 }
@@ -35,7 +34,7 @@ export function isDrawable({ place, to, radius }) {
 /**
  * @param {Stand} stand
  * @param {Drawing} drawing
- * @returns {number[]} x and y of three corners for each triangle; none for a text
+ * @returns {number[]} x and y of three vertices per triangle; empty for a text
  */
 export function trianglesOf(stand, { shape, place, to, radius }) {
   const at = onGround(stand, place);

@@ -1,9 +1,9 @@
 /**
- * Names that a file can have on Windows, macOS and Linux alike, in the letters of any language. The same rule as the Java class
+ * Validates file names that work on Windows, macOS and Linux, in the letters of any language. The rules equal those of the Java class
  * FileName. Pure.
  */
 
-const MOST_CHARACTERS = 80;
+const MAX_CHARACTERS = 80;
 const RESERVED = /[/\\:*?"<>|%]/;
 const CONTROL = /\p{Cc}/u;
 const BLANK = /[\u00A0\u1680\u2000-\u200A\u202F\u205F]/;
@@ -21,25 +21,25 @@ const WRONG = [
 ];
 
 /**
- * macOS writes some letters as two characters, other systems as one; both are the same name.
+ * Normalises a name: macOS writes some letters as two characters, other systems as one.
  *
  * @param {string} name
- * @returns {string} the name as files are called here
+ * @returns {string} the normalised name
  */
 export function composedName(name) {
   return name.normalize('NFC');
 }
 
 /**
- * @param {string} name without folder and ending
- * @returns {string} what is wrong with it, such as: contains "/"; nothing if it is good
+ * @param {string} name without folder and extension
+ * @returns {string} its problem, such as: contains "/"; empty if it is valid
  */
 export function nameProblem(name) {
   if (name === '') {
     return 'is empty';
   }
-  if (name.length > MOST_CHARACTERS) {
-    return `has ${name.length} characters, and ${MOST_CHARACTERS} are the most`;
+  if (name.length > MAX_CHARACTERS) {
+    return `has ${name.length} characters, and ${MAX_CHARACTERS} are the most`;
   }
   const wrong = WRONG.map(([signs, words]) => ({ at: name.search(signs), words }))
     .filter(({ at }) => at >= 0)

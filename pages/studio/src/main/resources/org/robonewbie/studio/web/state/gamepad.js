@@ -1,20 +1,20 @@
-/** How a person steers a robot with a gamepad: the left stick walks, the right one and the triggers turn, buttons kick. Pure. */
+/** Maps a gamepad to robot commands: the left stick walks, the right stick and the triggers turn, buttons kick. Pure. */
 
 const DEAD = 0.18;
 const STEPS = 5;
 
-/** Buttons of the standard gamepad. @type {Record<number, string>} */
+/** Buttons of the standard gamepad layout. @type {Record<number, string>} */
 const MOTIONS = { 0: 'kick-right', 2: 'kick-left', 3: 'wave', 1: 'stand' };
 
 /**
- * @typedef {object} Pad what the browser tells of a gamepad
+ * @typedef {object} Pad gamepad state of the browser
  * @property {readonly number[]} axes
  * @property {ReadonlyArray<{pressed: boolean}>} buttons
  */
 
 /**
  * @param {Pad} pad
- * @returns {import('./puppet.js').Walk} in coarse steps, so that a trembling thumb gives no new order
+ * @returns {import('./puppet.js').Walk} quantised, so that small thumb movements do not send new commands
  */
 export function walkOfPad({ axes }) {
   const part = (/** @type {number | undefined} */ value = 0) =>
@@ -24,8 +24,8 @@ export function walkOfPad({ axes }) {
 
 /**
  * @param {Pad} pad
- * @param {ReadonlySet<number>} before buttons that were down
- * @returns {{down: Set<number>, motion: string | undefined}} buttons that are down, and the motion that was just asked for
+ * @param {ReadonlySet<number>} before buttons that were pressed before
+ * @returns {{down: Set<number>, motion: string | undefined}} buttons that are pressed, and the motion just requested
  */
 export function buttonsOfPad({ buttons }, before) {
   const down = new Set([...buttons.keys()].filter((i) => buttons[i].pressed));
@@ -33,5 +33,5 @@ export function buttonsOfPad({ buttons }, before) {
   return { down, motion: fresh === undefined ? undefined : MOTIONS[fresh] };
 }
 
-/** What a person reads about it. */
+/** Help text. */
 export const PAD_TEXT = 'Gamepad: left stick walks, right stick turns, A and X kick, Y waves, B stands.';

@@ -1,4 +1,4 @@
-/** Shows a goal again, slowly, a moment after it was scored; then the picture goes back to now. Pure. */
+/** Replays a goal in slow motion shortly after it was scored, then returns to the present. Pure. */
 
 const CYCLES_PER_SECOND = 50;
 const BEFORE_SECONDS = 5;
@@ -6,7 +6,7 @@ const AFTER_SECONDS = 1.2;
 const SPEED = 0.5;
 
 export class GoalReplay {
-  /** The cycle that is shown, while a goal is shown again. @type {number | undefined} */
+  /** The replayed cycle, undefined without a replay. @type {number | undefined} */
   at;
   /** @type {number | undefined} */
   #goal;
@@ -23,11 +23,11 @@ export class GoalReplay {
   }
 
   /**
-   * Moves on.
+   * Advances the replay.
    *
    * @param {number} seconds since the last call
-   * @param {{first: number, last: number}} history cycles that can be shown
-   * @returns {'nothing' | 'shows' | 'ends'} whether `at` is to be shown, or now again
+   * @param {{first: number, last: number}} history range of available cycles
+   * @returns {'nothing' | 'shows' | 'ends'} whether to show `at`, or to return to the present
    */
   turn(seconds, { first, last }) {
     if (this.#goal === undefined) {
@@ -51,7 +51,7 @@ export class GoalReplay {
 }
 
 /**
- * Says who has come into the game and who has left it.
+ * Describes which robots have joined and left.
  *
  * @param {ReadonlyArray<{team: string, number: number}>} before
  * @param {ReadonlyArray<{team: string, number: number}>} after
@@ -62,7 +62,7 @@ export function lineUpChanges(before, after) {
     players.filter(({ number }) => number > 0).map(({ team, number }) => `${team} ${number}`);
   const [were, are] = [names(before), names(after)];
   return [
-    ...were.filter((name) => !are.includes(name)).map((name) => `${name} leaves the game`),
-    ...are.filter((name) => !were.includes(name)).map((name) => `${name} comes in`),
+    ...were.filter((name) => !are.includes(name)).map((name) => `${name} leaves`),
+    ...are.filter((name) => !were.includes(name)).map((name) => `${name} joins`),
   ];
 }

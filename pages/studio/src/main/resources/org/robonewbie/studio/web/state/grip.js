@@ -1,4 +1,4 @@
-/** The ring around what one points at: dragging it turns a robot and throws the ball. Pure. */
+/** The ring around an object: dragging it turns a robot or throws the ball. Pure. */
 
 const RING_METRES = { ball: 0.17, robot: 0.36 };
 const RING_PIXELS = { ball: 22, robot: 34 };
@@ -7,18 +7,18 @@ const DEAD_METRES = 0.06;
 const SPEED_PER_METRE = 2.5;
 const HIGH_PART = 0.6;
 
-/** Faster than the hardest kicks that teams have shown. */
+/** Above the hardest kicks that teams have shown, in metres per second. */
 export const FASTEST_THROW = 12;
 
 /** @typedef {'ball' | 'robot'} Kind */
 
-/** @param {Kind} kind @param {number} metresPerPixel at its place @returns {number} radius of the ring, metres */
+/** @param {Kind} kind @param {number} metresPerPixel at its position @returns {number} radius of the ring, metres */
 export function ringRadius(kind, metresPerPixel) {
   return Math.max(RING_METRES[kind], RING_PIXELS[kind] * metresPerPixel);
 }
 
 /**
- * Whether a point of the ground belongs to the ring.
+ * Whether a point on the ground is on the ring.
  *
  * @param {ArrayLike<number>} centre
  * @param {ArrayLike<number>} point
@@ -31,7 +31,7 @@ export function isOnRing(centre, point, radius) {
 
 /**
  * @param {ArrayLike<number>} centre
- * @param {ArrayLike<number>} point where the pointer is
+ * @param {ArrayLike<number>} point pointer position
  * @returns {number | undefined} the heading in degrees; undefined if the pointer is on the robot itself
  */
 export function headingTo(centre, point) {
@@ -40,12 +40,12 @@ export function headingTo(centre, point) {
 }
 
 /**
- * How the ball flies when it is let go: the farther one has drawn, the faster.
+ * The flight of the ball when released: the longer the drag, the faster.
  *
  * @param {ArrayLike<number>} ball
- * @param {ArrayLike<number>} point where the pointer is
+ * @param {ArrayLike<number>} point pointer position
  * @param {boolean} high whether it flies over robots
- * @returns {{velocity: [number, number, number], speed: number} | undefined} metres per second; undefined if it stays
+ * @returns {{velocity: [number, number, number], speed: number} | undefined} metres per second; undefined if it does not move
  */
 export function throwOf(ball, point, high) {
   const [x, y] = [point[0] - ball[0], point[1] - ball[1]];

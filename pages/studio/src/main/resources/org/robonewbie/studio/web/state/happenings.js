@@ -1,4 +1,4 @@
-/** What happens in the game, in words. Pure. */
+/** Game events in words. Pure. */
 
 /** @type {Record<string, string>} */
 const FOULS = {
@@ -7,7 +7,7 @@ const FOULS = {
   ILLEGAL_DEFENCE: 'too many defenders in the penalty area',
   ILLEGAL_ATTACK: 'too many attackers in the penalty area',
   INCAPABLE: 'lies on the ground for too long',
-  ILLEGAL_KICK_OFF: 'mistake at the kick-off',
+  ILLEGAL_KICK_OFF: 'illegal kick-off',
   CHARGING: 'runs into an opponent',
   SELF_COLLISION: 'its own limbs collide',
   BALL_HOLDING: 'keeps the ball for too long',
@@ -16,9 +16,9 @@ const FOULS = {
 };
 
 /**
- * @param {string} event as the recording writes it
+ * @param {string} event in the format of recordings
  * @param {{left: string, right: string}} teams
- * @returns {string} a sentence, empty for what is seen elsewhere
+ * @returns {string} a sentence, empty for events shown elsewhere
  */
 export function foulText(event, teams) {
   const [kind, first, side, number] = event.split(' ');

@@ -1,5 +1,5 @@
 /**
- * Where all limbs are when the torso and the joint angles are known. Pure: no three.js, no page.
+ * Forward kinematics: poses of all links from the torso's pose and the joint angles. Pure: no three.js, no page.
  *
  * Poses are seven numbers each: position x, y, z in metres and rotation w, x, y, z as a unit quaternion.
  */
@@ -18,7 +18,7 @@
  * @property {number[]} axis
  * @property {number} minDegrees
  * @property {number} maxDegrees
- * @property {string} effector as messages name it
+ * @property {string} effector name of the effector in messages
  * @property {number} maxSpeed of its motor, degrees per second
  *
  * @typedef {object} RobotModel
@@ -56,7 +56,7 @@ export function computeLinkPoses(model, torso, degrees, poses) {
 }
 
 /**
- * Turns a vector from a link's frame into the world.
+ * Rotates a vector from a link's frame into the world frame.
  *
  * @param {ArrayLike<number>} poses poses of all links
  * @param {number} link index of the link
@@ -77,7 +77,7 @@ export function rotated(poses, link, vector) {
 }
 
 /**
- * Tells where a robot looks.
+ * The heading of a robot.
  *
  * @param {ArrayLike<number>} torso pose of its torso
  * @returns {number} degrees, 0 along x towards the right goal, counter-clockwise
@@ -88,11 +88,11 @@ export function headingDegrees(torso) {
 }
 
 /**
- * Finds the height at which a robot stands upright with the joints that it has.
+ * The height at which a robot stands upright with these joint angles.
  *
  * @param {RobotModel} model the robot's body
  * @param {ArrayLike<number>} degrees its joint angles
- * @returns {number} height of the torso's centre over the ground in metres
+ * @returns {number} height of the torso's centre above the ground in metres
  */
 export function standingHeight(model, degrees) {
   const poses = new Float32Array(model.links.length * POSE);
@@ -135,7 +135,7 @@ function copyPosition(poses, from, to) {
 }
 
 /**
- * Moves one pose by a vector given in the frame of another.
+ * Translates one pose by a vector given in the frame of another.
  *
  * @param {Float32Array | Float64Array} poses
  * @param {number} frame

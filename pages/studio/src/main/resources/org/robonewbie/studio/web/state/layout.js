@@ -1,24 +1,23 @@
 /**
- * Where panels are: columns side by side, and panels above each other in each of them. Edges are moved, panels are folded to their
- * names. Pure.
+ * Layout of panels: columns side by side, each a stack of panels. Edges can be moved, panels can be collapsed to their titles. Pure.
  *
  * @typedef {'picture' | 'words' | 'curves' | 'joints' | 'surroundings' | 'code' | 'said'} PanelName
- * @typedef {{name: PanelName, part: number, folded: boolean}} Panel part is its share of the column, when it is not folded
- * @typedef {{part: number, panels: readonly Panel[]}} Column part is its share of the width
+ * @typedef {{name: PanelName, part: number, folded: boolean}} Panel part is its fraction of the column when expanded
+ * @typedef {{part: number, panels: readonly Panel[]}} Column part is its fraction of the width
  * @typedef {readonly Column[]} Layout
  * @typedef {'wide' | 'medium' | 'narrow'} Width
  * @typedef {'understand' | 'program'} PresetName
  *
  * @typedef {{left: number, top: number, width: number, height: number}} Box pixels
- * @typedef {object} Edge what is dragged between two columns or two panels
+ * @typedef {object} Edge handle between two columns or two panels
  * @property {Box} box
- * @property {number} column index of the column to its left, or in which it lies
- * @property {number | undefined} panel index of the panel above it; none between columns
- * @property {number} percent how much of what it divides lies before it
+ * @property {number} column index of the column to its left, or of the column that contains it
+ * @property {number | undefined} panel index of the panel above it; undefined between columns
+ * @property {number} percent position within the divided area
  * @property {string} label
  */
 
-/** The panels' names as people read them. @type {Record<PanelName, string>} */
+/** Titles of the panels. @type {Record<PanelName, string>} */
 export const PANEL_TITLES = {
   picture: 'Picture',
   words: 'Log and messages',
@@ -26,16 +25,16 @@ export const PANEL_TITLES = {
   joints: 'Joints',
   surroundings: 'Surroundings and senses',
   code: 'Program',
-  said: 'What it says',
+  said: 'Output',
 };
 
-/** Space between panels, wide enough for a finger with what lies beside it. */
+/** Gap between panels, with its margins wide enough for touch input. */
 export const EDGE_PIXELS = 8;
 
-/** Height of a folded panel. */
+/** Height of a collapsed panel. */
 export const FOLDED_PIXELS = 34;
 
-const LEAST_PART = 0.12;
+const MIN_PART = 0.12;
 const WIDTHS = /** @type {const} */ ([
   ['narrow', 760],
   ['medium', 1180],
@@ -47,7 +46,7 @@ const open = (name, part) => ({ name, part, folded: false });
 /** @param {PanelName} name @param {number} part */
 const folded = (name, part) => ({ name, part, folded: true });
 
-/** Picture, curves, joints and words together, so that "why did it fall?" is answered in one view. @type {Record<Width, Layout>} */
+/** Picture, curves, joints and words together, to answer "why did it fall?" in one view. @type {Record<Width, Layout>} */
 export const UNDERSTAND = {
   wide: [
     { part: 0.45, panels: [open('picture', 0.64), open('words', 0.36)] },
@@ -85,31 +84,31 @@ export const PROGRAM = {
   narrow: [{ part: 1, panels: [open('picture', 0.4), open('code', 0.6), folded('said', 0.3)] }],
 };
 
-/** What lies beside the picture. @type {Record<PresetName, Record<Width, Layout>>} */
+/** Panels beside the picture, by preset. @type {Record<PresetName, Record<Width, Layout>>} */
 export const LAYOUTS = { understand: UNDERSTAND, program: PROGRAM };
 
-/** @param {number} pixels @returns {Width} which of the layouts fits */
+/** @param {number} pixels @returns {Width} the matching layout width */
 export function widthOf(pixels) {
-  return WIDTHS.find(([, least]) => pixels < least)?.[0] ?? 'wide';
+  return WIDTHS.find(([, minPixels]) => pixels < minPixels)?.[0] ?? 'wide';
 }
 
 /**
- * Reads a layout that was kept.
+ * Restores a stored layout.
  *
  * @param {unknown} kept
  * @param {Width} width
  * @param {PresetName} [preset]
- * @returns {Layout} the kept one, or the usual one if that does not hold each panel once
+ * @returns {Layout} the stored layout, or the default if it does not contain each panel exactly once
  */
 export function restoredLayout(kept, width, preset = 'understand') {
-  const usual = LAYOUTS[preset][width];
+  const defaultLayout = LAYOUTS[preset][width];
   const columns = Array.isArray(kept) ? kept : [];
   const panels = columns.flatMap((column) => (Array.isArray(column?.panels) ? column.panels : []));
   const names = panels.map((panel) => String(panel?.name)).sort();
   const parts = [...columns, ...panels].map((each) => each?.part);
-  const isWhole = names.join() === namesOf(usual).join();
-  const isSound = columns.length === usual.length && parts.every((part) => part > 0 && part <= 1);
-  return isWhole && isSound ? columns : usual;
+  const isWhole = names.join() === namesOf(defaultLayout).join();
+  const isSound = columns.length === defaultLayout.length && parts.every((part) => part > 0 && part <= 1);
+  return isWhole && isSound ? columns : defaultLayout;
 }
 
 /** @param {Layout} layout */
@@ -118,7 +117,7 @@ function namesOf(layout) {
 }
 
 /**
- * Folds a panel to its name, or unfolds it.
+ * Collapses or expands a panel.
  *
  * @param {Layout} layout
  * @param {PanelName} name
@@ -134,7 +133,7 @@ export function toggled(layout, name) {
 /**
  * @param {Layout} layout
  * @param {Pick<Edge, 'column' | 'panel'>} edge
- * @param {number} by part of the whole width or height; positive is to the right and down
+ * @param {number} by fraction of the whole width or height; positive to the right and down
  * @returns {Layout}
  */
 export function withEdgeMoved(layout, { column, panel }, by) {
@@ -161,21 +160,21 @@ function withParts(list, first, second, by) {
     return list;
   }
   const both = list[first].part + list[second].part;
-  const least = Math.min(LEAST_PART, both / 2);
-  const part = Math.max(least, Math.min(both - least, list[first].part + by));
+  const minPixels = Math.min(MIN_PART, both / 2);
+  const part = Math.max(minPixels, Math.min(both - minPixels, list[first].part + by));
   return list.map((each, i) =>
     i === first ? { ...each, part } : i === second ? { ...each, part: both - part } : each,
   );
 }
 
-/** The nearest open panels above and below an edge, -1 if there is none. @param {readonly Panel[]} panels @param {number} panel */
+/** The nearest expanded panels above and below an edge, -1 if there is none. @param {readonly Panel[]} panels @param {number} panel */
 function neighbours(panels, panel) {
   const above = panels.findLastIndex((each, i) => i <= panel && !each.folded);
   return [above, panels.findIndex((each, i) => i > panel && !each.folded)];
 }
 
 /**
- * Computes where everything is.
+ * Computes the boxes of all panels and edges.
  *
  * @param {Layout} layout
  * @param {number} width pixels

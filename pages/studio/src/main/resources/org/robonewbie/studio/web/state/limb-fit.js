@@ -1,6 +1,6 @@
 /**
- * The limbs are designed for robot type 0; longer limbs of other types are stretched along the bone, so that they still
- * reach from joint to joint. Pure.
+ * Fits the limb design of robot type 0 to other types: longer limbs are stretched along the bone, so that they reach from joint to joint.
+ * Pure.
  *
  * @typedef {import('./kinematics.js').RobotModel} RobotModel
  *
@@ -9,7 +9,7 @@
  * @property {number[]} offset metres
  */
 
-/** Where the design has its joints: along which axis, at the inner and at the outer end. */
+/** Joint positions of the design: the axis of the bone, and its inner and outer end. */
 const BONES = {
   upperarm: { axis: 1, inner: -0.02, outer: 0.07 },
   thigh: { axis: 2, inner: 0.04, outer: -0.08 },
@@ -19,7 +19,7 @@ const BONES = {
 const FOOT_LENGTH = 0.16;
 
 /**
- * Finds out how the design of a link is stretched.
+ * Computes the fit of a link's design.
  *
  * @param {RobotModel} model
  * @param {number} link index

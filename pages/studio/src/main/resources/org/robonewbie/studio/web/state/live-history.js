@@ -1,4 +1,4 @@
-/** The frames of the last minutes of the running simulation, as they came. */
+/** History of the state frames of the last minutes of the running simulation. */
 import { readFrame } from '../live/state-frame.js';
 
 /**
@@ -8,7 +8,7 @@ import { readFrame } from '../live/state-frame.js';
  */
 
 /** Ten minutes at 25 frames per second; 22 robots need 1.4 KB per frame. */
-const MOST_FRAMES = 15_000;
+const MAX_FRAMES = 15_000;
 
 export class LiveHistory {
   constructor() {
@@ -26,8 +26,8 @@ export class LiveHistory {
       this.kept.pop();
     }
     this.kept.push({ cycle, scene, bytes });
-    if (this.kept.length > MOST_FRAMES * 1.1) {
-      this.kept.splice(0, this.kept.length - MOST_FRAMES);
+    if (this.kept.length > MAX_FRAMES * 1.1) {
+      this.kept.splice(0, this.kept.length - MAX_FRAMES);
     }
   }
 
@@ -39,7 +39,7 @@ export class LiveHistory {
     return this.kept.at(-1)?.cycle ?? 0;
   }
 
-  /** @param {number} cycle @returns {number} index of the last frame that is not later, or the first one */
+  /** @param {number} cycle @returns {number} index of the last frame that is not later, or of the first one */
   indexOf(cycle) {
     let [low, high] = [0, this.kept.length];
     while (low < high) {
@@ -53,7 +53,7 @@ export class LiveHistory {
     return Math.max(0, low - 1);
   }
 
-  /** @param {number} cycle @returns {{scene: Scene, frame: Frame} | undefined} what was then */
+  /** @param {number} cycle @returns {{scene: Scene, frame: Frame} | undefined} the state at this cycle */
   at(cycle) {
     return this.read(this.indexOf(cycle));
   }

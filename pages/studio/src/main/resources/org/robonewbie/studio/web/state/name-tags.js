@@ -1,19 +1,19 @@
-/** Which names are shown above robots, and how they are written. Pure. */
+/** Visibility and text of the name tags. Pure. */
 
-/** A robot that is drawn smaller than that has no name: it would be larger than the robot. */
-export const LEAST_ROBOT_PIXELS = 16;
+/** Minimum height of a robot with a name tag, which would otherwise be larger than the robot. */
+export const MIN_ROBOT_PIXELS = 16;
 
 const LONGEST_TEAM = 14;
 const GAP_PIXELS = 2;
 
 /**
- * @typedef {object} Tag a name at its place on the page
- * @property {number} x middle of its lower edge, pixels
+ * @typedef {object} Tag a name tag at its position on the page
+ * @property {number} x centre of its lower edge, pixels
  * @property {number} y
  * @property {number} width pixels
  * @property {number} height
- * @property {number} metres how far its robot is from the eye
- * @property {number} robotPixels how high the robot is drawn
+ * @property {number} metres distance of the robot from the camera
+ * @property {number} robotPixels height of the robot in pixels
  */
 
 /** @param {{team: string, number: number}} player */
@@ -23,7 +23,7 @@ export function nameOf({ team, number }) {
 }
 
 /**
- * Chooses the names to show: none of a tiny robot, and of two that would cover each other only the nearer one.
+ * Chooses the visible tags: none for tiny robots, and only the nearer one of two that would overlap.
  *
  * @param {readonly Tag[]} tags
  * @returns {boolean[]} whether each is shown
@@ -33,7 +33,7 @@ export function shownTags(tags) {
   const shown = [];
   const nearest = [...tags].sort((a, b) => a.metres - b.metres);
   for (const tag of nearest) {
-    if (tag.robotPixels >= LEAST_ROBOT_PIXELS && !shown.some((other) => cover(tag, other))) {
+    if (tag.robotPixels >= MIN_ROBOT_PIXELS && !shown.some((other) => cover(tag, other))) {
       shown.push(tag);
     }
   }

@@ -1,8 +1,8 @@
-/** Numbers as people read them. */
+/** Formatting and parsing of numbers. */
 
 /**
  * @param {number} value
- * @param {number} digits behind the point
+ * @param {number} digits digits after the decimal point
  * @returns {string} never “-0”
  */
 export function fixed(value, digits) {
@@ -11,7 +11,7 @@ export function fixed(value, digits) {
 }
 
 /**
- * @param {string} text as people type it, also with a comma
+ * @param {string} text user input, also with a decimal comma
  * @returns {number | undefined}
  */
 export function numberOf(text) {
@@ -20,10 +20,10 @@ export function numberOf(text) {
 }
 
 /**
- * @param {number} least
- * @returns {number} the next one of … 1, 2, 5, 10, 20, 50 … that is not smaller: the distance between two lines of a scale
+ * @param {number} min
+ * @returns {number} the tick distance: the smallest of … 1, 2, 5, 10, 20, 50 … that is not below `min`
  */
-export function roundStep(least) {
-  const decade = 10 ** Math.floor(Math.log10(least));
-  return [1, 2, 5].map((each) => each * decade).find((each) => each >= least) ?? 10 * decade;
+export function roundStep(min) {
+  const decade = 10 ** Math.floor(Math.log10(min));
+  return [1, 2, 5].map((each) => each * decade).find((each) => each >= min) ?? 10 * decade;
 }

@@ -1,19 +1,21 @@
-/** Names in addresses. Pure. */
+/** Encoding of names in addresses. Pure. */
 
-/** Signs that servers and browsers take for parts of a path, or refuse, and what looks like them. @type {Record<string, string>} */
-const TWINS = { '/': '∕', '\\': '⧵', '%': '％', '.': '․' };
+/** Characters that servers and browsers treat as path syntax or refuse, with their look-alikes. @type {Record<string, string>} */
+const LOOK_ALIKES = { '/': '∕', '\\': '⧵', '%': '％', '.': '․' };
 
 /**
- * Writes a name as a part of a path. A name that cannot be one, such as ".." or "a/b", gets there as a twin that looks the same, so
- * that the server refuses it in words instead of answering for another address.
+ * Encodes a name as a path segment. An invalid one, such as ".." or "a/b", is replaced by a look-alike, so that the server reports the name
+ * instead of resolving another address.
  *
  * @param {string} name
  * @returns {string}
  */
 export function pathPart(name) {
   const isDots = /^\.+$/u.test(name);
-  const harmless = [...name].map((sign) => (isDots || sign !== '.' ? (TWINS[sign] ?? visible(sign)) : sign)).join('');
-  return encodeURIComponent(harmless);
+  const encodable = [...name]
+    .map((sign) => (isDots || sign !== '.' ? (LOOK_ALIKES[sign] ?? visible(sign)) : sign))
+    .join('');
+  return encodeURIComponent(encodable);
 }
 
 /** @param {string} sign */

@@ -1,4 +1,4 @@
-/** Play modes in words. */
+/** Display names of play modes. */
 
 /** @type {Object<string, string>} */
 const PLAIN = {
@@ -21,10 +21,10 @@ const OF_A_TEAM = {
 };
 
 /**
- * Says a play mode in words.
+ * Formats a play mode.
  *
  * @param {string} name SimSpark's name, such as `KickOff_Left`
- * @param {{left: string, right: string}} teams names of the teams, empty before they joined
+ * @param {{left: string, right: string}} teams team names, empty before the teams have joined
  * @returns {string} such as `Kick-off · Blue Newbies`
  */
 export function playModeText(name, teams) {

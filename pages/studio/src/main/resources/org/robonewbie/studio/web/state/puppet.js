@@ -1,4 +1,4 @@
-/** How a person steers a robot by keys. Pure. */
+/** Keyboard control of a robot. Pure. */
 
 /**
  * @typedef {object} Walk all parts from -1 to 1
@@ -7,8 +7,8 @@
  * @property {number} turn
  *
  * @typedef {object} PuppetKey
- * @property {string} key as the browser names it
- * @property {string} shown as people read it
+ * @property {string} key name of the key in the browser
+ * @property {string} shown label of the key
  * @property {string} text
  * @property {Partial<Walk>} [walk] while the key is held
  * @property {string} [motion] performed once
@@ -38,7 +38,7 @@ export function puppetKey(key) {
 }
 
 /**
- * @param {Iterable<string>} held keys that are down
+ * @param {Iterable<string>} held pressed keys
  * @returns {Walk}
  */
 export function walkOf(held) {
@@ -53,11 +53,11 @@ export function walkOf(held) {
 }
 
 /**
- * @param {[number, number]} gaze where the head looks, degrees to the left and up
+ * @param {[number, number]} gaze direction of the head, degrees to the left and up
  * @param {[number, number]} by
  * @returns {[number, number]}
  */
 export function turned(gaze, by) {
-  const cut = (/** @type {number} */ value, /** @type {number} */ most) => Math.max(-most, Math.min(most, value));
+  const cut = (/** @type {number} */ value, /** @type {number} */ limit) => Math.max(-limit, Math.min(limit, value));
   return [cut(gaze[0] + by[0], 115), cut(gaze[1] + by[1], 43)];
 }

@@ -1,18 +1,18 @@
 /**
- * Chooses how fine the picture is by the time that pictures take, so that weak computers stay smooth. Pure.
+ * Adaptive rendering quality: adjusts the level to the measured frame time, so that slow computers stay fluent. Pure.
  *
  * @typedef {'fine' | 'coarse' | 'tiny'} Detail
  *
  * @typedef {object} Quality
  * @property {string} name
- * @property {number} pixelRatio pixels of the picture per pixel of the page, at most
+ * @property {number} pixelRatio maximum number of rendered pixels per page pixel
  * @property {boolean} antialias
- * @property {boolean} glossy whether surfaces shine
- * @property {boolean} smooth whether pictures are drawn also between two frames of the simulation
- * @property {Detail} nearDetail how finely robots are drawn that are near
- * @property {Detail} farDetail how finely the others are drawn
- * @property {number} nearMetres up to where a robot is near
- * @property {number} mostNear how many robots at most are drawn as near ones
+ * @property {boolean} glossy whether surfaces have reflections
+ * @property {boolean} smooth whether pictures are interpolated between two frames of the simulation
+ * @property {Detail} nearDetail level of detail of near robots
+ * @property {Detail} farDetail level of detail of the others
+ * @property {number} nearMetres distance limit of near robots
+ * @property {number} maxNear maximum number of near robots
  */
 
 /** @type {Quality} */
@@ -25,14 +25,14 @@ const LOW = {
   nearDetail: 'coarse',
   farDetail: 'tiny',
   nearMetres: 4,
-  mostNear: 2,
+  maxNear: 2,
 };
 
-/** From cheap to fine. @type {Quality[]} */
+/** Quality levels in ascending order. @type {Quality[]} */
 export const QUALITIES = [
-  { ...LOW, name: 'lowest', pixelRatio: 0.5, mostNear: 1 },
+  { ...LOW, name: 'lowest', pixelRatio: 0.5, maxNear: 1 },
   LOW,
-  { ...LOW, name: 'medium', pixelRatio: 1, smooth: true, nearDetail: 'fine', nearMetres: 5, mostNear: 3 },
+  { ...LOW, name: 'medium', pixelRatio: 1, smooth: true, nearDetail: 'fine', nearMetres: 5, maxNear: 3 },
   {
     name: 'high',
     pixelRatio: 2,
@@ -42,7 +42,7 @@ export const QUALITIES = [
     nearDetail: 'fine',
     farDetail: 'coarse',
     nearMetres: 7,
-    mostNear: 22,
+    maxNear: 22,
   },
 ];
 
@@ -51,11 +51,11 @@ const TOO_SLOW_MILLISECONDS = 45;
 const EASY_MILLISECONDS = 21;
 const EASY_ROUNDS = 5;
 
-/** After so many easy rounds a quality that was too slow is tried again; each failure doubles them. */
+/** Number of fast rounds after which a level that was too slow is tried again; doubled by each failure. */
 const FORGIVING_ROUNDS = 30;
 
 /**
- * Finds the level by its name in the page's address.
+ * Finds a level by its name in the page's address.
  *
  * @param {string | null} name
  * @returns {number} index, or -1 for an unknown name
@@ -65,9 +65,9 @@ export function qualityIndex(name) {
 }
 
 /**
- * Guesses where to start, and how high it may go.
+ * Estimates the initial and the highest level.
  *
- * @param {string} graphics what the browser says about the graphics card
+ * @param {string} graphics the browser's description of the graphics card
  * @returns {{first: number, highest: number}} indices of qualities
  */
 export function qualityRange(graphics) {
@@ -76,11 +76,11 @@ export function qualityRange(graphics) {
   return software ? { first: 1, highest: best - 1 } : { first: best, highest: best };
 }
 
-/** Watches how long pictures take and says when another quality is better. */
+/** Measures frame times and changes the level when appropriate. */
 export class QualityChooser {
   /**
-   * @param {{first: number, highest: number}} range where to start and how high to go
-   * @param {boolean} fixed whether the person has chosen and nothing may change
+   * @param {{first: number, highest: number}} range initial and highest level
+   * @param {boolean} fixed whether the user has chosen a fixed level
    */
   constructor({ first, highest }, fixed) {
     this.index = first;
@@ -99,7 +99,7 @@ export class QualityChooser {
   }
 
   /**
-   * Takes the time after which the browser was ready again when a picture had been drawn.
+   * Records the time until the browser was ready again after a picture.
    *
    * @param {number} milliseconds
    * @returns {boolean} whether the quality has changed

@@ -1,14 +1,14 @@
-/** What all pages share that watch something run: a search, a contest. */
+/** Shared parts of pages that observe a running process, such as a search or a contest. */
 
 /** @typedef {'waiting' | 'running' | 'ended' | 'lost' | 'refused'} Phase */
 
-/** @param {Phase} phase @returns {Phase} what is left when the line is gone */
+/** @param {Phase} phase @returns {Phase} the phase after the connection was lost */
 export function phaseWithoutLine(phase) {
   return phase === 'running' ? 'lost' : phase;
 }
 
 /**
- * The sentence that says where things stand.
+ * The sentence about the state of the process.
  *
  * @param {{phase: Phase, refusal: string}} report
  * @param {{waiting: string, running: string, lost: string, ended: string}} words
@@ -19,7 +19,7 @@ export function phaseSentence({ phase, refusal }, { waiting, running, lost, ende
     case 'waiting':
       return { tone: '', text: waiting };
     case 'lost':
-      return { tone: 'trouble', text: `The program has ended or does not answer. ${lost}` };
+      return { tone: 'trouble', text: `The program has ended or does not respond. ${lost}` };
     case 'refused':
       return { tone: 'trouble', text: refusal };
     case 'ended':

@@ -1,4 +1,4 @@
-/** What is known of a search for better numbers. */
+/** State of a search for better numbers. */
 import { phaseSentence, phaseWithoutLine } from './reports.js';
 
 /**
@@ -20,10 +20,10 @@ import { phaseSentence, phaseWithoutLine } from './reports.js';
  * @property {Task | undefined} task
  * @property {readonly Round[]} rounds
  * @property {readonly SearchedNumber[]} numbers
- * @property {number | undefined} before the value of the start
- * @property {number | undefined} after the value of the result
+ * @property {number | undefined} before value of the start
+ * @property {number | undefined} after value of the result
  * @property {string} outcome
- * @property {string} place where the present state can be looked at, as the end of an address
+ * @property {string} place end of the address at which the current state is shown
  */
 
 /** @returns {Search} */
@@ -43,7 +43,7 @@ export function initialSearch() {
 
 /**
  * @param {Search} search
- * @param {any} news a message of the board
+ * @param {any} news a message of the live feed
  * @returns {Search}
  */
 export function withNews(search, news) {
@@ -54,12 +54,12 @@ export function withNews(search, news) {
   return { ...search, rounds: [...search.rounds, news.round], numbers: news.numbers, place: news.place };
 }
 
-/** What a search has told stays, but nothing more can be looked at. @param {Search} search @returns {Search} */
+/** Keeps the results after the connection was lost, but removes the link to the live view. @param {Search} search @returns {Search} */
 export function withoutLine(search) {
   return { ...search, place: '', phase: phaseWithoutLine(search.phase) };
 }
 
-/** Columns for the plot of the objective: round, best, mean, start. @param {Search} search */
+/** Columns of the objective plot: round, best, mean, start. @param {Search} search */
 export function valueCurves({ rounds, before }) {
   return [
     rounds.map((round) => round.number),
@@ -69,12 +69,12 @@ export function valueCurves({ rounds, before }) {
   ];
 }
 
-/** Columns for the plot of the spread. @param {Search} search */
+/** Columns of the step size plot. @param {Search} search */
 export function stepCurve({ rounds }) {
   return [rounds.map((round) => round.number), rounds.map((round) => round.step)];
 }
 
-/** @param {Search} search @returns {Array<[string, string]>} names and values for people */
+/** @param {Search} search @returns {Array<[string, string]>} labels and values */
 export function facts({ task, rounds, before, after, phase }) {
   if (!task) {
     return [];
@@ -88,7 +88,7 @@ export function facts({ task, rounds, before, after, phase }) {
     ['Best of this round', value(last?.best)],
     ['Mean', value(last?.mean)],
     ...(after === undefined ? [] : [/** @type {[string, string]} */ (['Result', value(after)])]),
-    ['Trials that succeed', last ? `${Math.round(100 * last.success)} %` : '–'],
+    ['Successful trials', last ? `${Math.round(100 * last.success)} %` : '–'],
     [
       'Trials per second',
       last && last.trialsPerSecond > 0 ? last.trialsPerSecond.toFixed(last.trialsPerSecond < 10 ? 1 : 0) : '–',
@@ -102,7 +102,7 @@ export function sentence(search) {
   return phaseSentence(search, {
     waiting: 'Waiting for the optimisation …',
     running: search.rounds.length === 0 ? 'The first candidates are being tried …' : '',
-    lost: 'An interrupted run goes on with the same command and --resume.',
+    lost: 'To continue an interrupted run, repeat the command with --resume.',
     ended: search.outcome,
   });
 }
@@ -116,12 +116,12 @@ export function duration(seconds) {
 }
 
 /**
- * The numbers with the largest changes first, each with where its bar lies between 0 and 1.
+ * The numbers with the largest changes, with the ends of their bars between 0 and 1.
  *
  * @param {readonly SearchedNumber[]} numbers
- * @param {number} most how many are wanted
+ * @param {number} max maximum number of entries
  */
-export function bars(numbers, most) {
+export function bars(numbers, max) {
   const reach = Math.max(
     0.5,
     ...numbers.map(({ start, value, spread, size }) => (Math.abs(value - start) + spread) / size),
@@ -129,7 +129,7 @@ export function bars(numbers, most) {
   const change = (/** @type {SearchedNumber} */ { start, value, size }) => (value - start) / size;
   return [...numbers]
     .sort((a, b) => Math.abs(change(b)) - Math.abs(change(a)))
-    .slice(0, most)
+    .slice(0, max)
     .map((number) => ({
       ...number,
       at: 0.5 + change(number) / reach / 2,

@@ -1,19 +1,19 @@
 /**
- * Movement between two frames: frames come 25 times per second, pictures up to 60 times. The picture runs one frame
- * interval behind and blends. Pure.
+ * Interpolation between frames: frames arrive 25 times per second, pictures are drawn up to 60 times. The picture lags by one frame
+ * interval. Pure.
  */
 
 /**
  * @typedef {import('../live/state-frame.js').Frame} Frame
  * @typedef {import('../live/state-frame.js').RobotState} RobotState
  *
- * @typedef {object} Picture what is drawn now
+ * @typedef {object} Picture interpolated state
  * @property {Float32Array} ball
  * @property {RobotState[]} robots
  * @property {Float32Array[]} [things]
  */
 
-/** Something that moves further than this between two frames was put there and is not blended, in metres. */
+/** A larger movement between two frames is a repositioning and not interpolated, in metres. */
 const JUMP_METRES = 0.4;
 
 const SHORTEST_MILLISECONDS = 15;
@@ -30,7 +30,7 @@ export class Smoothing {
   }
 
   /**
-   * Takes a new frame.
+   * Adds a frame.
    *
    * @param {Frame} frame
    * @param {number} now milliseconds
@@ -43,14 +43,14 @@ export class Smoothing {
     this.arrived = now;
   }
 
-  /** Forgets everything, after which the next frame is drawn as it is. */
+  /** Discards all frames; the next one is drawn without interpolation. */
   clear() {
     this.from = undefined;
     this.to = undefined;
   }
 
   /**
-   * Tells whether the picture still changes without a new frame.
+   * Whether the picture still changes without a new frame.
    *
    * @param {number} now milliseconds
    */
@@ -59,7 +59,7 @@ export class Smoothing {
   }
 
   /**
-   * Blends what is to be drawn.
+   * Interpolates the picture.
    *
    * @param {number} now milliseconds
    * @returns {Picture | undefined}
@@ -95,11 +95,11 @@ function blendRobot(from, to, part) {
 }
 
 /**
- * Blends two poses; the rotation along the shorter way.
+ * Interpolates two poses; the rotation takes the shorter path.
  *
  * @param {Float32Array} from
  * @param {Float32Array} to
- * @param {number} part 0 to 1
+ * @param {number} part from 0 to 1
  */
 export function blendPose(from, to, part) {
   if (isJump(from, to)) {

@@ -1,7 +1,4 @@
-/**
- * What the studio knows, as one value that is replaced, never changed. Pure functions only: messages come in, a new state
- * comes out; the panels draw what the functions below read from it.
- */
+/** Immutable state of the studio. Pure functions: each message returns a new state, from which the panels read what they show. */
 import { CYCLE_SECONDS } from './cycle.js';
 import { playModeText } from './play-mode.js';
 
@@ -11,30 +8,30 @@ import { playModeText } from './play-mode.js';
  *
  * @typedef {object} StudioState
  * @property {'opening' | 'live' | 'lost'} connection
- * @property {string} refusal why the simulator does not want this page, empty if it does
+ * @property {string} refusal why the simulator refused this page, empty if it did not
  * @property {Scene | undefined} scene
  * @property {Frame | undefined} frame
- * @property {number} movedMilliseconds when the cycle changed last, on the page's clock
- * @property {{side: 'left' | 'right', milliseconds: number} | undefined} goal who has scored last, and when
+ * @property {number} movedMilliseconds time of the last change of the cycle, on the page's clock
+ * @property {{side: 'left' | 'right', milliseconds: number} | undefined} goal side and time of the last goal
  * @property {Actions} actions
  *
- * @typedef {{undo: string, redo: string}} Actions what would be undone and done again, empty for nothing
+ * @typedef {{undo: string, redo: string}} Actions the actions to undo and redo, empty for none
  */
 
-/** Without a new cycle for so long, a running world is waiting for somebody. */
+/** Time without a new cycle after which a running world is waiting for an agent. */
 const STANDSTILL_MILLISECONDS = 1500;
 
 const NO_TEAM = 'no team yet';
 
-/** How long a goal is cheered. */
+/** How long a goal is celebrated. */
 const CHEER_MILLISECONDS = 4000;
 
-/** Where agents look for a simulator if nothing else is said. */
-const USUAL_AGENT_PORT = 3100;
-/** A world that only programs of its own page can join. */
+/** Default agent port. */
+const DEFAULT_AGENT_PORT = 3100;
+/** Port of a world that only programs of its own page can join. */
 const NO_PORT = 0;
 
-/** The speeds that can be chosen; 'fastest' does not wait between cycles. */
+/** Selectable speeds; 'fastest' does not wait between cycles. */
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 'fastest'];
 
 /** @returns {StudioState} */
@@ -68,7 +65,7 @@ export function withoutConnection(state) {
 
 /**
  * @param {StudioState} state
- * @param {string} refusal why the simulator does not want this page
+ * @param {string} refusal why the simulator refused this page
  * @returns {StudioState}
  */
 export function withRefusal(state, refusal) {
@@ -89,7 +86,7 @@ export function withScene(state, scene) {
  * @param {Actions} actions
  * @returns {StudioState}
  */
-export function withDeeds(state, { undo, redo }) {
+export function withActions(state, { undo, redo }) {
   return { ...state, actions: { undo, redo } };
 }
 
@@ -133,7 +130,7 @@ function lastGoal(state, frame, now) {
  */
 
 /**
- * Says what the person should know when there is nothing to see or nothing moves.
+ * The message to the user when there is nothing to see or nothing moves.
  *
  * @param {StudioState} state
  * @param {number} now milliseconds on the page's clock
@@ -141,34 +138,37 @@ function lastGoal(state, frame, now) {
  */
 export function message(state, now) {
   if (state.refusal) {
-    return trouble('The simulator does not let this page in', state.refusal);
+    return trouble('The simulator refused this page', state.refusal);
   }
   if (state.connection === 'lost') {
-    return trouble('The simulator has ended', 'Start it again; this page comes back by itself.');
+    return trouble('The simulator has ended', 'Restart it; this page reconnects automatically.');
   }
   if (state.connection === 'opening' || !state.scene) {
     return waiting(
       'Looking for the simulator…',
-      'If this stays, start the simulator again and open the address that it prints.',
+      'If this does not change, restart the simulator and open the address that it prints.',
     );
   }
   if (state.scene.robots.length === 0) {
-    return waiting('Waiting for a robot…', howToJoin(state.scene));
+    return waiting('Waiting for a robot…', joinHint(state.scene));
   }
   if (state.frame && !state.frame.paused && now - state.movedMilliseconds > STANDSTILL_MILLISECONDS) {
-    return waiting('The world waits for an agent', 'Is one at a breakpoint? It goes on when the agent does.');
+    return waiting(
+      'The world is waiting for an agent',
+      'Is one at a breakpoint? The world continues when the agent does.',
+    );
   }
   return undefined;
 }
 
 /** @param {Scene} scene */
-function howToJoin({ clock: hasClock, agentPort = USUAL_AGENT_PORT }) {
+function joinHint({ clock: hasClock, agentPort = DEFAULT_AGENT_PORT }) {
   if (agentPort === NO_PORT) {
-    return 'Choose an agent in the bar above, or run a program in the room Program.';
+    return 'Choose an agent in the toolbar above, or run a program in the room Program.';
   }
-  const port = agentPort === USUAL_AGENT_PORT ? '' : ` --port ${agentPort}`;
+  const port = agentPort === DEFAULT_AGENT_PORT ? '' : ` --port ${agentPort}`;
   return hasClock === false
-    ? 'Run an agent that joins the server that is watched.'
+    ? 'Run an agent that joins the watched server.'
     : `Add a puppet, or run an agent: ./robonewbie run Agent_BasicStructure${port}`;
 }
 
@@ -191,7 +191,7 @@ function waiting(title, text) {
 }
 
 /**
- * Reads the score board.
+ * The content of the score board.
  *
  * @param {StudioState} state
  * @param {number} now milliseconds on the page's clock
@@ -212,7 +212,7 @@ export function scoreBoard(state, now) {
 }
 
 /**
- * Reads what the time controls show.
+ * The state of the time controls.
  *
  * @param {StudioState} state
  */
@@ -229,7 +229,7 @@ export function transport(state) {
 }
 
 /**
- * Names the speed of the list that is nearest to the asked one.
+ * The selectable speed nearest to the requested one.
  *
  * @param {number} speed
  * @returns {number | string}
@@ -243,9 +243,9 @@ export function nearestSpeed(speed) {
 }
 
 /**
- * Names the next faster or slower speed.
+ * The next faster or slower speed.
  *
- * @param {number} speed the asked speed now
+ * @param {number} speed the requested speed
  * @param {1 | -1} direction
  */
 export function neighbourSpeed(speed, direction) {
@@ -263,7 +263,7 @@ function factorText(frame) {
 }
 
 /**
- * Writes a time of play.
+ * Formats a game time.
  *
  * @param {number} seconds
  */

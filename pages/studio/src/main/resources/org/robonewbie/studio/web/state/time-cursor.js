@@ -1,6 +1,6 @@
 /**
- * The one moment that all rooms show: now, an earlier moment of the running simulation, or a moment of a recording. The
- * simulation goes on meanwhile.
+ * Time cursor, shared by all rooms: the present, an earlier moment of the running simulation, or a moment of a recording. The simulation
+ * continues meanwhile.
  */
 import { LiveHistory } from './live-history.js';
 
@@ -15,7 +15,7 @@ import { LiveHistory } from './live-history.js';
  * @property {Scene} scene
  * @property {Frame} frame
  * @property {RecordedRun} run the whole recording
- * @property {import('./robot/drawing-memory.js').DrawingMemory} drawings what robots have drawn meanwhile
+ * @property {import('./robot/drawing-memory.js').DrawingMemory} drawings drawings of the robots
  * @property {boolean} running whether it is the recording of the running simulation
  *
  * @typedef {object} Shown
@@ -28,19 +28,19 @@ import { LiveHistory } from './live-history.js';
 export class TimeCursor {
   constructor() {
     this.history = new LiveHistory();
-    /** The chosen cycle of the running simulation; now, if undefined. @type {number | undefined} */
+    /** The shown cycle of the running simulation; undefined for the present. @type {number | undefined} */
     this.cycle = undefined;
     /** @type {RecordedMoment | undefined} */
     this.recorded = undefined;
   }
 
-  /** Another simulation begins. */
+  /** Resets the cursor for another simulation. */
   restart() {
     this.history.clear();
     this.cycle = undefined;
   }
 
-  /** Shows what happens now. */
+  /** Shows the present. */
   goLive() {
     this.cycle = undefined;
     this.recorded = undefined;

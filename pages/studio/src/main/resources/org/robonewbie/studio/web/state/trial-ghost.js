@@ -1,4 +1,4 @@
-/** The last trial of an exercise, to be seen beside the one that goes on. Pure. */
+/** Ghost of the previous trial of an exercise, shown beside the current one. Pure. */
 import { LiveHistory } from './live-history.js';
 
 /**
@@ -8,16 +8,16 @@ import { LiveHistory } from './live-history.js';
  */
 
 export class TrialGhost {
-  /** The last trial that is over, by task and by task and seed. @type {Map<string, LiveHistory>} */
+  /** The last finished trial by task, and by task and seed. @type {Map<string, LiveHistory>} */
   #over = new Map();
   /** @type {Trial | undefined} */
   #trial;
   #running = new LiveHistory();
-  /** Whether the person wants to see it. */
+  /** Whether the ghost is switched on. */
   isOn = true;
 
-  /** Takes a frame of the running simulation. @param {number} cycle @param {Scene} scene @param {ArrayBuffer} bytes */
-  hear(cycle, scene, bytes) {
+  /** Records a frame of the running simulation. @param {number} cycle @param {Scene} scene @param {ArrayBuffer} bytes */
+  receive(cycle, scene, bytes) {
     if (!isSame(scene.trial, this.#trial)) {
       this.#keep();
       this.#trial = scene.trial;
@@ -37,9 +37,9 @@ export class TrialGhost {
   }
 
   /**
-   * What was to be seen at the same moment of the last trial: of the one with the same seed, which began alike, if there is one.
+   * The same moment of the previous trial, preferably of one with the same seed, which started identically.
    *
-   * @param {Scene | undefined} scene @param {Frame | undefined} frame the moment that is shown
+   * @param {Scene | undefined} scene @param {Frame | undefined} frame shown moment
    * @returns {{scene: Scene, frame: Frame} | undefined}
    */
   beside(scene, frame) {

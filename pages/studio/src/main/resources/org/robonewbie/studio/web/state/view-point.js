@@ -1,10 +1,10 @@
 /**
- * Where the eye is: a point that it looks at, two angles and a distance. Pure.
+ * Camera position in spherical coordinates around a target. Pure.
  *
  * @typedef {object} ViewPoint
- * @property {number[]} target the point looked at, metres
- * @property {number} azimuthDegrees direction from the target to the eye, counter-clockwise from the x axis
- * @property {number} elevationDegrees height of the eye over the horizon
+ * @property {number[]} target target point, metres
+ * @property {number} azimuthDegrees direction from the target to the camera, counter-clockwise from the x axis
+ * @property {number} elevationDegrees angle of the camera above the horizon
  * @property {number} distance metres
  */
 
@@ -30,7 +30,7 @@ export function turned(view, azimuthDegrees, elevationDegrees) {
 
 /**
  * @param {ViewPoint} view
- * @param {number} factor below 1 goes nearer
+ * @param {number} factor below 1 zooms in
  * @returns {ViewPoint}
  */
 export function zoomed(view, factor) {
@@ -38,11 +38,11 @@ export function zoomed(view, factor) {
 }
 
 /**
- * Moves the target over the ground.
+ * Moves the target on the ground.
  *
  * @param {ViewPoint} view
- * @param {number} right part of the distance to the right on the screen
- * @param {number} up part of the distance away from the eye
+ * @param {number} right fraction of the distance, to the right on the screen
+ * @param {number} up fraction of the distance, away from the camera
  * @returns {ViewPoint}
  */
 export function moved(view, right, up) {
@@ -59,7 +59,7 @@ export function moved(view, right, up) {
 
 /**
  * @param {ViewPoint} view
- * @returns {number[]} position of the eye
+ * @returns {number[]} position of the camera
  */
 export function eye(view) {
   const flat = Math.cos(view.elevationDegrees * RADIANS) * view.distance;
@@ -71,10 +71,10 @@ export function eye(view) {
 }
 
 /**
- * Goes nearer to a point, or away from it, so that the point stays where it is on the screen.
+ * Zooms towards a point, which keeps its position on the screen.
  *
  * @param {ViewPoint} view
- * @param {number} factor below 1 goes nearer
+ * @param {number} factor below 1 zooms in
  * @param {number[]} point
  * @returns {ViewPoint}
  */
@@ -85,15 +85,15 @@ export function zoomedTo(view, factor, point) {
 }
 
 /**
- * The part of the picture that no panel covers.
+ * Angle of view of the part of the picture not covered by panels.
  *
  * @typedef {object} FreeView
- * @property {number} across tangent of the angle from its middle to its sides
- * @property {number} up tangent of the angle from its middle to its upper end
+ * @property {number} across tangent of the angle from its centre to its sides
+ * @property {number} up tangent of the angle from its centre to its upper edge
  */
 
 /**
- * Goes as near as possible while all points can still be seen.
+ * Moves the camera as near as possible while all points stay visible.
  *
  * @param {ViewPoint} view
  * @param {readonly number[][]} points
@@ -109,7 +109,7 @@ export function fitted(view, points, free) {
 }
 
 /**
- * How far a point is from the target as the eye sees it: to the right, up, and towards the eye.
+ * A point in the camera frame, relative to the target: right, up, and towards the camera.
  *
  * @param {ViewPoint} view
  * @param {readonly number[]} point
@@ -151,11 +151,11 @@ const OPENING_DISTANCES = [2.1, 9];
 const ROBOT_REACH = 0.3;
 
 /**
- * A view over the shoulder of a robot, with the ball and the goal that it attacks.
+ * An over-the-shoulder view of a robot, with the ball and the goal that it attacks.
  *
- * @param {number[]} target middle of the robot
+ * @param {number[]} target centre of the robot
  * @param {number[]} ball
- * @param {number[]} goal middle of its line
+ * @param {number[]} goal centre of the goal line
  * @param {FreeView} free
  * @returns {ViewPoint} the nearest such view
  */
@@ -181,9 +181,9 @@ export function openingShot(target, ball, goal, free) {
 
 /**
  * @param {number} value
- * @param {number} least
- * @param {number} most
+ * @param {number} min
+ * @param {number} max
  */
-function clamp(value, least, most) {
-  return Math.max(least, Math.min(most, value));
+function clamp(value, min, max) {
+  return Math.max(min, Math.min(max, value));
 }

@@ -1,4 +1,4 @@
-/** What is known of a contest that is held: its tiles, its table, and what came out of its trials. */
+/** State of a running contest: its tiles, its table, and the results of its trials. */
 import { playModeText } from './play-mode.js';
 import { phaseSentence, phaseWithoutLine } from './reports.js';
 import { clock } from './studio-state.js';
@@ -49,7 +49,7 @@ export function initialWall() {
 
 /**
  * @param {Wall} wall
- * @param {any} news a message of the board
+ * @param {any} news a message of the live feed
  * @returns {Wall}
  */
 export function withWallNews(wall, news) {
@@ -65,11 +65,11 @@ export function withWallNews(wall, news) {
 }
 
 /**
- * A trial keeps its tile. When it is over its last picture stays, until another trial takes the place; so the wall stands still
- * while one looks.
+ * Assigns trials to tiles. A running trial keeps its tile; a finished one keeps its last picture until another trial needs the tile, so
+ * that the wall does not jump.
  *
  * @param {readonly Tile[]} tiles
- * @param {readonly WallTrial[]} trials those that run
+ * @param {readonly WallTrial[]} trials running trials
  * @returns {readonly Tile[]}
  */
 function withTrials(tiles, trials) {
@@ -84,7 +84,7 @@ function withTrials(tiles, trials) {
   return next;
 }
 
-/** What is known stays, but nothing runs any more as far as one knows. @param {Wall} wall @returns {Wall} */
+/** Keeps the state after the connection was lost, with all trials stopped. @param {Wall} wall @returns {Wall} */
 export function withoutWallLine(wall) {
   return {
     ...wall,
@@ -98,13 +98,13 @@ export function wallSentence(wall) {
   return phaseSentence(wall, {
     waiting: 'Waiting for the competition …',
     running: wall.tiles.some(({ running }) => running) ? '' : 'The next trials begin …',
-    lost: 'The same command goes on where the competition was.',
+    lost: 'Repeat the command to continue the competition.',
     ended: `The competition is over. ${wall.outcome}`,
   });
 }
 
 /**
- * What stands over the picture of a trial.
+ * The caption of a tile.
  *
  * @param {Tile} tile
  * @returns {{teams: string, time: string, mode: string}}
@@ -112,7 +112,7 @@ export function wallSentence(wall) {
 export function tileWords({ trial, moment, running }) {
   const teams = trial.teams.join(' – ');
   if (!moment) {
-    return { teams, time: '', mode: running ? 'The robots come …' : '' };
+    return { teams, time: '', mode: running ? 'The robots are joining …' : '' };
   }
   const { left, right, score } = moment;
   return {

@@ -1,4 +1,4 @@
-/** One trial of a contest as a tile: drawn from above while it runs, with its teams, its time and its play mode. */
+/** Tile of one trial of a contest: its pitch from above, teams, time and play mode. */
 import { shape, title } from '../panels/drawing.js';
 import { element, setText } from '../panels/elements.js';
 import { pitchSheet } from '../panels/pitch-sheet.js';
@@ -6,7 +6,7 @@ import { tileWords } from '../state/wall.js';
 
 /** @typedef {import('../state/wall.js').Tile} Tile */
 
-/** From above, looking to the right: a point in front, shoulders behind. */
+/** A robot from above, facing right: tip in front, shoulders behind. */
 const STANDING = 'M.34 0L-.2.26-.1 0-.2-.26z';
 
 export class TrialTile {
@@ -17,7 +17,7 @@ export class TrialTile {
   #moving = shape('g');
   #ball = shape('circle', { r: 0.14, class: 'ball' });
 
-  /** @param {Tile} tile @param {(id: string) => string} recording where the recording of a trial is shown */
+  /** @param {Tile} tile @param {(id: string) => string} recording address of the recording of a trial */
   constructor(tile, recording) {
     const { id, length, width } = tile.trial;
     this.id = id;
@@ -44,7 +44,7 @@ export class TrialTile {
     setText(this.#teams, teams);
     setText(this.#time, time);
     setText(this.#mode, `${trial.id} · ${mode}`);
-    setText(this.#link, running ? 'see it large' : 'see it again');
+    setText(this.#link, running ? 'enlarge' : 'replay');
     this.root.setAttribute('href', running ? trial.studio : this.recording(trial.id));
     this.root.setAttribute('target', running ? `robonewbie-${trial.id}` : 'robonewbie-replay');
     this.root.dataset.running = String(running);

@@ -1,11 +1,11 @@
-/** Starts the page on which a contest is watched: all trials that run, side by side, and the table. */
+/** Page that shows a running contest: all running trials side by side, and the table. */
 import { ReportPage } from '../live/report-page.js';
 import { byId, element, setText } from '../panels/elements.js';
 import { themeSwitch } from '../panels/theme.js';
 import { initialWall, wallSentence, withoutWallLine, withWallNews } from '../state/wall.js';
 import { TrialTile } from './trial-tile.js';
 
-const page = new ReportPage('live-wall', initialWall(), { told: withWallNews, lost: withoutWallLine }, draw);
+const page = new ReportPage('live-wall', initialWall(), { received: withWallNews, lost: withoutWallLine }, draw);
 /** @type {Map<string, TrialTile>} */
 const tiles = new Map();
 
@@ -74,7 +74,7 @@ function drawResults() {
 themeSwitch(page.options.get('theme'), () => {});
 page.open();
 
-/** What tests and the curious ask for in the browser's console. */
+/** Exposed in the browser's console for tests and debugging. */
 Object.assign(window, {
   wall: {
     get state() {

@@ -18,25 +18,25 @@ import org.teavm.vm.spi.TeaVMHost;
 import org.teavm.vm.spi.TeaVMPlugin;
 
 /**
- * Leaves out of javac what needs files, plug-ins, annotation processors or the JDK's own loaders of classes: these methods do nothing
- * in the page, and give nothing back.
+ * TeaVM plug-in that stubs out the parts of javac that need files, plug-ins, annotation processors or the JDK's class loaders. The stubs do
+ * nothing and return false or null.
  */
 public final class JavacWithoutFiles implements TeaVMPlugin, ClassHolderTransformer {
 
     private static final String JAVAC = "com.sun.tools.javac.";
 
-    /** Methods by class. */
+    /** Stubbed methods by class. */
     private static final Map<String, Set<String>> LEFT_OUT = Map.of(
             JAVAC + "model.AnnotationProxyMaker", Set.of("generateAnnotation"),
             JAVAC + "api.BasicJavacTask", Set.of("initPlugins", "initDocLint"),
             JAVAC + "main.JavaCompiler", Set.of("initProcessAnnotations"),
             JAVAC + "file.BaseFileManager", Set.of("deferredClose"));
 
-    /** Calls that are left out of the methods that call. */
+    /** Calls that are removed from the calling methods, by class. */
     private static final Map<String, String> CALLS_LEFT_OUT =
             Map.of(JAVAC + "file.JavacFileManager", "preRegister", "java.lang.System", "exit");
 
-    /** Creates the plug-in; TeaVM finds it by its name. */
+    /** Creates the plug-in; TeaVM finds it by name. */
     public JavacWithoutFiles() {}
 
     @Override
@@ -102,7 +102,7 @@ public final class JavacWithoutFiles implements TeaVMPlugin, ClassHolderTransfor
         return program;
     }
 
-    /** TeaVM numbers the object first, also in a static method, and then the arguments. */
+    /** TeaVM numbers {@code this} first, even in a static method, and then the arguments. */
     private static Program withVariables(MethodHolder method) {
         Program program = new Program();
         for (int i = 0; i <= method.parameterCount(); i++) {

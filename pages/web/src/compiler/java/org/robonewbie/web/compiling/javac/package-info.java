@@ -1,7 +1,7 @@
 /**
- * What the compiler to WebAssembly has to know of {@code javac}; none of this is in the compiled program.
+ * TeaVM rules for compiling {@code javac} to WebAssembly; not part of the compiled module.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.web.compiling.javac;

@@ -1,5 +1,5 @@
 /**
- * Whether a robot that stands still would fall: the centre of mass against the support polygon. Pure.
+ * Static balance of a posture: the margin of the centre of mass within the support polygon. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  *
@@ -14,7 +14,7 @@ const TOUCH_METRES = 0.012;
 
 /**
  * @param {Body} body
- * @param {Float64Array} poses of a robot on the ground
+ * @param {Float64Array} poses poses of a robot on the ground
  * @returns {Balance}
  */
 export function balanceOf(body, poses) {
@@ -27,7 +27,7 @@ export function balanceOf(body, poses) {
 }
 
 /**
- * The convex hull by Andrew's monotone chain.
+ * Convex hull by Andrew's monotone chain.
  *
  * @param {number[][]} points
  * @returns {number[][]} counter-clockwise

@@ -1,5 +1,5 @@
 /**
- * "Make it balanced": shifts the torso over feet that stay, until the centre of mass is over the support polygon. Pure.
+ * "Make it balanced": shifts the torso over fixed feet until the centre of mass is above the support polygon. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./body.js').Posture} Posture
@@ -7,13 +7,13 @@
  * @typedef {import('./editor-state.js').EditorState} EditorState
  *
  * @typedef {object} Balanced
- * @property {number[]} posture as before if it was balanced or cannot be
+ * @property {number[]} posture unchanged if it was balanced or cannot be balanced
  * @property {'before' | 'now' | 'never'} when
- * @property {string} reason why it cannot be, for people
+ * @property {string} reason why it cannot be balanced
  *
  * @typedef {object} BalanceReport
- * @property {number} before how many keyframes were balanced already
- * @property {number} now how many are by the shift
+ * @property {number} before keyframes that were already balanced
+ * @property {number} now keyframes that the shift has balanced
  * @property {Array<{index: number, reason: string}>} never
  */
 import { balanceOf } from './balance.js';
@@ -24,10 +24,10 @@ import { jointName, linkName } from './names.js';
 import { chainJoints, torsoMoved } from './reach.js';
 import { chosenFrames } from './selection.js';
 
-/** How far inside of the edge the centre of mass is brought. */
+/** Target distance of the centre of mass from the edge. */
 const WANTED_METRES = 0.01;
 
-/** What the rounding of angles may cost. */
+/** Tolerance for rounded angles. */
 const ROUNDING_METRES = 0.001;
 const ROUNDS = 14;
 const TOUCH_METRES = 0.012;
@@ -37,7 +37,7 @@ const FEET = ['lfoot', 'rfoot'];
 
 /**
  * @param {EditorState} state
- * @returns {{state: EditorState, report: BalanceReport}} of the chosen keyframes if there are several, else of all
+ * @returns {{state: EditorState, report: BalanceReport}} for the selected keyframes if there are several, otherwise for all
  */
 export function madeBalanced(state) {
   const chosen = chosenFrames(state);
@@ -89,7 +89,7 @@ function marginOf(body, posture, manner) {
   return balanceOf(body, posesOf(body, posture, placed(body, posture, manner))).margin;
 }
 
-/** @param {Body} body @param {Posture} posture @param {number[]} torso @returns {number[]} the posture that comes nearest */
+/** @param {Body} body @param {Posture} posture @param {number[]} torso @returns {number[]} the nearest reachable posture */
 function shiftedOver(body, posture, torso) {
   const soles = solesOf(body, posesOf(body, posture, torso));
   let best = { posture: [...posture], torso };
@@ -108,7 +108,7 @@ function shiftedOver(body, posture, torso) {
   return best.posture.map((angle, i) => (angle === posture[i] ? angle : Math.round(100 * angle) / 100 + 0));
 }
 
-/** From the centre of mass over the edges that are too near. @param {Balance} balance @returns {[number, number]} metres */
+/** Displacement of the centre of mass away from the edges that are too near. @param {Balance} balance @returns {[number, number]} metres */
 function wayInside({ support, centre }) {
   /** @type {[number, number]} */
   const way = [0, 0];
@@ -126,17 +126,23 @@ function wayInside({ support, centre }) {
   return way;
 }
 
-/** @param {Body} body @param {Float64Array} poses @returns {number[][]} the middle of both feet */
+/** @param {Body} body @param {Float64Array} poses @returns {number[][]} the centres of both soles */
 function solesOf(body, poses) {
   return FEET.map((name) => pointOf(poses, linkIndex(body, name), [0, 0, 0]));
 }
 
-/** @param {number[][]} before @param {number[][]} after @returns {number} metres that a foot has moved */
+/** @param {number[][]} before @param {number[][]} after @returns {number} distance that a foot has slipped, metres */
 function slipOf(before, after) {
   return Math.max(...before.map((foot, i) => Math.hypot(...foot.map((value, axis) => value - after[i][axis]))));
 }
 
-/** Only a robot on its feet can be balanced by its legs. @param {Body} body @param {Float64Array} poses @param {Balance} balance */
+/**
+ * Explains why the robot cannot be balanced by its legs; only a robot on its feet can.
+ *
+ * @param {Body} body
+ * @param {Float64Array} poses
+ * @param {Balance} balance
+ */
 function supportProblem(body, poses, { support }) {
   const other = body.model.links.findIndex(
     (link, i) =>
@@ -150,7 +156,7 @@ function supportProblem(body, poses, { support }) {
   return support.length < 3 ? 'no sole lies flat on the ground' : '';
 }
 
-/** @param {Body} body @param {Posture} posture as far as it could be shifted @param {number} margin metres */
+/** @param {Body} body @param {Posture} posture shifted as far as possible @param {number} margin metres */
 function reachProblem(body, posture, margin) {
   const joints = FEET.flatMap((name) => chainJoints(body, linkIndex(body, name)));
   const stuck = joints.find((joint) => {
@@ -163,7 +169,7 @@ function reachProblem(body, posture, margin) {
     : `the ${jointName(body.joints[stuck].name)} is at its limit, ${missing}`;
 }
 
-/** @param {BalanceReport} report @returns {string} for people */
+/** @param {BalanceReport} report @returns {string} a sentence */
 export function balanceText({ before, now, never }) {
   const counts = [
     now > 0 ? `${countText(now)} shifted` : '',

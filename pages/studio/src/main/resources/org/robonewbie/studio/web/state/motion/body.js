@@ -1,6 +1,5 @@
 /**
- * The robot whose motions are edited: its joints in the order of the motion files and where its limbs are in a posture.
- * Pure.
+ * Robot model of the motion editor: joints in the order of the motion files, and forward kinematics of postures. Pure.
  *
  * @typedef {import('../kinematics.js').RobotModel} RobotModel
  *
@@ -10,19 +9,19 @@
  * @property {number} maxDegrees
  * @property {number} maxDegreesPerSecond
  * @property {number} partner index of the joint on the other side, or of itself
- * @property {number} mirrorSign what the angle is multiplied by in the mirror
+ * @property {number} mirrorSign factor of the angle when mirrored
  *
  * @typedef {object} BodyLink
  * @property {number} massKg
- * @property {boolean} solid whether it can touch something
- * @property {number} [radius] metres, of a ball or a capsule; other links are boxes
- * @property {number} [length] metres along z between the two half balls of a capsule
+ * @property {boolean} solid whether it can collide
+ * @property {number} [radius] radius of a sphere or capsule, metres; other links are boxes
+ * @property {number} [length] distance along z between the two hemispheres of a capsule, metres
  *
  * @typedef {object} Body
  * @property {JointFacts[]} joints
  * @property {RobotModel} model
  * @property {BodyLink[]} links
- * @property {number[]} jointOfHinge index of the joint that each hinge of the model is
+ * @property {number[]} jointOfHinge joint index of each hinge of the model
  *
  * @typedef {readonly number[]} Posture 22 angles in degrees in the order of the joints
  */
@@ -32,7 +31,7 @@ const SOLE_HEIGHT = 0.01;
 const EVEN_METRES = 0.006;
 
 /**
- * @param {{joints: JointFacts[], model: RobotModel, links: BodyLink[]}} description what the studio's server tells
+ * @param {{joints: JointFacts[], model: RobotModel, links: BodyLink[]}} description description from the studio's server
  * @returns {Body}
  */
 export function bodyOf(description) {
@@ -83,7 +82,7 @@ export function linkIndex(body, name) {
 }
 
 /**
- * Puts the robot on the ground: with upright torso, or so that the sole that is lower lies flat.
+ * Places the robot on the ground: with upright torso, or with the lower sole flat on the ground.
  *
  * @param {Body} body
  * @param {Posture} posture
@@ -104,13 +103,13 @@ export function placed(body, posture, manner) {
  * @returns {number} height of the lowest point of the solid links
  */
 export function lowest(body, poses) {
-  let least = Infinity;
+  let bottom = Infinity;
   body.model.links.forEach((link, i) => {
     if (body.links[i].solid) {
-      least = Math.min(least, ...cornersOf(link.size, poses, i).map((corner) => corner[2]));
+      bottom = Math.min(bottom, ...cornersOf(link.size, poses, i).map((corner) => corner[2]));
     }
   });
-  return least;
+  return bottom;
 }
 
 /**
@@ -163,7 +162,7 @@ function middleOfFeet(body, poses) {
 }
 
 /**
- * The rotation that lays the lower sole flat on the ground, or both if they are equally low.
+ * The rotation that places the lower sole flat on the ground, or both if they are equally low.
  *
  * @param {Body} body
  * @param {Float64Array} poses with upright torso

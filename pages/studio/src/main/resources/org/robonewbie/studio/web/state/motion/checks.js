@@ -1,5 +1,5 @@
 /**
- * What a robot cannot do as a motion says: marks for the timeline. Pure.
+ * Checks a motion for what a robot cannot perform, as marks for the timeline. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
@@ -8,8 +8,8 @@
  * @property {'speed' | 'collision' | 'range' | 'balance'} kind
  * @property {number} from milliseconds
  * @property {number} to milliseconds
- * @property {string} text for people
- * @property {number} [joint] that it is about
+ * @property {string} text explanation
+ * @property {number} [joint] the joint concerned
  */
 import { balanceOf } from './balance.js';
 import { placed, posesOf } from './body.js';
@@ -19,12 +19,12 @@ import { durationOf, postureAt, timesOf } from './timing.js';
 import { numberText } from './motion-text.js';
 import { CYCLE_MILLIS } from './motion-document.js';
 
-const MOST_SAMPLES = 160;
+const MAX_SAMPLES = 160;
 const SPEED_TOLERANCE = 1.001;
 
 /**
- * Joints that would have to turn faster than their motors can, and angles beyond the ranges. The way to the first keyframe
- * is not judged, since from where the robot comes is not part of a motion.
+ * Marks joints that exceed the motors' speed, and angles out of range. The transition to the first keyframe is not checked, because the
+ * robot's posture before the motion is unknown.
  *
  * @param {Body} body
  * @param {readonly Keyframe[]} frames
@@ -43,8 +43,8 @@ export function jointMarks(body, frames) {
       }
       const way = i === 0 ? 0 : Math.abs(degrees[k] - frames[i - 1].degrees[k]);
       if (way * 1000 > joint.maxDegreesPerSecond * Math.max(1, millis) * SPEED_TOLERANCE) {
-        const least = Math.ceil((way / joint.maxDegreesPerSecond) * (1000 / CYCLE_MILLIS)) * CYCLE_MILLIS;
-        const text = `${jointName(joint.name)} turns ${way.toFixed(0)}° in ${millis} ms; its motor needs ${least} ms`;
+        const neededMillis = Math.ceil((way / joint.maxDegreesPerSecond) * (1000 / CYCLE_MILLIS)) * CYCLE_MILLIS;
+        const text = `${jointName(joint.name)} turns ${way.toFixed(0)}° in ${millis} ms; its motor needs ${neededMillis} ms`;
         marks.push({ kind: 'speed', from: to - millis, to, text, joint: k });
       }
     });
@@ -53,7 +53,7 @@ export function jointMarks(body, frames) {
 }
 
 /**
- * Samples the motion for limbs that run into each other and for moments in which it would not stand still.
+ * Samples the motion for self-collisions and for moments that are not statically balanced.
  *
  * @param {Body} body
  * @param {readonly Keyframe[]} frames
@@ -64,7 +64,7 @@ export function bodyMarks(body, frames, manner) {
   if (frames.length === 0) {
     return [];
   }
-  const step = Math.max(CYCLE_MILLIS, durationOf(frames) / MOST_SAMPLES);
+  const step = Math.max(CYCLE_MILLIS, durationOf(frames) / MAX_SAMPLES);
   const first = frames[0].millis;
   /** @type {Mark[]} */
   const marks = [];
@@ -81,7 +81,7 @@ export function bodyMarks(body, frames, manner) {
         'balance',
         time,
         step,
-        'The centre of mass is outside of the support: standing still it would tip over',
+        'The centre of mass is outside the support polygon: a robot that stands still would tip over',
       );
     }
   }

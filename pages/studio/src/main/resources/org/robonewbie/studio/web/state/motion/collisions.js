@@ -1,12 +1,12 @@
 /**
- * Which limbs of a robot run into each other, with the shapes that the simulator collides: boxes against boxes by separating
- * axes, balls and capsules by the distance of the line inside of them. Pure.
+ * Self-collisions of a robot with the simulator's collision shapes: separating axes for boxes, distance to the inner segment for spheres
+ * and capsules. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  */
 import { POSE, rotated } from '../kinematics.js';
 
-/** Limbs so few hinges apart touch each other anyway. */
+/** Limbs at most this many hinges apart always touch. */
 const NEIGHBOUR_HINGES = 3;
 const SLACK_METRES = 0.004;
 
@@ -68,8 +68,8 @@ function ancestors(body, link) {
  * @property {number[]} centre
  * @property {number[][]} axes
  * @property {number[]} half
- * @property {number} radius of a ball or a capsule, else 0
- * @property {number} reach half the length of a capsule's line, along its last axis
+ * @property {number} radius radius of a sphere or capsule, otherwise 0
+ * @property {number} reach half the length of a capsule's segment, along its last axis
  */
 
 /** @param {Box} a @param {Box} b */
@@ -88,7 +88,12 @@ function overlap(a, b) {
   });
 }
 
-/** How far a point is from a shape grows evenly along a line, so that thirds find the nearest one. @param {Box} shape @param {Box} round */
+/**
+ * The distance of a point on a segment to a convex shape is convex, so ternary search finds the nearest one.
+ *
+ * @param {Box} shape
+ * @param {Box} round
+ */
 function touchesRound(shape, round) {
   let [low, high] = [-round.reach, round.reach];
   while (high - low > 1e-4) {

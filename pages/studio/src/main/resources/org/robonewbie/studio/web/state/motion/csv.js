@@ -1,6 +1,6 @@
 /**
- * Motions as tables for spreadsheets and scripts: a head line with names, then a row for each keyframe. Joints may come in any
- * order and by NAO's own names, some may be missing, and the cells may be parted by commas, semicolons or tabs. Pure.
+ * Motions as CSV tables: a header with column names, then a row for each keyframe. Joints may come in any order and by NAO's own names,
+ * some may be missing, and the separator may be a comma, semicolon or tab. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
@@ -25,14 +25,14 @@ import {
 import { numberText } from './motion-text.js';
 import { columnOf } from './webots.js';
 
-/** The first is what we write. @type {Array<{names: string[], millis: number, isWay: boolean}>} */
+/** Time columns; the first is used for export. @type {Array<{names: string[], millis: number, isWay: boolean}>} */
 const TIMES = [
   { names: ['way_ms', 'millis', 'duration_ms', 'duration'], millis: 1, isWay: true },
   { names: ['time_ms', 'ms', 't_ms'], millis: 1, isWay: false },
   { names: ['time_s', 'time', 't', 'seconds', 's'], millis: 1000, isWay: false },
 ];
 
-/** @param {readonly Keyframe[]} frames @param {Body} body @returns {string} ways in milliseconds, angles in degrees */
+/** @param {readonly Keyframe[]} frames @param {Body} body @returns {string} durations in milliseconds, angles in degrees */
 export function writeCsv(frames, { joints }) {
   const head = [TIMES[0].names[0], ...joints.map(({ name }) => name)].join(',');
   const rows = playedFrames(frames).map(({ millis, degrees }) => [millis, ...degrees].map(numberText).join(','));
@@ -42,9 +42,9 @@ export function writeCsv(frames, { joints }) {
 /**
  * @param {string} text
  * @param {Body} body
- * @param {readonly number[]} start angles of joints of which the table says nothing
+ * @param {readonly number[]} start angles of joints that the table lacks
  * @returns {Imported}
- * @throws {Error} if the head line names no time or no joint, or is not clear; the message is meant for people
+ * @throws {Error} if the header names no time or no joint, or is ambiguous; the message is meant for the user
  */
 export function readCsv(text, body, start) {
   const table = tableOf(rowsOf(text));
@@ -78,7 +78,7 @@ export function readCsv(text, body, start) {
   return { document, notes: [...signs, ...columnNotes(columns, body), ...remarks.notes, ...problemNotes(document)] };
 }
 
-/** @param {string} text @returns {boolean} whether it begins as a table of a motion does */
+/** @param {string} text @returns {boolean} whether it starts like the table of a motion */
 export function isTable(text) {
   try {
     return tableOf(rowsOf(text)).timeAt >= 0;
@@ -100,7 +100,7 @@ function tableOf(all) {
   const time = TIMES.find((each) => each.names.includes(names[timeAt]));
   if (!time) {
     throw new Error(
-      'This table is no motion: its first line must name a time (way_ms, time_ms or time_s) and joints such as LEFT_KNEE_PITCH.',
+      'This table is not a motion: its first line must name a time (way_ms, time_ms or time_s) and joints such as LEFT_KNEE_PITCH.',
     );
   }
   const isEmpty = (/** @type {Row} */ row) => withoutEmptyEnd(cellsOf(row.text)).length === 0;
@@ -113,7 +113,7 @@ function isComment({ text }) {
   return /^(#|\/\/)/.test(text);
 }
 
-/** Splits a row; a cell in quotes may hold the separator. @param {string} row @param {string} separator @returns {string[]} */
+/** Splits a row; a quoted cell may contain the separator. @param {string} row @param {string} separator @returns {string[]} */
 function cells(row, separator) {
   const found = [];
   let cell = '';
@@ -130,7 +130,7 @@ function cells(row, separator) {
   return [...found, cell].map((each) => each.trim());
 }
 
-/** @param {string} cell @returns {string} a number as programs write it, for one with a decimal comma */
+/** @param {string} cell @returns {string} the number with a decimal point instead of a comma */
 function decimal(cell) {
   return /^[^.,]*,[^.,]*$/.test(cell) ? cell.replace(',', '.') : cell;
 }
@@ -140,7 +140,7 @@ function plainName(name) {
   return name.toLowerCase().replaceAll(/[ -]/g, '_');
 }
 
-/** @param {string} name as RoboNewbie or NAO calls a joint @param {Body} body @returns {Column | undefined} */
+/** @param {string} name joint name of RoboNewbie or NAO @param {Body} body @returns {Column | undefined} */
 function jointColumn(name, { joints }) {
   const joint = joints.findIndex((each) => each.name.toLowerCase() === plainName(name));
   return joint < 0 ? columnOf('nao', name) : { joint, sign: 1 };

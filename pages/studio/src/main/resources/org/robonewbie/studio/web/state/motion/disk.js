@@ -1,12 +1,12 @@
 /**
- * The open motion against its file, which other programs may change at the same time. Pure.
+ * Compares the open motion with its file, which other programs may change. Pure.
  *
  * @typedef {import('./editor-state.js').EditorState} EditorState
  */
 import { isUnsaved } from './editor-state.js';
 
 /**
- * Says whether a file that has changed on the disk can be taken at once, or whether the person must decide.
+ * Decides whether a changed file can be reloaded immediately, or whether the user must choose.
  *
  * @param {EditorState} state
  * @param {Array<{name: string, version: string}>} files on the disk

@@ -1,38 +1,38 @@
 /**
- * What the motion editor knows, as one value that is replaced, never changed. Pure.
+ * Immutable state of the motion editor. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
  * @typedef {import('./motion-text.js').MotionDocument} MotionDocument
  *
- * @typedef {object} Trial what a physical robot did
+ * @typedef {object} Trial result of a trial on a physical robot
  * @property {number} frameSeconds
  * @property {number} [fallSeconds]
- * @property {number[][]} frames each the torso's pose and the angles of the model's hinges
+ * @property {number[][]} frames the torso's pose and the angles of the model's hinges, per frame
  *
  * @typedef {object} EditorState
  * @property {Body} body
- * @property {string} name of the file, empty for one that has none yet
- * @property {string} draft under which a motion without a name is kept, empty as long as there is nothing to keep
- * @property {string} version by which the file is known on the disk, empty if it is not there
+ * @property {string} name file name, empty for an untitled motion
+ * @property {string} draft draft name of an untitled motion, empty without a draft
+ * @property {string} version version of the file on the disk, empty if it does not exist
  * @property {MotionDocument} saved what is on the disk or in the library
  * @property {import('./history.js').History<MotionDocument>} history
- * @property {number} first keyframe from which a range is chosen
- * @property {number} last chosen keyframe, on which the playhead is
- * @property {readonly number[]} chosen all chosen keyframes
- * @property {readonly number[]} rows the chosen joints of these keyframes, empty for all
+ * @property {number} first anchor of a range selection
+ * @property {number} last selected keyframe, at the playhead
+ * @property {readonly number[]} chosen all selected keyframes
+ * @property {readonly number[]} rows the selected joints of these keyframes, empty for all
  * @property {number} time of the playhead, milliseconds
  * @property {boolean} playing
  * @property {boolean} looping
- * @property {number} speed of the animation, 1 as in life
- * @property {boolean} symmetric whether the other side does the same
- * @property {'upright' | 'soles'} manner how the robot is put on the ground
+ * @property {number} speed playback speed, 1 for real time
+ * @property {boolean} symmetric whether edits are mirrored to the other side
+ * @property {'upright' | 'soles'} manner how the robot is placed on the ground
  * @property {boolean} ghosts whether the neighbouring keyframes are shown too
  * @property {number} joint whose curve is shown
  * @property {number[]} start posture before the motion
  * @property {Trial | undefined} trial
  * @property {boolean} watching whether the robot of the trial is shown rather than the plan
- * @property {boolean} alone whether keyframes move in time without those after them
+ * @property {boolean} alone whether moved keyframes leave those after them in place
  * @property {'rows' | 'curves'} layout of the timeline
  * @property {import('./time-view.js').TimeView} view the part of the motion that the timeline shows
  */
@@ -89,7 +89,7 @@ export function framesOf(state) {
   return keyframesOf(documentOf(state));
 }
 
-/** @param {EditorState} state @returns {boolean} whether something would be lost */
+/** @param {EditorState} state @returns {boolean} whether there are unsaved changes */
 export function isUnsaved(state) {
   return textOf(documentOf(state)) !== textOf(state.saved);
 }
@@ -134,11 +134,11 @@ export function withSaved(state, name, version, document) {
 }
 
 /**
- * Chooses keyframes; the playhead goes to the last one.
+ * Selects keyframes; the playhead moves to the last one.
  *
  * @param {EditorState} state
  * @param {number} index
- * @param {boolean} [extending] whether those between are chosen too
+ * @param {boolean} [extending] whether those in between are selected too
  * @returns {EditorState}
  */
 export function selected(state, index, extending = false) {
@@ -152,7 +152,7 @@ export function selected(state, index, extending = false) {
   return { ...state, first, last, chosen, time, view, playing: false, watching: false };
 }
 
-/** @param {EditorState} state @returns {[number, number]} the first and the last of the chosen keyframes */
+/** @param {EditorState} state @returns {[number, number]} the first and the last selected keyframe */
 export function selectionOf({ chosen }) {
   return [Math.min(...chosen), Math.max(...chosen)];
 }
@@ -170,12 +170,12 @@ export function atTime(state, time) {
   return { ...state, time: limited, first: index, last: index, chosen, view };
 }
 
-/** @param {EditorState} state @returns {number} milliseconds that the timeline must have room for */
+/** @param {EditorState} state @returns {number} milliseconds that the timeline must cover */
 export function shownLength(state) {
   return Math.max(lengthOf(state), playableLength({ ...state, watching: true }));
 }
 
-/** @param {EditorState} state @returns {number} milliseconds of the motion, or of the trial if its robot is watched */
+/** @param {EditorState} state @returns {number} milliseconds of the motion, or of the trial if it is shown */
 export function playableLength(state) {
   const { trial, watching } = state;
   return trial && watching ? (trial.frames.length - 1) * trial.frameSeconds * 1000 : lengthOf(state);
@@ -183,7 +183,7 @@ export function playableLength(state) {
 
 /**
  * @param {EditorState} state
- * @param {number} millis how much time has passed
+ * @param {number} millis elapsed time
  * @returns {EditorState}
  */
 export function played(state, millis) {
@@ -195,7 +195,7 @@ export function played(state, millis) {
   return state.looping && length > 0 ? atTime(state, time % length) : { ...atTime(state, length), playing: false };
 }
 
-/** @param {EditorState} state @returns {boolean} whether the playhead is on the last chosen keyframe */
+/** @param {EditorState} state @returns {boolean} whether the playhead is at the last selected keyframe */
 export function isOnKeyframe(state) {
   const time = timesOf(framesOf(state))[state.last];
   return time !== undefined && Math.abs(time - state.time) < 1;
@@ -208,12 +208,12 @@ export function postureNow(state) {
 }
 
 /**
- * Makes a step of what is changed; what changes nothing makes none, so that each undo is seen.
+ * Adds an undo step; a change without effect adds none, so that each undo is visible.
  *
  * @param {EditorState} state
  * @param {MotionDocument} document
  * @param {string} label for the undo button
- * @param {string} [gesture] changes of one gesture are undone together
+ * @param {string} [gesture] changes of one gesture form one undo step
  * @returns {EditorState}
  */
 export function edited(state, document, label, gesture = '') {
@@ -234,7 +234,12 @@ export function withRedo(state) {
   return withChangeShown(state, redone(state.history));
 }
 
-/** Chooses the first keyframe that undo or redo has changed, so that one sees what it did. @param {EditorState} state @param {EditorState['history']} history */
+/**
+ * Selects the first keyframe that undo or redo has changed, so that its effect is visible.
+ *
+ * @param {EditorState} state
+ * @param {EditorState['history']} history
+ */
 function withChangeShown(state, history) {
   const before = framesOf(state);
   const next = { ...state, history, trial: undefined, watching: false };
@@ -248,7 +253,7 @@ function isSameKeyframe(one, other) {
 }
 
 /**
- * Gives the keyframe at the playhead a posture; where there is none, one is put in.
+ * Sets the posture of the keyframe at the playhead; inserts a keyframe if there is none.
  *
  * @param {EditorState} state
  * @param {readonly number[]} posture
@@ -264,7 +269,7 @@ export function posed(state, posture, label, gesture = '') {
 }
 
 /**
- * Puts a keyframe in at the playhead, or after the chosen one if the playhead is on it.
+ * Inserts a keyframe at the playhead, or after the selected one if the playhead is at it.
  *
  * @param {EditorState} state
  * @param {string} [gesture]

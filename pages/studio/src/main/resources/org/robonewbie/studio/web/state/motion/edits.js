@@ -1,13 +1,13 @@
 /**
- * What the buttons and keys of the motion editor do: each edit takes the editor's state and gives the next one. Pure.
+ * Edits of the motion editor: each takes the editor's state and returns the next one. Pure.
  *
  * @typedef {import('./editor-state.js').EditorState} EditorState
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
  * @typedef {import('./motion-text.js').MotionDocument} MotionDocument
  *
- * @typedef {object} Clip what was copied
+ * @typedef {object} Clip clipboard content
  * @property {readonly Keyframe[]} frames
- * @property {readonly number[]} rows the joints of which only the angles were copied, empty for whole keyframes
+ * @property {readonly number[]} rows joints whose angles were copied, empty for whole keyframes
  */
 import { documentOf, edited, framesOf, posed, postureNow, selected, selectionOf } from './editor-state.js';
 import {
@@ -26,15 +26,14 @@ import { retimed } from './retime.js';
 import { chosenFrames } from './selection.js';
 import { timesOf } from './timing.js';
 
-/** @param {EditorState} state @returns {Clip} the chosen keyframes */
+/** @param {EditorState} state @returns {Clip} the selected keyframes */
 export function copied(state) {
   const frames = framesOf(state);
   return { frames: chosenFrames(state).map((index) => frames[index]), rows: state.rows };
 }
 
 /**
- * Puts keyframes in after the chosen ones; if only some joints were copied, gives the chosen keyframe and those after it the
- * angles of these joints.
+ * Inserts keyframes after the selected ones; if only some joints were copied, overwrites their angles from the selected keyframe on.
  *
  * @param {EditorState} state
  * @param {Clip} clip
@@ -57,7 +56,7 @@ export function duplicated(state) {
   return insertedAfter(state, copied(state).frames, 'Duplicate');
 }
 
-/** @param {EditorState} state @returns {EditorState} without the chosen keyframes, or their angles of the chosen joints */
+/** @param {EditorState} state @returns {EditorState} without the selected keyframes, or without their angles of the selected joints */
 export function deleted(state) {
   return state.rows.length > 0 ? straightened(state) : withoutChosen(state);
 }
@@ -71,7 +70,7 @@ function withoutChosen(state) {
     : selected(edited(state, document, `Delete ${countText(chosen.length)}`), Math.max(0, chosen[0] - 1));
 }
 
-/** Lets the chosen joints go evenly from the keyframe before the chosen ones to the one after. @param {EditorState} state */
+/** Interpolates the selected joints between the keyframe before the selection and the one after. @param {EditorState} state */
 function straightened(state) {
   const frames = framesOf(state);
   const times = timesOf(frames);
@@ -85,19 +84,21 @@ function straightened(state) {
     }
     const part = after === before ? 0 : (times[i] - times[before]) / Math.max(1, times[after] - times[before]);
     const between = (/** @type {number} */ joint) =>
-      tidy(frames[before].degrees[joint] + part * (frames[after].degrees[joint] - frames[before].degrees[joint]));
+      withoutNoise(
+        frames[before].degrees[joint] + part * (frames[after].degrees[joint] - frames[before].degrees[joint]),
+      );
     return { ...frame, degrees: withJoints(frame.degrees, state.rows, between) };
   });
-  return edited(state, document, `Take out angles of ${jointsText(state.rows.length)}`);
+  return edited(state, document, `Remove angles of ${jointsText(state.rows.length)}`);
 }
 
 /**
- * Moves the chosen keyframes in time.
+ * Moves the selected keyframes in time.
  *
  * @param {EditorState} state
  * @param {number} by milliseconds, negative for earlier
- * @param {{alone?: boolean, base?: MotionDocument, gesture?: string}} [how] whether those after them stay; of a drag: the
- *     motion at its beginning, and its name
+ * @param {{alone?: boolean, base?: MotionDocument, gesture?: string}} [how] whether later keyframes stay in place; for a drag, the motion
+ *     when it began and the name of the gesture
  * @returns {EditorState}
  */
 export function moved(state, by, { alone = state.alone, base = documentOf(state), gesture = '' } = {}) {
@@ -109,12 +110,12 @@ export function moved(state, by, { alone = state.alone, base = documentOf(state)
 }
 
 /**
- * Turns joints by the same amount in all chosen keyframes, as far as the ranges of all allow.
+ * Turns joints by the same amount in all selected keyframes, as far as all ranges allow.
  *
  * @param {EditorState} state
  * @param {readonly number[]} joints
  * @param {number} by degrees
- * @param {{base?: MotionDocument, gesture?: string}} [how] of a drag: the motion at its beginning, and its name
+ * @param {{base?: MotionDocument, gesture?: string}} [how] for a drag, the motion when it began and the name of the gesture
  * @returns {EditorState}
  */
 export function turnedBy(state, joints, by, { base = documentOf(state), gesture = '' } = {}) {
@@ -135,7 +136,7 @@ export function turnedBy(state, joints, by, { base = documentOf(state), gesture 
       ? {
           ...frame,
           degrees: withJoints(frame.degrees, [...turns.keys()], (joint) =>
-            tidy(frame.degrees[joint] + (turns.get(joint) ?? 1) * amount),
+            withoutNoise(frame.degrees[joint] + (turns.get(joint) ?? 1) * amount),
           ),
         }
       : frame,
@@ -143,7 +144,7 @@ export function turnedBy(state, joints, by, { base = documentOf(state), gesture 
   return edited(state, document, `Turn ${jointsText(turns.size)}`, gesture);
 }
 
-/** @param {EditorState} state @param {readonly number[]} joints @returns {Map<number, number>} sign of the turn by joint */
+/** @param {EditorState} state @param {readonly number[]} joints @returns {Map<number, number>} sign of the rotation by joint */
 function withPartners({ body, symmetric }, joints) {
   const turns = new Map(joints.map((joint) => [joint, 1]));
   for (const joint of symmetric ? joints : []) {
@@ -158,8 +159,8 @@ function withJoints(degrees, joints, angleOf) {
   return degrees.map((angle, joint) => (joints.includes(joint) ? angleOf(joint) : angle));
 }
 
-/** @param {number} degrees @returns {number} without the dust of calculating */
-function tidy(degrees) {
+/** @param {number} degrees @returns {number} without floating-point noise */
+function withoutNoise(degrees) {
   return Math.round(degrees * 1e4) / 1e4 + 0;
 }
 
@@ -182,7 +183,7 @@ export function timed(state, index, millis, gesture = '') {
   return selected(edited(state, document, 'Change time', gesture), index);
 }
 
-/** @param {EditorState} state @returns {EditorState} left and right of the chosen keyframes exchanged */
+/** @param {EditorState} state @returns {EditorState} with left and right of the selected keyframes swapped */
 export function mirroredSelection(state) {
   return mappedSelection(state, 'Mirror', (degrees) => mirrored(state.body, degrees));
 }
@@ -207,7 +208,7 @@ export function scaledMotion(state, factor) {
   return selected(edited(state, scaled(documentOf(state), factor), label), state.last);
 }
 
-/** @param {EditorState} state @param {'LEFT' | 'RIGHT'} side that stays @returns {EditorState} */
+/** @param {EditorState} state @param {'LEFT' | 'RIGHT'} side source side @returns {EditorState} */
 export function sideCopied(state, side) {
   const posture = copiedSide(state.body, postureNow(state), side);
   return posed({ ...state, symmetric: false }, posture, `Copy the ${side.toLowerCase()} side`);

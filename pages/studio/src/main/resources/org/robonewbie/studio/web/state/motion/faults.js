@@ -1,5 +1,5 @@
 /**
- * What is wrong with one moment of a motion, and where on the body: for the picture. Pure.
+ * Faults of a motion at one moment, with the affected links. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
@@ -7,8 +7,8 @@
  *
  * @typedef {object} Fault
  * @property {'speed' | 'range' | 'limit' | 'collision' | 'lag' | 'fastest'} kind
- * @property {string} text for people
- * @property {number[]} links that show it
+ * @property {string} text explanation
+ * @property {number[]} links affected
  */
 import { collisionsOf } from './collisions.js';
 import { LATE_DEGREES, lagFrame } from './lag.js';
@@ -18,7 +18,7 @@ import { limbOf } from './reach.js';
 import { keyframeAt } from './timing.js';
 
 const AT_LIMIT_DEGREES = 0.05;
-const MOST_LATE = 3;
+const MAX_LATE = 3;
 const SPEED_TOLERANCE = 1.001;
 
 /**
@@ -38,12 +38,12 @@ export function faultsAt(body, frames, time, posture, poses) {
 }
 
 /**
- * How far the joints of a physical robot are behind the plan at a moment.
+ * The lag of a physical robot's joints behind the plan at a moment.
  *
  * @param {Body} body
  * @param {Lag} lag
  * @param {number} time milliseconds
- * @returns {Fault[]} the worst first
+ * @returns {Fault[]} the largest lag first
  */
 export function lagFaults(body, lag, time) {
   const frame = lagFrame(lag, time);
@@ -51,7 +51,7 @@ export function lagFaults(body, lag, time) {
     .map((_, joint) => ({ joint, degrees: lag.planned[frame][joint] - lag.reached[frame][joint] }))
     .filter(({ degrees }) => Math.abs(degrees) >= LATE_DEGREES)
     .sort((a, b) => Math.abs(b.degrees) - Math.abs(a.degrees))
-    .slice(0, MOST_LATE)
+    .slice(0, MAX_LATE)
     .map(({ joint, degrees }) => ({
       kind: 'lag',
       text: `${jointName(body.joints[joint].name)} is ${Math.abs(degrees).toFixed(0)}° from the plan`,
@@ -59,13 +59,20 @@ export function lagFaults(body, lag, time) {
     }));
 }
 
-/** @param {Body} body @param {number} joint @returns {number} the limb that a joint turns */
+/** @param {Body} body @param {number} joint @returns {number} the link that a joint turns */
 export function linkOf(body, joint) {
   const hinge = body.jointOfHinge.indexOf(joint);
   return limbOf(body, body.model.hinges[hinge].child);
 }
 
-/** The way to the first keyframe is not judged: from where the robot comes is not part of a motion. @param {Body} body @param {readonly Keyframe[]} frames @param {number} time @returns {Fault[]} */
+/**
+ * Faults of speed. The transition to the first keyframe is not checked, because the robot's posture before the motion is unknown.
+ *
+ * @param {Body} body
+ * @param {readonly Keyframe[]} frames
+ * @param {number} time
+ * @returns {Fault[]}
+ */
 function speedFaults(body, frames, time) {
   const at = keyframeAt(frames, time);
   if (at < 1) {

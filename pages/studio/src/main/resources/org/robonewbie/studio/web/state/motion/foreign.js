@@ -1,6 +1,6 @@
 /**
- * What readers of other programs' motion files share: rows become keyframes, and a row that cannot be read is kept as it is, with
- * its place in the file. What belongs together is counted and compared, so that no angle gets to another joint. Pure.
+ * Shared parts of the readers of other programs' motion files: rows become keyframes, and an unreadable row is kept verbatim with its line
+ * number. Counts are verified, so that no angle is assigned to a wrong joint. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
@@ -9,28 +9,28 @@
  *
  * @typedef {object} Imported
  * @property {MotionDocument} document
- * @property {string[]} notes what the person must know about how the file was read
+ * @property {string[]} notes remarks for the user about the import
  *
  * @typedef {object} Row of a foreign file
  * @property {string} text
- * @property {number} number of its line, from 1
+ * @property {number} number line number, starting at 1
  *
  * @typedef {object} Columns
- * @property {string[]} names of all columns with angles, as they are written
- * @property {Array<Column | undefined>} columns what each of them turns; nothing for what this robot does not have
+ * @property {string[]} names of all angle columns, as written
+ * @property {Array<Column | undefined>} columns joint of each column; undefined for joints that this robot lacks
  *
  * @typedef {object} Column
  * @property {number} joint index in the order of the motion files
- * @property {number} sign 1, or -1 if the other program turns it the other way round
+ * @property {number} sign 1, or -1 if the other program uses the opposite sign
  */
 import { EMPTY_DOCUMENT, newLine } from './motion-text.js';
 
-const LEAST_WAY = 20;
+const MIN_WAY = 20;
 
-/** A row that cannot be read; the message says what was found and what was expected. */
+/** Thrown for an unreadable row; the message says what was found and what was expected. */
 export class UnreadableRow extends Error {}
 
-/** @param {string} text @returns {Row[]} those that are not empty */
+/** @param {string} text @returns {Row[]} the non-empty rows */
 export function rowsOf(text) {
   return text
     .replace(/^\uFEFF/, '')
@@ -41,7 +41,7 @@ export function rowsOf(text) {
 
 /**
  * @param {readonly Row[]} rows
- * @param {(row: Row) => Keyframe | string} read a keyframe or a comment; throws {@link UnreadableRow}
+ * @param {(row: Row) => Keyframe | string} read returns a keyframe or a comment; throws {@link UnreadableRow}
  * @returns {MotionDocument}
  */
 export function documentOfRows(rows, read) {
@@ -61,22 +61,22 @@ function lineOf(row, read) {
   }
 }
 
-/** @param {MotionDocument} document @returns {string[]} the first line that was not read, and how many there are */
+/** @param {MotionDocument} document @returns {string[]} remark about the first unreadable line and the number of such lines */
 export function problemNotes({ lines }) {
   const problems = lines.flatMap(({ problem }) => (problem ? [problem] : []));
   if (problems.length === 0) {
     return [];
   }
   const others = problems.length > 1 ? `, and ${problems.length - 1} more` : '';
-  return [`Not read and kept as it is: ${problems[0]}${others}. Agents refuse the file until it is mended.`];
+  return [`Skipped and kept unchanged: ${problems[0]}${others}. Agents refuse the file until it is corrected.`];
 }
 
-/** Notes what was found in many rows, to tell the first and how many they are. */
+/** Collects remarks about rows and merges equal ones into one sentence with a count. */
 export class Remarks {
   /** @type {Map<string, number[]>} */
   #lines = new Map();
 
-  /** @param {string} what with “#” where the lines are named @param {Row} row */
+  /** @param {string} what with “#” as the placeholder for the lines @param {Row} row */
   add(what, row) {
     this.#lines.set(what, [...(this.#lines.get(what) ?? []), row.number]);
   }
@@ -93,20 +93,20 @@ function placesText([first, ...others]) {
 }
 
 /**
- * Looks up what columns are called.
+ * Maps column names to joints.
  *
- * @param {Row} row with the names
- * @param {readonly string[]} written the names of all columns with angles; nothing for one that is left out on purpose
+ * @param {Row} row header row
+ * @param {readonly string[]} written names of all angle columns; empty for an ignored one
  * @param {(name: string) => Column | undefined} columnOf
  * @returns {Columns}
- * @throws {Error} if none is a joint, one has no name, or two are the same joint; the message is meant for people
+ * @throws {Error} if none is a joint, one has no name, or two are the same joint; the message is meant for the user
  */
 export function columnsOf(row, written, columnOf) {
   const names = withoutEmptyEnd(written);
   const columns = names.map(columnOf);
   const nameless = names.indexOf('');
   if (nameless >= 0) {
-    throw new Error(`line ${row.number} has no name for its ${nameless + 1}. column of angles. Write one there.`);
+    throw new Error(`line ${row.number} has no name for its angle column ${nameless + 1}. Add one.`);
   }
   if (!columns.some(Boolean)) {
     const found = names.length > 0 ? `: found “${names.slice(0, 3).join('”, “')}”` : '';
@@ -117,37 +117,37 @@ export function columnsOf(row, written, columnOf) {
   if (twice >= 0) {
     const other = names[joints.indexOf(joints[twice])];
     const both = other === names[twice] ? `“${other}” twice` : `one joint twice, as “${other}” and “${names[twice]}”`;
-    throw new Error(`line ${row.number} names ${both}. Leave one of the columns out.`);
+    throw new Error(`line ${row.number} names ${both}. Remove one of the columns.`);
   }
   return { names, columns };
 }
 
-/** @param {Columns} columns @param {Body} body @returns {string[]} which columns and which joints have no counterpart */
+/** @param {Columns} columns @param {Body} body @returns {string[]} remarks about columns and joints without counterpart */
 export function columnNotes({ names, columns }, { joints }) {
   const unknown = names.filter((_, i) => !columns[i]);
   const named = new Set(columns.map((column) => column?.joint));
   const missing = joints.filter((_, i) => !named.has(i)).map(({ name }) => name);
   return [
     ...(unknown.length > 0 ? [`Without ${unknown.join(', ')}, which this robot does not have.`] : []),
-    ...(missing.length > 0 ? [`No column for ${listText(missing)}: as in the posture at the start.`] : []),
+    ...(missing.length > 0 ? [`No column for ${listText(missing)}: angles of the start posture are used.`] : []),
   ];
 }
 
 /** @param {string[]} names */
 function listText(names) {
-  const most = 3;
-  const shown = names.slice(0, most).join(', ');
-  return names.length > most ? `${shown} and ${names.length - most} more joints` : shown;
+  const limit = 3;
+  const shown = names.slice(0, limit).join(', ');
+  return names.length > limit ? `${shown} and ${names.length - limit} more joints` : shown;
 }
 
-/** @param {readonly string[]} cells @returns {string[]} without the empty ones behind the last separators */
+/** @param {readonly string[]} cells @returns {string[]} without trailing empty cells */
 export function withoutEmptyEnd(cells) {
   const last = cells.findLastIndex((cell) => cell !== '');
   return cells.slice(0, last + 1);
 }
 
 /**
- * Puts the angles of a row into a posture.
+ * Applies the angles of a row to a posture.
  *
  * @param {object} row
  * @param {Row} row.row
@@ -155,7 +155,7 @@ export function withoutEmptyEnd(cells) {
  * @param {string} row.expected such as: an angle in degrees
  * @param {(value: number) => number} row.toDegrees
  * @param {Columns} columns
- * @param {readonly number[]} before angles that stay where the row says nothing
+ * @param {readonly number[]} before angles for cells that are empty
  * @param {Remarks} remarks
  * @returns {number[]}
  */
@@ -167,7 +167,7 @@ export function postureOf({ row, cells, expected, toDegrees }, { names, columns 
   const next = [...before];
   columns.forEach((column, i) => {
     if (column && values[i] === '') {
-      remarks.add('Where a cell is empty (#) the joint keeps its angle.', row);
+      remarks.add('If a cell is empty (#), the joint keeps its angle.', row);
     } else if (column && values[i] !== '*') {
       next[column.joint] = fourDecimals(column.sign * toDegrees(numberIn(values[i], expected)));
     }
@@ -176,10 +176,10 @@ export function postureOf({ row, cells, expected, toDegrees }, { names, columns 
 }
 
 /**
- * Turns moments into the times of the ways between them.
+ * Converts absolute times into durations between keyframes.
  *
  * @param {Remarks} remarks
- * @returns {(millis: number, row: Row) => number} the way to a moment; it must be called for one after the other
+ * @returns {(millis: number, row: Row) => number} returns the duration up to a time; must be called in chronological order
  */
 export function waysBetween(remarks) {
   let before = -1;
@@ -189,12 +189,12 @@ export function waysBetween(remarks) {
       throw new UnreadableRow(`found the time ${millis} ms, expected a later one than ${before} ms before`);
     }
     const way = Math.round(millis - reached);
-    if (before >= 0 && way < LEAST_WAY) {
-      remarks.add('Ways shorter than a cycle of 20 ms are played in 20 ms (#).', row);
+    if (before >= 0 && way < MIN_WAY) {
+      remarks.add('Times shorter than a cycle of 20 ms are played in 20 ms (#).', row);
     }
     before = millis;
-    reached += Math.max(LEAST_WAY, way);
-    return Math.max(LEAST_WAY, way);
+    reached += Math.max(MIN_WAY, way);
+    return Math.max(MIN_WAY, way);
   };
 }
 
@@ -218,12 +218,12 @@ export function positiveIn(text, expected) {
   return value;
 }
 
-/** What is written for other programs: a way takes a cycle at least, as it is played. @param {readonly Keyframe[]} frames */
+/** Keyframes for export: each duration takes at least one cycle, as when played. @param {readonly Keyframe[]} frames */
 export function playedFrames(frames) {
-  return frames.map((frame) => ({ ...frame, millis: Math.max(LEAST_WAY, frame.millis) }));
+  return frames.map((frame) => ({ ...frame, millis: Math.max(MIN_WAY, frame.millis) }));
 }
 
-/** @param {number} degrees @returns {number} with four decimals, which is finer than any motor */
+/** @param {number} degrees @returns {number} with four decimals, which exceeds the precision of any motor */
 export function fourDecimals(degrees) {
   return Math.round(degrees * 1e4) / 1e4 + 0;
 }

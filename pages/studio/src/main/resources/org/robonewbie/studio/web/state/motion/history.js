@@ -1,10 +1,10 @@
-/** Undo and redo without limit. Pure: each change gives a new history. */
+/** Unlimited undo history. Pure: each change returns a new history. */
 
 /**
  * @template T
  * @typedef {object} Step
  * @property {T} value
- * @property {string} label what led to this value, for people
+ * @property {string} label label of the change
  */
 
 /**
@@ -13,7 +13,7 @@
  * @property {readonly Step<T>[]} past
  * @property {Step<T>} present
  * @property {readonly Step<T>[]} future
- * @property {string} gesture changes of one gesture are undone together; empty for none
+ * @property {string} gesture changes of one gesture form one step; empty for none
  */
 
 /**

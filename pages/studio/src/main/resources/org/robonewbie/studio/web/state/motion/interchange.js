@@ -1,5 +1,5 @@
 /**
- * The files that other programs read and write. Pure.
+ * Import and export of motion files of other programs. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./motion-text.js').MotionDocument} MotionDocument
@@ -8,8 +8,8 @@
  *
  * @typedef {object} Format
  * @property {string} id
- * @property {string} name for people
- * @property {string} ending of the file's name
+ * @property {string} name display name
+ * @property {string} ending ending file extension
  * @property {(document: MotionDocument, body: Body, start: readonly number[]) => string} write
  */
 import { decodeText, encodingNote } from '../decoded-text.js';
@@ -20,7 +20,7 @@ import { readNet, writeNet } from './motion-net.js';
 import { parse, textOf } from './motion-text.js';
 import { readWebots, writeWebots } from './webots.js';
 
-/** What an import takes. */
+/** Extensions that can be imported. */
 export const ENDINGS = '.motion,.mef,.txt,.csv,.tsv';
 
 /** @type {Format[]} */
@@ -57,18 +57,18 @@ export const FORMATS = [
   },
 ];
 
-/** The largest file that is read, in bytes, as the studio's server takes it. */
-export const MOST_BYTES = 2 * 1024 * 1024;
+/** Size limit for imports in bytes, equal to the server's. */
+export const MAX_BYTES = 2 * 1024 * 1024;
 
 /**
- * Reads any of these files; what it is is told by its name and its first line.
+ * Reads a motion file; the format is detected by its name and its first line.
  *
  * @param {string} name of the file
- * @param {Uint8Array} bytes its content
+ * @param {Uint8Array} bytes content
  * @param {Body} body
- * @param {readonly number[]} start angles of joints of which the file says nothing
+ * @param {readonly number[]} start angles of joints that the file lacks
  * @returns {Imported}
- * @throws {Error} if the file is no motion, or one that would do nothing; the message is meant for people
+ * @throws {Error} if the file is not a motion or has no effect; the message is meant for the user
  */
 export function readMotion(name, bytes, body, start) {
   try {
@@ -84,7 +84,7 @@ export function readMotion(name, bytes, body, start) {
   }
 }
 
-/** @param {MotionDocument} document @returns {string} why it would do nothing */
+/** @param {MotionDocument} document @returns {string} why it has no effect; empty if it has one */
 function nothingIn({ lines }) {
   const at = lines.findIndex((line) => line.problem);
   const found = lines[at]?.problem;
@@ -114,7 +114,7 @@ function readText(name, decoded, body, start) {
   return { document, notes: problemNotes(withPlaces(document)) };
 }
 
-/** @param {MotionDocument} document @returns {MotionDocument} whose problems say on which line they are */
+/** @param {MotionDocument} document @returns {MotionDocument} with line numbers in its problems */
 function withPlaces(document) {
   const lines = document.lines.map((line, i) =>
     line.problem ? { ...line, problem: `line ${i + 1} of the file: ${line.problem}` } : line,

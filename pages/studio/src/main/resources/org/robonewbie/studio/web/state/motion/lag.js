@@ -1,27 +1,26 @@
 /**
- * Where a physical robot is behind the plan: what a motion wants at a moment against what the joints of a trial had reached
- * then. Pure.
+ * Lag of a physical robot behind the plan: the planned joint angles compared with those reached in a trial. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
  * @typedef {import('./editor-state.js').Trial} Trial
  *
- * @typedef {object} Worst
- * @property {number} degrees how far the joint was from where it should have been
+ * @typedef {object} Worst largest lag of a joint
+ * @property {number} degrees difference from the planned angle
  * @property {number} time milliseconds
  *
  * @typedef {object} Lag
  * @property {number} frameMillis time between two postures
  * @property {number[][]} planned
  * @property {number[][]} reached
- * @property {Array<Array<[number, number]>>} late of each joint: from when to when it was far behind, milliseconds
- * @property {Worst[]} worst of each joint
- * @property {number} joint that was behind most
+ * @property {Array<Array<[number, number]>>} late intervals in which each joint lagged, milliseconds
+ * @property {Worst[]} worst largest lag of each joint
+ * @property {number} joint joint with the largest lag
  */
 import { postureOfHinges } from './body.js';
 import { postureAt } from './timing.js';
 
-/** A joint so far behind is marked. */
+/** Lag from which a joint is marked. */
 export const LATE_DEGREES = 5;
 
 const TORSO_NUMBERS = 7;
@@ -38,8 +37,8 @@ export function lagOf(body, frames, trial) {
   const planned = reached.map((_, i) => [...postureAt(frames, reached[0] ?? [], i * frameMillis)]);
   const worst = body.joints.map((_, joint) => worstOf(planned, reached, joint, frameMillis));
   const late = body.joints.map((_, joint) => lateOf(planned, reached, joint, frameMillis));
-  const most = Math.max(...worst.map(({ degrees }) => degrees));
-  return { frameMillis, planned, reached, late, worst, joint: worst.findIndex(({ degrees }) => degrees === most) };
+  const max = Math.max(...worst.map(({ degrees }) => degrees));
+  return { frameMillis, planned, reached, late, worst, joint: worst.findIndex(({ degrees }) => degrees === max) };
 }
 
 /** @param {Lag} lag @param {number} time milliseconds @returns {number} index of the posture at this time */

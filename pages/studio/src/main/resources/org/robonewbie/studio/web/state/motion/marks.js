@@ -1,5 +1,5 @@
 /**
- * Goes from mark to mark of the timeline. Pure.
+ * Moves from mark to mark of the timeline. Pure.
  *
  * @typedef {import('./editor-state.js').EditorState} EditorState
  * @typedef {import('./checks.js').Mark} Mark
@@ -11,7 +11,7 @@ import { durationOf, timesOf } from './timing.js';
 /**
  * @param {readonly Mark[]} marks
  * @param {number} time milliseconds
- * @returns {Mark | undefined} the first one after a moment, from the end the first of all
+ * @returns {Mark | undefined} the next mark after a time, wrapping around at the end
  */
 export function nextMark(marks, time) {
   const sorted = [...marks].sort((a, b) => placeOf(a) - placeOf(b));
@@ -19,7 +19,7 @@ export function nextMark(marks, time) {
 }
 
 /**
- * Shows the place of a mark, and the curve of its joint.
+ * Moves the playhead to a mark and shows the curve of its joint.
  *
  * @param {EditorState} state
  * @param {Mark} mark
@@ -34,7 +34,7 @@ export function atMark(state, mark) {
   return { ...there, joint, rows: [], playing: false, view: revealing(state.view, durationOf(frames), time) };
 }
 
-/** @param {Mark} mark @returns {number} milliseconds: amid a way that is too fast, else where the trouble begins */
+/** @param {Mark} mark @returns {number} milliseconds: the middle of a transition that is too fast, otherwise the start of the mark */
 function placeOf({ kind, from, to }) {
   return kind === 'speed' ? (from + to) / 2 : from;
 }

@@ -1,6 +1,5 @@
 /**
- * What can be done with a motion: each function takes a document and gives a new one; lines that are not concerned stay as
- * they are. Pure.
+ * Edits of motion documents: each function takes a document and returns a new one; unaffected lines stay unchanged. Pure.
  *
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
  * @typedef {import('./motion-text.js').Line} Line
@@ -8,11 +7,11 @@
  */
 import { changedLine, newLine } from './motion-text.js';
 
-/** A robot plays whole cycles. */
+/** A robot plays motions in whole cycles. */
 export const CYCLE_MILLIS = 20;
 
-/** The longest way to a keyframe; ten minutes. */
-export const MOST_MILLIS = 600_000;
+/** Longest duration of a keyframe: ten minutes. */
+export const MAX_MILLIS = 600_000;
 
 /**
  * @param {MotionDocument} document
@@ -37,12 +36,12 @@ export function withKeyframe(document, index, change) {
 
 /**
  * @param {MotionDocument} document
- * @param {number} index which keyframe it becomes
+ * @param {number} index index of the new keyframe
  * @param {Keyframe} keyframe
  * @returns {MotionDocument}
  */
 export function withInserted(document, index, keyframe) {
-  return insertLine(document, index, newLine(keyframe, usualEnd(document)));
+  return insertLine(document, index, newLine(keyframe, lineEndOf(document)));
 }
 
 /**
@@ -55,21 +54,21 @@ export function without(document, index) {
 }
 
 /**
- * Moves a keyframe with its own comment to another place.
+ * Moves a keyframe with its comment to another position.
  *
  * @param {MotionDocument} document
  * @param {number} from
- * @param {number} to its index afterwards
+ * @param {number} to index afterwards
  * @returns {MotionDocument}
  */
 export function withMoved(document, from, to) {
   const line = document.lines[lineOf(document, from)];
-  const moved = line.end === '' ? { ...line, end: usualEnd(document) } : line;
+  const moved = line.end === '' ? { ...line, end: lineEndOf(document) } : line;
   return insertLine(without(document, from), to, moved);
 }
 
 /**
- * Plays the postures in the opposite order; each way keeps its duration, the first keeps its place in time.
+ * Reverses the order of the postures; each transition keeps its duration, the first keyframe keeps its time.
  *
  * @param {MotionDocument} document
  * @returns {MotionDocument}
@@ -105,9 +104,9 @@ export function mapKeyframes(document, change) {
   );
 }
 
-/** @param {number} millis @returns {number} the nearest whole number of cycles, at least one, at most those of ten minutes */
+/** @param {number} millis @returns {number} the nearest whole number of cycles in milliseconds, from one cycle to ten minutes */
 export function wholeCycles(millis) {
-  return Math.max(1, Math.round(Math.min(MOST_MILLIS, millis) / CYCLE_MILLIS)) * CYCLE_MILLIS;
+  return Math.max(1, Math.round(Math.min(MAX_MILLIS, millis) / CYCLE_MILLIS)) * CYCLE_MILLIS;
 }
 
 /** @param {MotionDocument} document @param {readonly Line[]} lines */
@@ -146,6 +145,6 @@ function insertLine(document, index, line) {
 }
 
 /** @param {MotionDocument} document */
-function usualEnd(document) {
+function lineEndOf(document) {
   return document.lines.find(({ end }) => end !== '')?.end ?? '\n';
 }

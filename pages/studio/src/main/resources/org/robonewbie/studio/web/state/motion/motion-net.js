@@ -1,7 +1,6 @@
 /**
- * The nets of the original motion editor (.mef): a line with the word nao, the names of the joints, keyframes with number and place
- * on the screen, and transitions between them. The motion is the way along the first transitions from keyframe 0, whose own posture is
- * not part of it. Pure.
+ * Keyframe nets of the original motion editor (.mef): a line with the word nao, the joint names, keyframes with number and screen position,
+ * and transitions between them. The motion follows the first transitions from keyframe 0, whose own posture is not part of it. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
@@ -10,7 +9,7 @@
  * @typedef {import('./foreign.js').Columns} Columns
  *
  * @typedef {object} Net
- * @property {Columns | undefined} columns joint of each angle, in the order of the file; nothing before they are named
+ * @property {Columns | undefined} columns joint of each angle, in the order of the file; undefined before the header
  * @property {Remarks} remarks
  * @property {Map<number, number[]>} postures by number
  * @property {Array<{from: number, to: number, millis: number, row: Row}>} transitions
@@ -53,14 +52,14 @@ export function writeNet(frames, start) {
 /**
  * @param {string} text
  * @param {Body} body
- * @param {readonly number[]} start angles of joints of which the file says nothing
+ * @param {readonly number[]} start angles of joints that the file lacks
  * @returns {Imported}
- * @throws {Error} if it is no such net; the message is meant for people
+ * @throws {Error} if it is not a keyframe net; the message is meant for the user
  */
 export function readNet(text, body, start) {
   const [head, ...rows] = rowsOf(text);
   if (head?.text !== 'nao') {
-    throw new Error('This is no net of the original motion editor: its first line is not “nao”.');
+    throw new Error('This is not a net of the original motion editor: its first line is not “nao”.');
   }
   const net = netOf(rows, start);
   const { steps, end } = chainOf(net);
@@ -89,7 +88,7 @@ function isTransition({ text }) {
 /** @param {Net} net @param {number} taken */
 function branchNotes({ transitions }, taken) {
   const others = transitions.length - taken;
-  return others > 0 ? [`A motion has one way: ${others} other transitions are kept as comments.`] : [];
+  return others > 0 ? [`A motion has a single path: ${others} other transitions are kept as comments.`] : [];
 }
 
 /** @param {readonly Row[]} rows @param {readonly number[]} start @returns {Net} */
@@ -133,7 +132,7 @@ function addRow(net, row, start) {
   } else if (!row.text.startsWith('#')) {
     withoutEmptyEnd(cells).forEach(refuseOther);
     if (net.columns) {
-      throw new UnreadableRow(`found “${cells[0]}”, but the joints are named already`);
+      throw new UnreadableRow(`found “${cells[0]}”, but the joints have already been named`);
     }
     net.columns = columnsOf(row, cells, (name) => ({ joint: ORIGINAL_JOINTS.indexOf(name), sign: 1 }));
   }
@@ -146,7 +145,7 @@ function addKeyframe(net, row, cells, start) {
     throw new UnreadableRow('found a keyframe, expected a line with the names of the joints before it');
   }
   if (net.postures.has(id)) {
-    throw new UnreadableRow(`found keyframe ${id}, which the file has already`);
+    throw new UnreadableRow(`found keyframe ${id}, which is already defined`);
   }
   const angles = { row, cells: cells.slice(4), expected: 'an angle in degrees, such as -12.5' };
   const degrees = postureOf({ ...angles, toDegrees: (value) => value }, net.columns, start, net.remarks);
@@ -160,7 +159,7 @@ function refuseOther(name) {
   }
 }
 
-/** The way along the first transitions, until it ends or comes to a keyframe again. @param {Net} net */
+/** Follows the first transitions until they end or revisit a keyframe. @param {Net} net */
 function chainOf({ postures, transitions }) {
   /** @type {Net['transitions']} */
   const steps = [];
@@ -171,7 +170,7 @@ function chainOf({ postures, transitions }) {
       return { steps, end: [] };
     }
     if (visited.has(step.to)) {
-      return { steps, end: [`The net goes on at keyframe ${step.to} again; the motion ends there.`] };
+      return { steps, end: [`The net continues at keyframe ${step.to} again; the motion ends there.`] };
     }
     steps.push(step);
     visited.add(step.to);

@@ -1,16 +1,16 @@
 /**
- * Reads and writes the text of motion files without losing anything: every line keeps its characters, comments, digits and
- * line end until somebody changes it. The same rules as the Java class MotionFile. Pure.
+ * Lossless parser and writer of motion files: every line keeps its characters, comments, digits and line end until it is edited. The rules
+ * equal those of the Java class MotionFile. Pure.
  *
  * @typedef {object} Keyframe
- * @property {number} millis time of the way to this posture
+ * @property {number} millis duration of the transition to this posture
  * @property {readonly number[]} degrees 22 angles in the order of the file
  *
  * @typedef {object} Line
  * @property {string} text
- * @property {string} end the line end as it was, or nothing
- * @property {Keyframe} [keyframe] of a line with a keyframe
- * @property {string} [problem] of a line that cannot be understood
+ * @property {string} end the original line end, or empty
+ * @property {Keyframe} [keyframe] keyframe of the line
+ * @property {string} [problem] error in the line
  *
  * @typedef {import('../decoded-text.js').Source & {lines: readonly Line[]}} MotionDocument
  */
@@ -22,13 +22,13 @@ const INTEGER = /^[+-]?\d{1,9}$/;
 const DECIMAL = /^[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?$/;
 const MARK = '\uFEFF';
 
-/** A document without any line. @type {MotionDocument} */
+/** An empty document. @type {MotionDocument} */
 export const EMPTY_DOCUMENT = { ...UTF_8, lines: [] };
 
 /**
  * @param {Uint8Array} bytes content of a file
  * @returns {MotionDocument}
- * @throws {import('../decoded-text.js').UndecodableText} if they are no text
+ * @throws {import('../decoded-text.js').UndecodableText} if they are not text
  */
 export function decode(bytes) {
   const { encoding, hasByteOrderMark, content } = decodeText(bytes);
@@ -94,7 +94,7 @@ export function parseLine(text, end) {
 }
 
 /**
- * Writes a keyframe as a new line.
+ * Formats a keyframe as a new line.
  *
  * @param {Keyframe} keyframe
  * @param {string} end
@@ -105,7 +105,7 @@ export function newLine(keyframe, end) {
 }
 
 /**
- * Puts other numbers into a line; numbers that stay the same keep their digits, and so do blanks and comments.
+ * Replaces the numbers of a line; unchanged numbers keep their digits, and blanks and comments are kept.
  *
  * @param {Line} line one with a keyframe
  * @param {Keyframe} keyframe
@@ -125,7 +125,7 @@ export function changedLine(line, keyframe) {
 
 /**
  * @param {number} value
- * @returns {string} its digits without exponent
+ * @returns {string} decimal notation without exponent
  */
 export function numberText(value) {
   const text = String(value === 0 ? 0 : value);
@@ -149,10 +149,10 @@ function wordsOf(text) {
 }
 
 /**
- * What a robot would refuse.
+ * The error for which a robot would refuse the motion.
  *
  * @param {MotionDocument} document
- * @returns {string} about the first line that cannot be understood, empty if there is none
+ * @returns {string} about the first invalid line, empty if there is none
  */
 export function problemOf({ lines }) {
   const bad = lines.flatMap(({ problem }, i) => (problem ? [`Line ${i + 1} cannot be read: ${problem}`] : []));

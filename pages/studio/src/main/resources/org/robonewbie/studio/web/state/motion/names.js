@@ -1,4 +1,4 @@
-/** Names of joints and limbs for people. Pure. */
+/** Display names of joints and limbs. Pure. */
 
 /** @param {string} name such as LEFT_HIP_YAW_PITCH @returns {string} such as “left hip yaw-pitch” */
 export function jointName(name) {
@@ -32,7 +32,7 @@ export function linkName(name) {
   return `${side} ${LIMBS[name.slice(1)] ?? name.slice(1)}`;
 }
 
-/** The joints as people look for them. @type {Array<{title: string, test: RegExp}>} */
+/** Groups in which the joints are listed. @type {Array<{title: string, test: RegExp}>} */
 export const JOINT_GROUPS = [
   { title: 'Head', test: /^NECK/ },
   { title: 'Left arm', test: /^LEFT_(SHOULDER|ARM)/ },
@@ -42,7 +42,7 @@ export const JOINT_GROUPS = [
 ];
 
 /**
- * The joints from head to foot, one below the other as in the timeline.
+ * The joints in the order of the timeline, from head to foot.
  *
  * @param {{joints: ReadonlyArray<{name: string}>}} body
  * @returns {number[]} indices of joints

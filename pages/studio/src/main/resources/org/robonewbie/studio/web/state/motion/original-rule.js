@@ -1,5 +1,5 @@
 /**
- * Tells motions that were made for RoboNewbie 1.1, which did not approach a keyframe of less than two cycles at all. Pure.
+ * Detects motions written for RoboNewbie 1.1, which skipped keyframes shorter than two cycles. Pure.
  *
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
  * @typedef {import('./motion-text.js').MotionDocument} MotionDocument
@@ -10,17 +10,17 @@ import { parse } from './motion-text.js';
 const TWO_CYCLES = 40;
 const ORIGINAL = '// play: 1.1';
 
-/** What files say of themselves since then. */
+/** Header comments that motion files have had since then. */
 const DESCRIBED = /^\s*\/\/\s*(play|columns|measured|does|start|end|ball|made by)\s*:/i;
 
-/** @param {MotionDocument} document @returns {boolean} whether it says nothing of itself, as the files of RoboNewbie 1.1 */
+/** @param {MotionDocument} document @returns {boolean} whether it has no header comments, as the files of RoboNewbie 1.1 */
 export function isUndescribed({ lines }) {
   return !lines.some(({ text }) => DESCRIBED.test(text));
 }
 
 /**
- * Whether a motion has keyframes that RoboNewbie 1.1 did not approach, among others. A motion of nothing but short ways was recorded,
- * and would stand still by that rule.
+ * Whether a motion mixes keyframes that RoboNewbie 1.1 skipped with others. A motion of only short transitions was recorded, and would not
+ * move at all by that rule.
  *
  * @param {MotionDocument} document
  * @returns {boolean}
@@ -35,7 +35,7 @@ export function hasSkippedKeyframes(document) {
   return short.some(isOther) && 2 * short.length <= frames.length;
 }
 
-/** @param {MotionDocument} document @returns {MotionDocument} that is played by the rule of RoboNewbie 1.1 */
+/** @param {MotionDocument} document @returns {MotionDocument} marked for playback by the rule of RoboNewbie 1.1 */
 export function asOriginal(document) {
   const end = document.lines.find((line) => line.end !== '')?.end ?? '\n';
   return { ...document, lines: [...parse(ORIGINAL + end).lines, ...document.lines] };

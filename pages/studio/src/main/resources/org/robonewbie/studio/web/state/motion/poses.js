@@ -1,5 +1,5 @@
 /**
- * Postures to begin with, and the own ones in their text file: a comment with the name before each line. Pure.
+ * Template postures, and the user's postures in a text file with a name comment before each line. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  *
@@ -10,7 +10,7 @@
 import { contentOf, newLine, parse } from './motion-text.js';
 import { postureFrom } from './posture.js';
 
-/** As the robot stands before most motions, like the library's motion “stand”. */
+/** Stance before most motions, equal to the library's motion “stand”. */
 export const STANDING = {
   BOTH_SHOULDER_PITCH: -95,
   BOTH_SHOULDER_YAW: 10,
@@ -44,7 +44,7 @@ const POSTURES = [
 ];
 
 /** @param {Body} body @returns {NamedPosture[]} */
-export function usualPostures(body) {
+export function templatePostures(body) {
   return POSTURES.map(([name, angles]) => ({ name, degrees: postureFrom(body, angles) }));
 }
 
@@ -57,7 +57,7 @@ export function readPostures(text) {
 }
 
 /**
- * Puts a posture into the file, in place of the one with its name; all other lines stay, understood or not.
+ * Saves a posture in the file, replacing the one with its name; all other lines stay, valid or not.
  *
  * @param {string} text
  * @param {NamedPosture} posture

@@ -1,5 +1,5 @@
 /**
- * What can be done with a posture. Pure.
+ * Operations on postures. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./body.js').Posture} Posture
@@ -19,7 +19,7 @@ export function clamped(body, joint, degrees) {
 /**
  * @param {Body} body
  * @param {Posture} posture
- * @returns {number[]} what this robot's reflection in a mirror does
+ * @returns {number[]} the mirrored posture
  */
 export function mirrored(body, posture) {
   const result = new Array(posture.length).fill(0);
@@ -30,7 +30,7 @@ export function mirrored(body, posture) {
 }
 
 /**
- * Lets the other side do what one side did.
+ * Mirrors the change of one side to the other.
  *
  * @param {Body} body
  * @param {Posture} before
@@ -52,7 +52,7 @@ export function symmetric(body, before, after) {
  *
  * @param {Body} body
  * @param {Posture} posture
- * @param {'LEFT' | 'RIGHT'} side the side that stays
+ * @param {'LEFT' | 'RIGHT'} side source side
  * @returns {number[]}
  */
 export function copiedSide(body, posture, side) {
@@ -66,10 +66,10 @@ export function copiedSide(body, posture, side) {
 }
 
 /**
- * Makes a posture from some named angles; all others are 0.
+ * Creates a posture from named angles; all others are 0.
  *
  * @param {Body} body
- * @param {Record<string, number>} angles by joint; BOTH_KNEE_PITCH gives the left angle and mirrors it to the right
+ * @param {Record<string, number>} angles by joint; BOTH_KNEE_PITCH sets the left angle and mirrors it to the right
  * @returns {number[]}
  */
 export function postureFrom(body, angles) {
@@ -83,10 +83,10 @@ export function postureFrom(body, angles) {
  * @param {readonly number[]} before
  * @param {readonly number[]} after
  * @param {number} otherwise
- * @returns {number} the joint that has turned most, or another if none has
+ * @returns {number} the joint that has turned max, or `otherwise` if none has
  */
 export function mostTurned(before, after, otherwise) {
   const ways = after.map((angle, joint) => Math.abs(angle - before[joint]));
-  const most = Math.max(...ways);
-  return most > 0 ? ways.indexOf(most) : otherwise;
+  const max = Math.max(...ways);
+  return max > 0 ? ways.indexOf(max) : otherwise;
 }

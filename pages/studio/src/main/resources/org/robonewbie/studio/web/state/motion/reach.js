@@ -1,16 +1,16 @@
 /**
- * Turns joints so that a point of the body comes to where it is pulled: with a limb's own joints, or by inverse kinematics
- * with the whole arm or leg. Damped least squares with a Jacobian by small differences. Pure.
+ * Inverse kinematics for dragged limbs, with a limb's own joints or with the whole arm or leg. Damped least squares with a
+ * finite-difference Jacobian. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./body.js').Posture} Posture
  *
  * @typedef {object} Pull
- * @property {number} link which is pulled
+ * @property {number} link the pulled link
  * @property {number[]} local the point in the link's frame
- * @property {number[]} target where it shall be in the world
- * @property {number[]} [up] where the link's upward axis shall point, such as that of a sole
- * @property {number[]} joints which may turn
+ * @property {number[]} target target position in the world
+ * @property {number[]} [up] target direction of the link's upward axis, for example of a sole
+ * @property {number[]} joints that may turn
  */
 import { rotated } from '../kinematics.js';
 import { linkIndex, pointOf, posesOf } from './body.js';
@@ -18,11 +18,11 @@ import { clamped } from './posture.js';
 
 const ROUNDS = 40;
 const STEP_DEGREES = 0.5;
-const MOST_DEGREES = 12;
+const MAX_DEGREES = 12;
 const DAMPING = 2e-8;
 const GOOD_METRES = 2e-4;
 const STRIDE_METRES = 0.02;
-const MOST_STRIDES = 25;
+const MAX_STRIDES = 25;
 const STRIDE_DEGREES = 15;
 const METRES_PER_UP = 0.12;
 const LIMBS = /^(body|head|[lr](upperarm|lowerarm|thigh|shank|foot))$/;
@@ -49,7 +49,7 @@ export function chainJoints(body, link) {
   return chain(body, link, (parent) => parent === 0);
 }
 
-/** @param {Body} body @param {number} link @returns {number} the limb that stands for a small link inside of a joint */
+/** @param {Body} body @param {number} link @returns {number} the limb to which a small link inside a joint belongs */
 export function limbOf(body, link) {
   let limb = link;
   while (!LIMBS.test(body.model.links[limb].name)) {
@@ -82,9 +82,9 @@ function chain(body, link, ends) {
 /**
  * @param {Body} body
  * @param {Posture} posture
- * @param {ArrayLike<number>} torso pose of the torso, which stays
+ * @param {ArrayLike<number>} torso fixed pose of the torso
  * @param {Pull} pull
- * @returns {number[]} the posture that comes nearest, within all ranges
+ * @returns {number[]} the nearest posture within all joint ranges
  */
 export function pulled(body, posture, torso, pull) {
   let best = [...posture];
@@ -105,18 +105,18 @@ export function pulled(body, posture, torso, pull) {
 }
 
 /**
- * Pulls in small strides along the straight way, so that a hand that jumps far does not make the joints snap over.
+ * Solves in small steps along the straight line to the target, so that a fast pointer does not make the joints flip.
  *
  * @param {Body} body
  * @param {Posture} posture
- * @param {ArrayLike<number>} torso pose of the torso, which stays
+ * @param {ArrayLike<number>} torso fixed pose of the torso
  * @param {Pull} pull
- * @returns {number[]} the posture at the end of the way
+ * @returns {number[]} the final posture
  */
 export function followed(body, posture, torso, pull) {
   const from = pointOf(posesOf(body, posture, torso), pull.link, pull.local);
   const way = pull.target.map((value, axis) => value - from[axis]);
-  const strides = Math.max(1, Math.min(MOST_STRIDES, Math.ceil(Math.hypot(...way) / STRIDE_METRES)));
+  const strides = Math.max(1, Math.min(MAX_STRIDES, Math.ceil(Math.hypot(...way) / STRIDE_METRES)));
   let reached = [...posture];
   for (let stride = 1; stride <= strides; stride++) {
     const before = reached;
@@ -130,12 +130,12 @@ export function followed(body, posture, torso, pull) {
 }
 
 /**
- * Moves the torso while the feet stay where they are.
+ * Moves the torso while the feet stay in place.
  *
  * @param {Body} body
  * @param {Posture} posture
  * @param {number[]} torso pose
- * @param {number[]} way metres
+ * @param {number[]} way displacement in metres
  * @returns {{posture: number[], torso: number[]}}
  */
 export function torsoMoved(body, posture, torso, way) {
@@ -156,7 +156,7 @@ export function torsoMoved(body, posture, torso, way) {
  * @param {Posture} posture
  * @param {ArrayLike<number>} torso
  * @param {Pull} pull
- * @returns {number[]} what is still missing, in metres
+ * @returns {number[]} residual in metres
  */
 function errorOf(body, posture, torso, { link, local, target, up }) {
   const poses = posesOf(body, posture, torso);
@@ -168,7 +168,7 @@ function errorOf(body, posture, torso, { link, local, target, up }) {
 }
 
 /**
- * One step. A joint that is at the end of its range and would have to go on is left out, so that the others do its part.
+ * One iteration. A joint that is at its limit and would move further is excluded, so that the others compensate.
  *
  * @param {Body} body
  * @param {number[]} posture
@@ -192,7 +192,7 @@ function improved(body, posture, torso, pull, error, damping) {
     );
     free.forEach((i, k) => {
       const joint = pull.joints[i];
-      result[joint] = clamped(body, joint, posture[joint] + Math.max(-MOST_DEGREES, Math.min(MOST_DEGREES, turns[k])));
+      result[joint] = clamped(body, joint, posture[joint] + Math.max(-MAX_DEGREES, Math.min(MAX_DEGREES, turns[k])));
     });
     const stuck = free.filter(
       (i, k) => result[pull.joints[i]] === posture[pull.joints[i]] && Math.abs(turns[k]) > 1e-9,
@@ -219,7 +219,7 @@ function dot(a, b) {
 }
 
 /**
- * Gauss with pivots for a small matrix.
+ * Gaussian elimination with pivoting for a small matrix.
  *
  * @param {number[][]} matrix
  * @param {number[]} right

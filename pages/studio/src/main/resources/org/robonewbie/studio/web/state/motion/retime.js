@@ -1,29 +1,29 @@
 /**
- * Moves keyframes in time. A motion says for each keyframe how long the way to it takes, so that all later ones follow if
- * only this way changes; a keyframe that moves alone takes from the next way what its own gains. Pure.
+ * Moves keyframes in time. Each keyframe stores the duration of its transition, so changing it shifts all later keyframes; a keyframe that
+ * moves alone also adjusts the next duration. Pure.
  */
 import { CYCLE_MILLIS, wholeCycles } from './motion-document.js';
 
 /**
- * @param {readonly number[]} ways milliseconds to each keyframe from the one before
- * @param {readonly number[]} chosen indices of the keyframes that move, in their order
+ * @param {readonly number[]} ways durations of the transitions, milliseconds
+ * @param {readonly number[]} chosen ascending indices of the keyframes to move
  * @param {number} by milliseconds, negative for earlier
- * @param {boolean} alone whether all others stay where they are
- * @returns {number[]} the new ways; no keyframe overtakes another
+ * @param {boolean} alone whether all others keep their time
+ * @returns {number[]} the new durations; the order of keyframes is preserved
  */
 export function retimed(ways, chosen, by, alone) {
   const first = chosen[0];
   if (first === undefined) {
     return [...ways];
   }
-  const wish = wholeCycles(Math.max(CYCLE_MILLIS, ways[first] + by)) - ways[first];
+  const requested = wholeCycles(Math.max(CYCLE_MILLIS, ways[first] + by)) - ways[first];
   if (!alone) {
-    return [...ways].with(first, ways[first] + wish);
+    return [...ways].with(first, ways[first] + requested);
   }
   const growing = chosen.filter((index) => !chosen.includes(index - 1));
   const shrinking = chosen.map((index) => index + 1).filter((index) => index < ways.length && !chosen.includes(index));
-  const least = Math.max(...growing.map((index) => Math.min(0, CYCLE_MILLIS - ways[index])));
-  const most = Math.min(Infinity, ...shrinking.map((index) => Math.max(0, ways[index] - CYCLE_MILLIS)));
-  const step = Math.max(least, Math.min(most, wish));
+  const min = Math.max(...growing.map((index) => Math.min(0, CYCLE_MILLIS - ways[index])));
+  const max = Math.min(Infinity, ...shrinking.map((index) => Math.max(0, ways[index] - CYCLE_MILLIS)));
+  const step = Math.max(min, Math.min(max, requested));
   return ways.map((way, index) => way + (growing.includes(index) ? step : 0) - (shrinking.includes(index) ? step : 0));
 }

@@ -1,24 +1,24 @@
 /**
- * What of a motion is chosen: some keyframes, and of these all joints or only some. Pure.
+ * Selection in a motion: keyframes, and all or some of their joints. Pure.
  *
  * @typedef {import('./editor-state.js').EditorState} EditorState
  */
 import { framesOf, selected } from './editor-state.js';
 import { timesOf } from './timing.js';
 
-/** @param {EditorState} state @returns {number[]} the chosen keyframes in their order */
+/** @param {EditorState} state @returns {number[]} the selected keyframes in order */
 export function chosenFrames(state) {
   const count = framesOf(state).length;
   return [...state.chosen].filter((index) => index < count).sort((a, b) => a - b);
 }
 
-/** @param {EditorState} state @returns {readonly number[]} whose angles edits change: the chosen rows, or the joint that is shown */
+/** @param {EditorState} state @returns {readonly number[]} the joints that edits change: the selected rows, or the shown joint */
 export function chosenJoints(state) {
   return state.rows.length > 0 ? state.rows : [state.joint];
 }
 
 /**
- * Takes one keyframe into the choice or out of it; the last one stays.
+ * Adds a keyframe to the selection or removes it; the last one stays.
  *
  * @param {EditorState} state
  * @param {number} index
@@ -33,7 +33,7 @@ export function toggled(state, index) {
 }
 
 /**
- * Chooses a joint; its curve is shown.
+ * Selects a joint and shows its curve.
  *
  * @param {EditorState} state
  * @param {number} joint
@@ -49,7 +49,7 @@ export function withRow(state, joint, manner = 'only') {
   return { ...state, joint: rows.at(-1) ?? joint, rows };
 }
 
-/** @param {EditorState} state @returns {EditorState} with all joints of the chosen keyframes */
+/** @param {EditorState} state @returns {EditorState} with all joints of the selected keyframes */
 export function withoutRows(state) {
   return { ...state, rows: [] };
 }
@@ -66,21 +66,21 @@ export function withOneChosen(state) {
 }
 
 /**
- * @typedef {object} Box of the timeline
+ * @typedef {object} Box selection box of the timeline
  * @property {number} from milliseconds
  * @property {number} to milliseconds
- * @property {readonly number[]} [rows] joints that it covers; left out for those that are chosen already
- * @property {number} [low] degrees: of a box around points of curves
- * @property {number} [high] degrees
+ * @property {readonly number[]} [rows] joints that it covers; if omitted, those already selected
+ * @property {number} [low] lower limit in degrees, for a box around points of curves
+ * @property {number} [high] upper limit in degrees
  */
 
 /**
- * Chooses what lies in a box.
+ * Selects the content of a box.
  *
  * @param {EditorState} state
  * @param {Box} box
- * @param {boolean} [adding] to what is chosen already
- * @returns {EditorState} the same if no keyframe is in the box
+ * @param {boolean} [adding] whether to add to the selection
+ * @returns {EditorState} unchanged if no keyframe is in the box
  */
 export function boxed(state, { from, to, rows, low = -Infinity, high = Infinity }, adding = false) {
   const frames = framesOf(state);

@@ -1,22 +1,22 @@
 /**
- * Which part of a motion the timeline shows: it can be zoomed and scrolled. Pure.
+ * Zoom and scroll position of the timeline. Pure.
  *
  * @typedef {object} TimeView
  * @property {number} from milliseconds at the left edge
  * @property {number} span milliseconds from edge to edge, 0 for the whole motion
  */
 
-const LEAST_SPAN = 200;
+const MIN_SPAN = 200;
 const SHORTEST = 400;
 const BORDER = 0.1;
 
-/** Shows everything, however long the motion becomes. @type {TimeView} */
+/** Shows the whole motion, whatever its length. @type {TimeView} */
 export const WHOLE = { from: 0, span: 0 };
 
 /**
  * @param {TimeView} view
  * @param {number} length of the motion, milliseconds
- * @returns {TimeView} what is shown of it, with a span
+ * @returns {TimeView} the visible range, with a non-zero span
  */
 export function shownPart(view, length) {
   const whole = Math.max(length, SHORTEST);
@@ -27,13 +27,13 @@ export function shownPart(view, length) {
 /**
  * @param {TimeView} view
  * @param {number} length of the motion, milliseconds
- * @param {number} factor below 1 shows less, more closely
- * @param {number} at the time that stays where it is
+ * @param {number} factor below 1 zooms in
+ * @param {number} at the time that keeps its position
  * @returns {TimeView}
  */
 export function zoomed(view, length, factor, at) {
   const { from, span } = shownPart(view, length);
-  const next = Math.max(LEAST_SPAN, span * factor);
+  const next = Math.max(MIN_SPAN, span * factor);
   if (next >= Math.max(length, SHORTEST)) {
     return WHOLE;
   }
@@ -43,7 +43,7 @@ export function zoomed(view, length, factor, at) {
 /**
  * @param {TimeView} view
  * @param {number} length of the motion, milliseconds
- * @param {number} share of what is shown, negative to the left
+ * @param {number} share fraction of the visible range, negative to the left
  * @returns {TimeView}
  */
 export function scrolled(view, length, share) {
@@ -52,7 +52,7 @@ export function scrolled(view, length, share) {
 }
 
 /**
- * Scrolls so far that a moment can be seen, if it cannot.
+ * Scrolls to make a time visible, if it is not.
  *
  * @param {TimeView} view
  * @param {number} length of the motion, milliseconds

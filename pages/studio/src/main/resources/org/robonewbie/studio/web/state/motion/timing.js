@@ -1,5 +1,5 @@
 /**
- * When a motion is where: the robot turns each joint evenly from one keyframe to the next. Pure.
+ * Timing of a motion: the robot moves each joint linearly from one keyframe to the next. Pure.
  *
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
  */
@@ -38,14 +38,14 @@ export function postureAt(frames, start, time) {
 /**
  * @param {readonly Keyframe[]} frames
  * @param {number} time
- * @returns {number} index of the keyframe that is reached next, the last one after the end, -1 without keyframes
+ * @returns {number} index of the next keyframe, the last one after the end, -1 without keyframes
  */
 export function keyframeAt(frames, time) {
   const next = timesOf(frames).findIndex((each) => time <= each + 0.5);
   return next < 0 ? frames.length - 1 : next;
 }
 
-/** @param {number} millis @returns {string} seconds for people */
+/** @param {number} millis @returns {string} formatted seconds */
 export function secondsText(millis) {
   return `${(millis / 1000).toFixed(2)} s`;
 }

@@ -1,7 +1,8 @@
 /**
- * Webots' .motion files, which Choregraphe's users exchange too: a head line with the joints' names, there or in the line below, then a line with time, pose
- * name and radians for each keyframe. Some robots of the league write V1.1: “play”, radians and the seconds of the way, with % between them. Two programs write them differently: Webots with the signs and names of NAO's documentation,
- * where bent knees and lowered arms are positive; the original motion editor with the signs of the simulator. Pure.
+ * Webots .motion files, also used with Choregraphe: a header with the joint names, there or in the line below, then a line with time, pose
+ * name and radians for each keyframe. Some teams of the league write V1.1: “play”, radians and the duration in seconds, separated by %.
+ * There are two sign conventions: Webots uses the signs and names of NAO's documentation, where bent knees and lowered arms are positive;
+ * the original motion editor uses the signs of the simulator. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
@@ -10,11 +11,11 @@
  * @typedef {import('./foreign.js').Row} Row
  * @typedef {import('./foreign.js').Column} Column
  *
- * @typedef {object} Table a Webots motion by its parts
- * @property {Row} head line with the names
+ * @typedef {object} Table parts of a Webots motion
+ * @property {Row} head header with the names
  * @property {string[]} names
  * @property {Row[]} rows
- * @property {string} separator of cells
+ * @property {string} separator cell separator
  */
 import {
   columnNotes,
@@ -32,7 +33,7 @@ import {
 
 const HEAD = '#WEBOTS_MOTION,V1.0';
 
-/** How the original motion editor names the 22 joints, in the order of the motion files. */
+/** Joint names of the original motion editor, in the order of the motion files. */
 export const ORIGINAL_JOINTS = [
   'HeadYaw',
   'HeadPitch',
@@ -59,15 +60,15 @@ export const ORIGINAL_JOINTS = [
 ];
 
 const RANGE_SLACK = 2;
-/** Begins the rows of version 1.1. */
+/** Starts the rows of version 1.1. */
 const PLAY = 'play';
 
-/** NAO turns its elbow by ElbowYaw where the simulator calls it arm roll, and bends it by ElbowRoll. @type {string[]} */
+/** NAO's ElbowYaw is the simulator's arm roll, and ElbowRoll bends the elbow. @type {string[]} */
 const NAO_JOINTS = ORIGINAL_JOINTS.map((name) =>
   name.replace(/Elbow(Roll|Yaw)/, (_, turn) => `Elbow${turn === 'Roll' ? 'Yaw' : 'Roll'}`),
 );
 
-/** @param {string} name @returns {number} NAO's pitch axes point to the left, those of the simulator to the right */
+/** @param {string} name @returns {number} -1 for pitch joints, whose axes point to the left on NAO and to the right in the simulator */
 function signOf(name) {
   return /(Head|Shoulder|Hip|Knee|Ankle)Pitch$/.test(name) ? -1 : 1;
 }
@@ -103,9 +104,9 @@ export function writeWebots(frames, reading) {
 /**
  * @param {string} text
  * @param {Body} body
- * @param {readonly number[]} start angles of joints of which the file says nothing
+ * @param {readonly number[]} start angles of joints that the file lacks
  * @returns {Imported}
- * @throws {Error} if it is no Webots motion; the message is meant for people
+ * @throws {Error} if it is not a Webots motion; the message is meant for the user
  */
 export function readWebots(text, body, start) {
   const table = tableOf(rowsOf(text));
@@ -113,7 +114,7 @@ export function readWebots(text, body, start) {
     reading,
     ...readAs(reading, table, start),
   }));
-  const found = misfits(nao.document, body) <= misfits(original.document, body) ? nao : original;
+  const found = outOfRange(nao.document, body) <= outOfRange(original.document, body) ? nao : original;
   const signs =
     found.reading === 'nao'
       ? 'Read with NAO’s own signs, as Webots writes them.'
@@ -126,7 +127,7 @@ export function readWebots(text, body, start) {
 function tableOf([head, ...rest]) {
   const [magic, version = '', ...written] = (head?.text ?? '').split(',').map((cell) => cell.trim());
   if (!magic.startsWith('#WEBOTS_MOTION')) {
-    throw new Error('This is no Webots motion: its first line does not begin with #WEBOTS_MOTION.');
+    throw new Error('This is not a Webots motion: its first line does not begin with #WEBOTS_MOTION.');
   }
   if (!/^V1\.[01]$/.test(version)) {
     throw new Error(`This Webots motion is of version “${version}”; V1.0 and V1.1 can be read.`);
@@ -142,7 +143,7 @@ function separatorOf(row) {
   return row?.text.includes('%') ? '%' : ',';
 }
 
-/** The names are in the line below the head. @param {Row[]} all @returns {Table} */
+/** Reads a file whose names are in the line below the header. @param {Row[]} all @returns {Table} */
 function tableBelow([names, ...rows]) {
   const separator = separatorOf(names);
   const cells = (names?.text ?? '').split(separator).map((cell) => cell.trim());
@@ -166,9 +167,9 @@ function readAs(reading, { head, names, rows, separator }, start) {
     const toDegrees = (/** @type {number} */ radians) => (radians * 180) / Math.PI;
     const expected = 'an angle in radians, such as -0.35';
     const next = postureOf({ row, cells, expected, toDegrees }, columns, degrees, remarks);
-    const millis = isPlay ? 1000 * positiveIn(all[all.length - 1], 'the seconds of the way') : wayTo(moment, row);
+    const millis = isPlay ? 1000 * positiveIn(all[all.length - 1], 'the duration in seconds') : wayTo(moment, row);
     if (isPlay) {
-      remarks.add('The number at the end of each line was read as the seconds of its way (from # on).', head);
+      remarks.add('The number at the end of each line was read as its duration in seconds (from # on).', head);
     }
     degrees = next;
     return { millis: Math.max(1, Math.round(millis)), degrees };
@@ -176,8 +177,13 @@ function readAs(reading, { head, names, rows, separator }, start) {
   return { document, columns, remarks };
 }
 
-/** How many angles a robot could not reach: the wrong reading has bent knees beyond their range. @param {import('./motion-text.js').MotionDocument} document @param {Body} body */
-function misfits({ lines }, { joints }) {
+/**
+ * Counts the angles out of range: with the wrong sign convention, bent knees exceed their range.
+ *
+ * @param {import('./motion-text.js').MotionDocument} document
+ * @param {Body} body
+ */
+function outOfRange({ lines }, { joints }) {
   return lines.reduce((sum, { keyframe }) => {
     const beyond = keyframe?.degrees.filter((angle, i) => {
       const { minDegrees, maxDegrees } = joints[i];

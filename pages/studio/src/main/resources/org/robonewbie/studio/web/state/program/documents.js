@@ -1,83 +1,83 @@
 /**
- * The file that is open in the editor, and what is unsaved of it. Pure.
+ * The open file of the editor and its unsaved changes. Pure.
  *
  * @typedef {object} OpenFile
- * @property {'own' | 'example'} shelf
- * @property {string} path from the folder on, or the name of the example
- * @property {string} version that this page has seen, empty for a file that is not on the disk yet
- * @property {string} saved its text on the disk, with lines as the editor has them
- * @property {string} content the same with the line ends of the file
- * @property {import('../decoded-text.js').Source} source how it is encoded
- * @property {string} problem why it cannot be decoded, and so is only shown; nothing for a file that can
+ * @property {'own' | 'example'} kind
+ * @property {string} path path relative to the folder, or the name of the example
+ * @property {string} version last version read by this page, empty for a file that is not on the disk yet
+ * @property {string} saved its text on the disk, with the editor's line ends
+ * @property {string} content the same text with the line ends of the file
+ * @property {import('../decoded-text.js').Source} source its encoding
+ * @property {string} problem why it cannot be decoded and is read-only; empty if it can be
  *
  * @typedef {object} ReadProgram
  * @property {import('../decoded-text.js').DecodedText} text
  * @property {string} version
- * @property {string} problem why it cannot be decoded; the text is to be looked at only then
+ * @property {string} problem why it cannot be decoded; the text is for display only then
  *
  * @typedef {import('../course.js').Lesson} Lesson
  */
 import { UTF_8 } from '../decoded-text.js';
 import { fileName } from './remarks.js';
 
-/** Under what a browser remembers which program was open. */
+/** Storage key of the program opened last. */
 export const LAST_PROGRAM = 'robonewbie-program';
 
-/** The name of a program that was never named. */
+/** Default name of a program. */
 export const FIRST_NAME = 'MyAgent.java';
 
 /**
- * @param {OpenFile['shelf']} shelf
+ * @param {OpenFile['kind']} kind
  * @param {string} path
- * @param {ReadProgram} program as it is on the disk
+ * @param {ReadProgram} program content of the disk
  * @returns {OpenFile}
  */
-export function opened(shelf, path, { text, version, problem }) {
+export function opened(kind, path, { text, version, problem }) {
   const { encoding, hasByteOrderMark, content } = text;
-  return { shelf, path, version, saved: normal(content), content, source: { encoding, hasByteOrderMark }, problem };
+  return { kind, path, version, saved: normal(content), content, source: { encoding, hasByteOrderMark }, problem };
 }
 
-/** @param {string} content @param {string} [version] @returns {ReadProgram} a program that was not read from a file */
+/** @param {string} content @param {string} [version] @returns {ReadProgram} a program without a file */
 export function newText(content, version = '') {
   return { text: { ...UTF_8, content }, version, problem: '' };
 }
 
-/** @param {string} text @returns {string} with lines as the editor has them */
+/** @param {string} text @returns {string} with the editor's line ends */
 export function normal(text) {
   return text.replaceAll(/\r\n?/g, '\n');
 }
 
 /**
- * Gives the lines of the editor the ends that they have in the file; new lines end as its first one.
+ * Restores the line ends of the file; new lines get that of its first line.
  *
  * @param {OpenFile} file
  * @param {string} text of the editor
- * @returns {string} as it goes to the disk
+ * @returns {string} text for the disk
  */
 export function written(file, text) {
   const parts = file.content.split(/(\r\n|\r|\n)/);
   const before = parts.flatMap((line, i) => (i % 2 === 0 ? [{ line, end: parts[i + 1] ?? '' }] : []));
   const after = text.split('\n');
-  const usual = before[0].end || '\n';
+  const defaultEnd = before[0].end || '\n';
   const same = sameLines(before, after);
   const rest = sameLines(before.slice(same).reverse(), after.slice(same).reverse());
   const endOf = (/** @type {number} */ i) => {
     const fromEnd = after.length - 1 - i;
     const known = i < same ? before[i] : fromEnd < rest ? before[before.length - 1 - fromEnd] : undefined;
-    return known?.end || usual;
+    return known?.end || defaultEnd;
   };
   return after.map((line, i) => (i === after.length - 1 ? line : line + endOf(i))).join('');
 }
 
-/** How many lines at the beginning are alike. @param {Array<{line: string}>} before @param {string[]} after */
+/** Number of equal lines at the beginning. @param {Array<{line: string}>} before @param {string[]} after */
 function sameLines(before, after) {
   const first = after.findIndex((line, i) => line !== before[i]?.line);
   return first < 0 ? after.length : first;
 }
 
-/** @param {OpenFile | undefined} file @returns {boolean} whether it can be changed */
+/** @param {OpenFile | undefined} file @returns {boolean} whether it is editable */
 export function isOpenToChange(file) {
-  return file?.shelf === 'own' && file.problem === '';
+  return file?.kind === 'own' && file.problem === '';
 }
 
 /** @param {OpenFile | undefined} file @param {string} text of the editor @returns {boolean} */
@@ -85,23 +85,23 @@ export function isUnsaved(file, text) {
   return file !== undefined && isOpenToChange(file) && (file.version === '' || text !== file.saved);
 }
 
-/** @param {string} path @param {readonly Lesson[]} lessons @returns {Lesson | undefined} the exercise that a file solves */
+/** @param {string} path @param {readonly Lesson[]} lessons @returns {Lesson | undefined} the exercise that the file solves */
 export function lessonOf(path, lessons) {
   return lessons.find(({ file }) => file === fileName(path));
 }
 
-/** @param {string} hash end of the page's address @returns {string} the program that it names, or nothing */
+/** @param {string} hash fragment of the page's address @returns {string} the program that it names, or empty */
 export function programAt(hash) {
   const [, name = ''] = /^#program\/(.+)$/.exec(hash) ?? [];
   return decodeURIComponent(name);
 }
 
-/** @param {string} name what a person has typed @returns {string} the name of a Java file */
+/** @param {string} name user input @returns {string} name of a Java file */
 export function javaName(name) {
   return name.trim().endsWith('.java') ? name.trim() : `${name.trim()}.java`;
 }
 
-/** @param {string} name what a person has typed for a class @returns {string} what is wrong with it; nothing if it is good */
+/** @param {string} name class name typed by the user @returns {string} its problem; empty if it is valid */
 export function classNameProblem(name) {
   const letters = name.replace(/\.java$/, '');
   const wrong = [...letters].find((letter, i) => !(i === 0 ? /[\p{L}_$]/u : /[\p{L}\p{N}_$]/u).test(letter));
@@ -115,7 +115,7 @@ export function classNameProblem(name) {
 /**
  * @param {string} wanted
  * @param {ReadonlyArray<{path: string}>} files
- * @returns {string} the name, with a number if it is taken; many disks take capital and small letters for the same
+ * @returns {string} the name, with a number appended if it is taken; compared case-insensitively, as on many disks
  */
 export function freeName(wanted, files) {
   const taken = new Set(files.map(({ path }) => path.toLowerCase()));
@@ -128,10 +128,10 @@ export function freeName(wanted, files) {
 }
 
 /**
- * Where new programs of a folder belong: beside those that are there.
+ * The folder for new programs: that of the existing ones.
  *
  * @param {ReadonlyArray<{path: string}>} files
- * @returns {string} a folder with a slash at its end, or nothing
+ * @returns {string} a folder with a trailing slash, or empty
  */
 export function folderOfNew(files) {
   const ofProject = files.find(({ path }) => path.startsWith('src/main/java/'));

@@ -1,19 +1,19 @@
 /**
- * What compiler and robot say about lines of a program. Pure.
+ * Diagnostics of compiler and robot for lines of a program. Pure.
  *
- * @typedef {object} Remark what the compiler says
- * @property {number} from index of the first character that is meant, -1 for the whole line
+ * @typedef {object} Remark compiler diagnostic
+ * @property {number} from index of the first character, -1 for the whole line
  * @property {number} to index after the last one
- * @property {number} line from 1, 0 if it has no place in this file
- * @property {boolean} serious whether the program cannot run because of it
- * @property {string} text the compiler's own words
- * @property {string} hint what to do, or nothing
+ * @property {number} line line number from 1, 0 if it is not in this file
+ * @property {boolean} serious whether it is an error
+ * @property {string} text message of the compiler
+ * @property {string} hint what to do, or empty
  *
- * @typedef {{line: number, text: string}} Mistake what has gone wrong in a line while the program ran
+ * @typedef {{line: number, text: string}} Mistake a runtime error at a line
  */
 
 const PLACE = /\(([\w$]+\.java):(\d+)\)/;
-const MOST_MISTAKES = 5;
+const MAX_MISTAKES = 5;
 
 /** @param {string} path @returns {string} the name of a file without its folders */
 export function fileName(path) {
@@ -21,11 +21,11 @@ export function fileName(path) {
 }
 
 /**
- * Finds the line of a file that a robot's message is about.
+ * Finds the line of a file to which a robot's message refers.
  *
  * @param {string} text such as `think() failed with … (MyAgent.java:31)`
  * @param {string} path of the file
- * @returns {number} from 1, 0 if it is about another place
+ * @returns {number} line number from 1, 0 if it refers to another file
  */
 export function lineOf(text, path) {
   const place = PLACE.exec(text);
@@ -33,7 +33,7 @@ export function lineOf(text, path) {
 }
 
 /**
- * Adds a mistake of the running program; the same words about the same line are said once.
+ * Adds a runtime error; an equal message for the same line is not repeated.
  *
  * @param {readonly Mistake[]} mistakes
  * @param {Mistake} mistake
@@ -41,25 +41,25 @@ export function lineOf(text, path) {
  */
 export function withMistake(mistakes, mistake) {
   const others = mistakes.filter(({ line, text }) => line !== mistake.line || text !== mistake.text);
-  return [...others, mistake].slice(-MOST_MISTAKES);
+  return [...others, mistake].slice(-MAX_MISTAKES);
 }
 
-/** @param {readonly Remark[]} remarks @returns {string} how many mistakes there are, as a sentence */
+/** @param {readonly Remark[]} remarks @returns {string} the number of errors and warnings, as a sentence */
 export function remarksText(remarks) {
   const serious = remarks.filter((remark) => remark.serious).length;
   const first = remarks.find((remark) => remark.serious && remark.line > 0);
   if (serious === 0) {
-    return remarks.length === 0 ? 'No mistakes' : 'No mistakes, but a warning';
+    return remarks.length === 0 ? 'No errors' : 'No errors, but a warning';
   }
-  return `${serious === 1 ? '1 mistake' : `${serious} mistakes`}${first ? `, line ${first.line}` : ''}`;
+  return `${serious === 1 ? '1 error' : `${serious} errors`}${first ? `, line ${first.line}` : ''}`;
 }
 
 /**
- * Where in the text a remark is shown.
+ * The range of a diagnostic in the text.
  *
  * @param {Remark} remark
  * @param {number} length of the text
- * @returns {{from: number, to: number} | undefined} at least one character if there is one; nothing if it has no place
+ * @returns {{from: number, to: number} | undefined} at least one character, if there is one; undefined if it has no place
  */
 export function rangeOf({ from, to, line }, length) {
   if (line === 0 || from < 0 || from > length) {

@@ -1,5 +1,5 @@
 /**
- * What is said about a program that runs, and which robot is its own. Pure.
+ * State of a program run, and detection of its robot. Pure.
  *
  * @typedef {'NONE' | 'STARTING' | 'RUNNING' | 'ENDED' | 'STOPPED' | 'REFUSED'} RunState
  * @typedef {{id: number, state: RunState, program: string, output: string, exitCode: number, entersFirst?: boolean}} ProgramRun
@@ -16,7 +16,7 @@ export function isUnderWay({ state }) {
   return state === 'STARTING' || state === 'RUNNING';
 }
 
-/** @param {ProgramRun} run @returns {string} what happens, as a sentence */
+/** @param {ProgramRun} run @returns {string} its state, as a sentence */
 export function runText(run) {
   const name = fileName(run.program);
   switch (run.state) {
@@ -27,11 +27,11 @@ export function runText(run) {
     case 'STOPPED':
       return `${name} was stopped.`;
     case 'REFUSED':
-      return `${name} has mistakes and was not started.`;
+      return `${name} has errors and was not started.`;
     case 'ENDED':
       return endText(name, run);
     default:
-      return 'Nothing runs yet. Press Run.';
+      return 'No program is running. Press Run.';
   }
 }
 
@@ -41,17 +41,17 @@ function endText(name, { output, exitCode }) {
   if (endless && exitCode !== 0) {
     return `${name} was stopped: think() did not return (${endless[1]}). Is there an endless loop?`;
   }
-  return exitCode === 0 ? `${name} has ended.` : `${name} has ended with a mistake; it is named below.`;
+  return exitCode === 0 ? `${name} has ended.` : `${name} has failed; see the error below.`;
 }
 
 /**
- * Finds the robot of the program among all.
+ * Finds the robot of the program.
  *
- * @param {string} known key of the robot that was the program's until now
- * @param {readonly string[]} before keys of the robots that were there before the program was started first
- * @param {readonly string[]} now keys of the robots that are there
- * @param {boolean} [entersFirst] whether the program had an empty pitch before it
- * @returns {string} its key, empty if it is not there yet
+ * @param {string} known key of the program's robot so far
+ * @param {readonly string[]} before keys of the robots on the pitch before the first start
+ * @param {readonly string[]} now keys of the robots on the pitch
+ * @param {boolean} [entersFirst] whether the program started on an empty pitch
+ * @returns {string} its key, empty if it has not joined yet
  */
 export function ownRobot(known, before, now, entersFirst = false) {
   if (entersFirst && !now.includes(known)) {

@@ -3,63 +3,63 @@
  *
  * @typedef {object} DeclaredNumber
  * @property {string} name
- * @property {number} usual its value in the program's text
- * @property {number} least
- * @property {number} most
- * @property {number} value its present value
+ * @property {number} defaultValue default value, from the program's text
+ * @property {number} min
+ * @property {number} max
+ * @property {number} value current value
  */
 
 const STEPS = 200;
-const PATIENCE_MILLISECONDS = 500;
+const RESEND_MILLISECONDS = 500;
 const NAME = /[.*+?^${}()|[\]\\]/g;
 
-/** @param {DeclaredNumber} number @returns {number} how far one press of a key moves its slider: 1, 2 or 5 of some decimal */
-export function stepOf({ least, most }) {
-  const exact = (most - least) / STEPS;
+/** @param {DeclaredNumber} number @returns {number} step of its slider: 1, 2 or 5 times a power of ten */
+export function stepOf({ min, max }) {
+  const exact = (max - min) / STEPS;
   const power = 10 ** Math.floor(Math.log10(exact));
   const factor = [1, 2, 5, 10].find((each) => each * power >= exact * (1 - 1e-9)) ?? 10;
   return Number((factor * power).toPrecision(1));
 }
 
-/** @param {number} value @returns {string} without the noise behind the last digit that matters */
+/** @param {number} value @returns {string} without insignificant digits */
 export function numberText(value) {
   return String(Number(value.toPrecision(6)));
 }
 
 /**
- * Writes another usual value into a program's text.
+ * Replaces a default value in a program's text.
  *
  * @param {string} text of the program
  * @param {string} name of the number
  * @param {number} value
- * @returns {string | undefined} the text; undefined if the value does not stand there as a plain number
+ * @returns {string | undefined} the text; undefined if the value is not a number literal there
  */
-export function withUsual(text, name, value) {
+export function withDefault(text, name, value) {
   const declared = new RegExp(
     String.raw`(\bnumber\(\s*"${name.replaceAll(NAME, String.raw`\$&`)}"\s*,\s*)-?[\d.]+(?:[eE][+-]?\d+)?[dDfF]?(?=\s*,)`,
   );
   return declared.test(text) ? text.replace(declared, `$1${numberText(value)}`) : undefined;
 }
 
-/** Which values somebody has chosen; a program that begins once more is told them again. */
+/** Values chosen by the user; they are sent again after a restart of the program. */
 export class ChosenNumbers {
-  /** @type {Map<string, {usual: number, value: number, toldAt: number}>} */
+  /** @type {Map<string, {defaultValue: number, value: number, sentAt: number}>} */
   #chosen = new Map();
 
-  /** @param {DeclaredNumber} number @param {number} value @param {number} now in milliseconds */
-  choose({ name, usual }, value, now) {
-    this.#chosen.set(name, { usual, value, toldAt: now });
+  /** @param {DeclaredNumber} number @param {number} value @param {number} now milliseconds */
+  choose({ name, defaultValue }, value, now) {
+    this.#chosen.set(name, { defaultValue, value, sentAt: now });
   }
 
-  /** Another program is shown. */
+  /** Called when another program is shown. */
   forget() {
     this.#chosen.clear();
   }
 
-  /** @param {DeclaredNumber} number that the program has @returns {number} the value that its slider shows */
-  shown({ name, usual, value }) {
+  /** @param {DeclaredNumber} number declared by the program @returns {number} the value of its slider */
+  shown({ name, defaultValue, value }) {
     const chosen = this.#chosen.get(name);
-    if (chosen && chosen.usual !== usual) {
+    if (chosen && chosen.defaultValue !== defaultValue) {
       this.#chosen.delete(name);
       return value;
     }
@@ -67,17 +67,17 @@ export class ChosenNumbers {
   }
 
   /**
-   * @param {DeclaredNumber} number that the program has
-   * @param {number} now in milliseconds
-   * @returns {number | undefined} the chosen value, if the program should know it by now and does not
+   * @param {DeclaredNumber} number declared by the program
+   * @param {number} now milliseconds
+   * @returns {number | undefined} the chosen value, if it must be sent again because the program has not adopted it
    */
-  wish(number, now) {
+  pendingValue(number, now) {
     const shown = this.shown(number);
     const chosen = this.#chosen.get(number.name);
-    if (!chosen || shown === number.value || now - chosen.toldAt < PATIENCE_MILLISECONDS) {
+    if (!chosen || shown === number.value || now - chosen.sentAt < RESEND_MILLISECONDS) {
       return undefined;
     }
-    chosen.toldAt = now;
+    chosen.sentAt = now;
     return shown;
   }
 }

@@ -1,19 +1,19 @@
 /**
- * Two runs side by side: the second one is shown as ghosts, and the distances between the two are told. Moments are paired by their
- * time since the start. Pure.
+ * Comparison of two runs: the second one is shown as ghosts, and their distances are computed. Moments are paired by their time since the
+ * start. Pure.
  *
  * @typedef {import('../../live/state-frame.js').Scene} Scene
  * @typedef {import('../../live/state-frame.js').Frame} Frame
  * @typedef {{scene: Scene, frame: Frame}} Picture
  */
 
-/** Ways are kept in hundredths of a metre. */
-const LEAST_METRES = 0.011;
+/** Paths are stored in hundredths of a metre. */
+const MIN_METRES = 0.011;
 
 /**
  * @param {Picture} own
  * @param {Picture} other
- * @returns {Picture} the own run with the robots of the other one as ghosts, which belong to no team
+ * @returns {Picture} the own picture with the robots of the other run as ghosts without a team
  */
 export function withGhosts(own, other) {
   const ghosts = other.scene.robots.map((player) => ({
@@ -32,7 +32,7 @@ export function withGhosts(own, other) {
 /**
  * @param {Picture} own
  * @param {Picture} other
- * @returns {Array<{name: string, metres: number}>} how far ball and robots of the same team and number are apart
+ * @returns {Array<{name: string, metres: number}>} distances between the balls and between robots of the same team and number
  */
 export function differences(own, other) {
   const robots = own.scene.robots.flatMap(({ team, number }, i) => {
@@ -45,13 +45,14 @@ export function differences(own, other) {
 }
 
 /**
- * @typedef {Array<[x: number, y: number]>} Way evenly over a run
+ * @typedef {Array<[x: number, y: number]>} Way positions at equal intervals of a run
  * @typedef {{count: number, ball: Way, ways: Array<{places: Way}>}} Run
  *
  * @param {Run} own
  * @param {Run} other
  * @param {number} points
- * @returns {number[]} metres between the balls, or between the first robots where the balls agree throughout, evenly over the own run
+ * @returns {number[]} metres between the balls, or between the first robots if the balls agree throughout, at equal intervals of the own
+ *     run
  */
 export function curveOf(own, other, points) {
   const curve = (/** @type {Way} */ first, /** @type {Way} */ second) =>
@@ -61,10 +62,10 @@ export function curveOf(own, other, points) {
       return a && b ? Math.hypot(a[0] - b[0], a[1] - b[1]) : 0;
     });
   const ball = curve(own.ball, other.ball);
-  return Math.max(...ball) > LEAST_METRES ? ball : curve(own.ways[0]?.places ?? [], other.ways[0]?.places ?? []);
+  return Math.max(...ball) > MIN_METRES ? ball : curve(own.ways[0]?.places ?? [], other.ways[0]?.places ?? []);
 }
 
-/** @param {Way} way @param {number} count of the run's moments @param {number} index of a moment */
+/** @param {Way} way @param {number} count number of moments of the run @param {number} index of a moment */
 function placeAt(way, count, index) {
   let momentsPerPlace = 1;
   while (way.length > 0 && Math.ceil(count / momentsPerPlace) > way.length) {

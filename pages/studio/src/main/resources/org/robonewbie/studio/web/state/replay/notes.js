@@ -1,5 +1,5 @@
 /**
- * Reads what is kept beside a recording: lines of logs, which become events of the time line, and what robots drew. Pure.
+ * Reads the notes of a recording: log lines, which become events of the time line, and drawings. Pure.
  *
  * @typedef {import('./recording-reader.js').RecordedEvent} RecordedEvent
  */
@@ -8,9 +8,9 @@ const CYCLES_PER_SECOND = 50;
 const WARNINGS = ['WARNING', 'ERROR'];
 
 /**
- * @param {string} lines one line of JSON for each entry of a log and for each picture
+ * @param {string} lines one line of JSON per log entry and per picture
  * @param {number} firstCycle the cycle of the recording's first moment
- * @returns {RecordedEvent[]} without lines that are not finished yet
+ * @returns {RecordedEvent[]} incomplete lines are skipped
  */
 export function notesOf(lines, firstCycle) {
   return entriesOf(lines)
@@ -22,12 +22,12 @@ export function notesOf(lines, firstCycle) {
     }));
 }
 
-/** @param {string} lines as above @returns {string[]} lines of telemetry with what robots drew */
+/** @param {string} lines as in {@link notesOf} @returns {string[]} telemetry lines with drawings */
 export function picturesOf(lines) {
   return entriesOf(lines).flatMap(({ drawn }) => drawn ?? []);
 }
 
-/** @param {string} lines @returns {any[]} without lines that are not finished yet */
+/** @param {string} lines @returns {any[]} incomplete lines are skipped */
 function entriesOf(lines) {
   return lines.split('\n').flatMap((line) => {
     try {

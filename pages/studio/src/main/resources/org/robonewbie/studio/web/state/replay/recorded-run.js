@@ -1,22 +1,22 @@
 /**
- * A recording of any length: pieces of it are fetched when their moments are asked for, and given back when others are needed. Pure
- * but for what fetches the pieces.
+ * A recording of any length: its pieces are loaded on demand and evicted when others are needed (LRU cache). Pure except for the given
+ * loader.
  *
  * @typedef {import('./recording-reader.js').Moment} Moment
  * @typedef {import('./recording-reader.js').RecordedEvent} RecordedEvent
  * @typedef {import('../../live/state-frame.js').Player} Player
  *
- * @typedef {object} Growth what is known of a recording, or what is new in it
- * @property {number} count of its moments
- * @property {boolean} whole whether all of it has been looked at
+ * @typedef {object} Growth state of a recording, or its new part
+ * @property {number} count number of moments
+ * @property {boolean} whole whether all of it has been examined
  * @property {RecordedEvent[]} events
  * @property {number[]} pieces the first moment of each piece
  *
  * @typedef {object} Summary
  * @property {number} firstCycle
  * @property {Record<string, string>} header
- * @property {Array<[x: number, y: number]>} ball its way
- * @property {Array<{side: number, places: Array<[x: number, y: number]>}>} ways of the robots
+ * @property {Array<[x: number, y: number]>} ball its path
+ * @property {Array<{side: number, places: Array<[x: number, y: number]>}>} ways paths of the robots
  * @property {Array<{robots: Player[], cycles: number}>} rosters
  *
  * @typedef {{reader: RecordingReader, bytes: number, loading: Promise<void> | undefined}} Piece
@@ -24,29 +24,29 @@
 import { RecordingReader } from './recording-reader.js';
 
 /** At most about 40 megabytes. */
-const MOST_PIECES = 36;
+const MAX_PIECES = 36;
 const PAUSE_MILLISECONDS = 1000;
 
-/** Lets a server that does not answer rest before it is asked again. @param {unknown} problem @returns {Promise<void>} */
+/** Waits before a server that did not answer is asked again. @param {unknown} problem @returns {Promise<void>} */
 const pause = (problem) => new Promise((_, fail) => setTimeout(() => fail(problem), PAUSE_MILLISECONDS));
 
 export class RecordedRun {
-  /** The pieces that are there, the longest unused first. @type {Map<number, Piece>} */
+  /** Loaded pieces, the least recently used first. @type {Map<number, Piece>} */
   #pieces = new Map();
   /** @type {Map<string, Player[]>} */
   #rosters = new Map();
 
   /**
-   * @param {(type: string) => number} hingesOf how many hinges a type of robot has
+   * @param {(type: string) => number} hingesOf number of hinges of a robot type
    * @param {(piece: number, skip: number) => Promise<Uint8Array>} fetchPiece
-   * @param {() => void} grown hears that moments have come
+   * @param {() => void} grown called when moments have arrived
    */
   constructor(hingesOf, fetchPiece, grown) {
     this.hingesOf = hingesOf;
     this.fetchPiece = fetchPiece;
     this.grown = grown;
     this.count = 0;
-    /** How often moments have come. */
+    /** Number of arrivals of moments. */
     this.arrived = 0;
     /** @type {number[]} */
     this.starts = [];
@@ -71,7 +71,7 @@ export class RecordedRun {
     this.starts.push(...pieces);
   }
 
-  /** @param {number} index @returns {Moment | undefined} the moment, if it is there; else it is fetched */
+  /** @param {number} index @returns {Moment | undefined} the moment, if it is loaded; otherwise loading starts */
   at(index) {
     const piece = this.#pieceOf(index);
     const moment = this.#pieces.get(piece)?.reader.moments[index - this.starts[piece]];
@@ -84,14 +84,14 @@ export class RecordedRun {
     return moment;
   }
 
-  /** @param {number} index @returns {Promise<Moment | undefined>} the moment when it has come */
+  /** @param {number} index @returns {Promise<Moment | undefined>} the moment once it is loaded */
   async ready(index) {
     const piece = this.#pieceOf(index);
     await this.#want(piece, index);
     return this.at(index);
   }
 
-  /** @param {number} index @param {number} reach moments @returns {Moment[]} those around it that are there; the others are fetched */
+  /** @param {number} index @param {number} reach moments @returns {Moment[]} the loaded moments around it; loading of the others starts */
   around(index, reach) {
     const [from, to] = [Math.max(0, index - reach), Math.min(this.count - 1, index + reach)];
     const moments = [];
@@ -104,7 +104,7 @@ export class RecordedRun {
     return moments;
   }
 
-  /** @param {number} from @param {number} to @returns {AsyncGenerator<Moment[]>} all moments from one to another, piece by piece */
+  /** @param {number} from @param {number} to @returns {AsyncGenerator<Moment[]>} all moments of a range, piece by piece */
   async *all(from = 0, to = this.count - 1) {
     for (let piece = this.#pieceOf(from); piece >= 0 && this.starts[piece] <= to; piece++) {
       const start = this.starts[piece];
@@ -114,7 +114,7 @@ export class RecordedRun {
     }
   }
 
-  /** @param {number} piece @param {number} index that is shown */
+  /** @param {number} piece @param {number} index shown moment */
   #wantNext(piece, index) {
     const [start, end] = [this.starts[piece], this.#endOf(piece)];
     const neighbour = index - start > (end - start) / 2 ? piece + 1 : piece - 1;
@@ -123,12 +123,12 @@ export class RecordedRun {
     }
   }
 
-  /** @param {number} piece @returns {number} the first moment behind it */
+  /** @param {number} piece @returns {number} the index after its last moment */
   #endOf(piece) {
     return this.starts[piece + 1] ?? this.count;
   }
 
-  /** @param {number} index @returns {number} the piece in which a moment is, -1 if there is none */
+  /** @param {number} index @returns {number} the piece that contains a moment, -1 if there is none */
   #pieceOf(index) {
     let [low, high] = [0, this.starts.length];
     while (low < high) {
@@ -138,7 +138,7 @@ export class RecordedRun {
     return low - 1;
   }
 
-  /** Fetches a piece up to a moment, unless it is there. @param {number} number @param {number} index @returns {Promise<void>} */
+  /** Loads a piece up to a moment, unless it is loaded. @param {number} number @param {number} index @returns {Promise<void>} */
   #want(number, index) {
     const part = { rosters: this.#rosters, isBegun: number > 0 };
     const piece = this.#pieces.get(number) ?? {
@@ -175,7 +175,7 @@ export class RecordedRun {
 
   #forgetOld() {
     for (const [number, { loading }] of this.#pieces) {
-      if (this.#pieces.size > MOST_PIECES && !loading) {
+      if (this.#pieces.size > MAX_PIECES && !loading) {
         this.#pieces.delete(number);
       }
     }

@@ -1,5 +1,5 @@
 /**
- * What else stands on the pitch, as a recording has it; poses in the file's steps. Pure.
+ * Other objects on the pitch in a recording; poses are in the file's units. Pure.
  *
  * @typedef {import('../../live/state-frame.js').Thing} Thing
  * @typedef {import('./recording-source.js').Source} Source
@@ -13,7 +13,7 @@
 const POSE_NUMBERS = 7;
 const STEPS_PER_METRE = 10_000;
 
-/** @param {Source} content of a record of kind 8 @returns {RecordedThing[]} */
+/** @param {Source} content content of a record of kind 8 @returns {RecordedThing[]} */
 export function readThings(content) {
   return Array.from({ length: content.unsigned() }, () => {
     const name = content.text();
@@ -24,14 +24,14 @@ export function readThings(content) {
   });
 }
 
-/** @param {readonly RecordedThing[]} things @param {Source} content of a record of kind 9 @returns {RecordedThing[]} */
+/** @param {readonly RecordedThing[]} things @param {Source} content content of a record of kind 9 @returns {RecordedThing[]} */
 export function withMoved(things, content) {
   const index = content.unsigned();
   const pose = readPose(content);
   return things.map((each, i) => (i === index ? { ...each, pose } : each));
 }
 
-/** @param {RecordedThing} thing @returns {number[]} the unsigned numbers behind its name */
+/** @param {RecordedThing} thing @returns {number[]} the unsigned numbers that follow its name */
 export function measuresOf({ thing, grams }) {
   return [...thing.size.map((metres) => Math.round(metres * STEPS_PER_METRE)), grams];
 }

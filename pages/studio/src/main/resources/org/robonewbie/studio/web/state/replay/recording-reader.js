@@ -1,5 +1,5 @@
 /**
- * Reads recordings piece by piece as they come; the format is described in docs/recording-format.md. Pure.
+ * Incremental reader of recordings; docs/recording-format.md describes the format. Pure.
  *
  * @typedef {object} Game
  * @property {string} playMode
@@ -16,9 +16,9 @@
  * @property {number} gameTime seconds
  * @property {Game} game
  * @property {Player[]} robots
- * @property {CommandedSpeeds} speeds degrees per second by hinge, of each robot that was commanded
- * @property {import('./recorded-things.js').RecordedThing[]} [things] what else stands on the pitch
- * @property {Int32Array} numbers ball's pose, then for each robot the torso's pose and the hinges' angles, in the file's steps
+ * @property {CommandedSpeeds} speeds degrees per second by hinge, of each commanded robot
+ * @property {import('./recorded-things.js').RecordedThing[]} [things] other objects on the pitch
+ * @property {Int32Array} numbers the ball's pose, then for each robot the torso's pose and the hinges' angles, in the file's units
  *
  * @typedef {object} RecordedEvent
  * @property {number} index of the moment
@@ -41,15 +41,15 @@ const STATE = 7;
 const THINGS = 8;
 const MOVED_THING = 9;
 const POSE_NUMBERS = 7;
-const MOST_HINGES = 24;
+const MAX_HINGES = 24;
 const DEGREES_PER_STEP = 180 / Math.PI / 10_000;
 const SIDES = /** @type {const} */ (['', 'left', 'right']);
 
 export class RecordingReader {
   /**
-   * @param {(type: string) => number} hingesOf how many hinges a type of robot has
-   * @param {{rosters: Map<string, Player[]>, isBegun: boolean}} [part] reads a part of a recording, with the rosters that other
-   *     parts have named; its first records say how things stood
+   * @param {(type: string) => number} hingesOf number of hinges of a robot type
+   * @param {{rosters: Map<string, Player[]>, isBegun: boolean}} [part] for reading a part of a recording: the rosters known from other
+   *     parts; its first records restore the state
    */
   constructor(hingesOf, part = { rosters: new Map(), isBegun: false }) {
     this.hingesOf = hingesOf;
@@ -73,15 +73,15 @@ export class RecordingReader {
     /** @type {Map<number, Int32Array>} */
     this.tracks = new Map();
     this.speeds = new CommandedSpeeds();
-    /** Whether the speeds are those of the cycle that ends next, and no moment's yet. */
+    /** Whether the speeds belong to the cycle that ends next and to no moment yet. */
     this.areSpeedsNew = true;
   }
 
   /**
-   * Takes the next bytes of the recording, already decompressed.
+   * Parses the next decompressed bytes of the recording.
    *
    * @param {Uint8Array} bytes
-   * @throws {Error} if it is no recording; the message is meant for people
+   * @throws {Error} if it is not a recording; the message is meant for the user
    */
   push(bytes) {
     const all = new Uint8Array(this.rest.length + bytes.length);
@@ -151,7 +151,7 @@ export class RecordingReader {
     }
   }
 
-  /** The same robots are the same list in all parts of a recording. @param {Source} content */
+  /** Reads a roster; equal rosters share one list in all parts of a recording. @param {Source} content */
   #roster(content) {
     const key = content.content.join();
     const roster = this.rosters.get(key) ?? Array.from({ length: content.unsigned() }, () => readRobot(content));
@@ -159,12 +159,12 @@ export class RecordingReader {
     return roster;
   }
 
-  /** Takes in how things stood where this part begins. @param {Source} content */
+  /** Restores the state at the beginning of this part. @param {Source} content */
   #resume(content) {
     this.ticks = content.signed();
     readTrack(this.ball, content);
     while (content.at < content.content.length) {
-      const track = new Int32Array(POSE_NUMBERS + MOST_HINGES);
+      const track = new Int32Array(POSE_NUMBERS + MAX_HINGES);
       const id = content.unsigned();
       const known = track.subarray(0, content.unsigned());
       readTrack(known, content);
@@ -222,7 +222,7 @@ export class RecordingReader {
     this.moments.push(moment);
   }
 
-  /** A robot falls when its torso is tilted by more than 60° and was not in the moment before. @param {Moment} moment */
+  /** Notes falls: the torso's tilt has exceeded 60° since the previous moment. @param {Moment} moment */
   #noteFalls(moment) {
     const before = this.moments.at(-1);
     if (before?.robots !== moment.robots) {

@@ -1,11 +1,11 @@
-/** The pieces of which a recording consists; the format is described in docs/recording-format.md. Pure. */
+/** Primitive values of the recording format, see docs/recording-format.md. Pure. */
 
 export const MAGIC = 'RoboNewbie recording\n';
 
-/** Thrown where the bytes end in the middle of something. */
+/** Thrown when the bytes end within a value. */
 export class EndOfBytes extends Error {}
 
-/** Bytes that are read one thing after the other. */
+/** Sequential reader of bytes. */
 export class Source {
   /** @param {Uint8Array} content */
   constructor(content) {

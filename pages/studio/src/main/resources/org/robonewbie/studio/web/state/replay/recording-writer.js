@@ -1,6 +1,6 @@
 /**
- * Writes moments as a recording again, without what programs commanded, which is half of one in which much moves. The format is
- * described in docs/recording-format.md. Pure.
+ * Writes moments as a recording, without the commanded speeds, which take half the size of a recording with much movement.
+ * docs/recording-format.md describes the format. Pure.
  *
  * @typedef {import('./recording-reader.js').Moment} Moment
  * @typedef {import('./recording-reader.js').RecordedEvent} RecordedEvent
@@ -24,7 +24,7 @@ export class RecordingWriter {
   #length = 0;
   /** @type {Moment | undefined} */
   #last;
-  /** The numbers of the last moment, of the ball by -1. @type {Map<number, Int32Array>} */
+  /** The numbers of the previous moment by robot id; -1 for the ball. @type {Map<number, Int32Array>} */
   #tracks = new Map();
 
   /** @param {Record<string, string>} header @param {(type: string) => number} hingesOf */
@@ -36,7 +36,7 @@ export class RecordingWriter {
     this.#record(HEADER, () => this.#text(lines.join('\n')));
   }
 
-  /** @param {Moment} moment @param {readonly RecordedEvent[]} events those of this moment */
+  /** @param {Moment} moment @param {readonly RecordedEvent[]} events events of this moment */
   write(moment, events) {
     for (const { kind, text } of events) {
       this.#record(EVENT, () => this.#text(`${kind} ${text}`));
@@ -57,7 +57,7 @@ export class RecordingWriter {
     this.#last = moment;
   }
 
-  /** @returns {Uint8Array<ArrayBuffer>} all that was written */
+  /** @returns {Uint8Array<ArrayBuffer>} all bytes written */
   get bytes() {
     return this.#bytes.slice(0, this.#length);
   }
@@ -71,7 +71,7 @@ export class RecordingWriter {
     }
   }
 
-  /** Writes all things again when one has moved, since few do. @param {Moment} moment */
+  /** Writes all objects again when one has moved, which is rare. @param {Moment} moment */
   #standing({ things = [] }) {
     if (things === this.#last?.things || (things.length === 0 && !this.#last?.things?.length)) {
       return;

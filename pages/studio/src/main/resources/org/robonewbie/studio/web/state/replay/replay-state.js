@@ -1,5 +1,5 @@
 /**
- * Where the replay is and what it shows. Pure.
+ * Playback state of a replay. Pure.
  *
  * @typedef {import('./recording-reader.js').Moment} Moment
  * @typedef {import('./recording-reader.js').RecordedEvent} RecordedEvent
@@ -8,11 +8,11 @@
  * @typedef {import('../kinematics.js').RobotModel} RobotModel
  *
  * @typedef {object} ReplayState
- * @property {number} count how many moments there are
- * @property {number} index the moment that is shown, with a fraction between two
+ * @property {number} count number of moments
+ * @property {number} index the shown moment, with a fraction between two
  * @property {boolean} playing
  * @property {number} speed
- * @property {[number, number] | undefined} loop first and last moment that are repeated
+ * @property {[number, number] | undefined} loop first and last moment of the repeated section
  */
 
 const STEPS_PER_METRE = 10_000;
@@ -29,14 +29,14 @@ export function atMoment(state, index) {
   return { ...state, index: Math.max(0, Math.min(state.count - 1, index)) };
 }
 
-/** @param {ReplayState} state @param {number} by moments @returns {ReplayState} */
+/** @param {ReplayState} state @param {number} by number of moments @returns {ReplayState} */
 export function stepped(state, by) {
   return { ...atMoment(state, Math.round(state.index) + by), playing: false };
 }
 
 /**
  * @param {ReplayState} state
- * @param {number} seconds that have passed
+ * @param {number} seconds elapsed seconds
  * @returns {ReplayState}
  */
 export function advanced(state, seconds) {
@@ -52,7 +52,7 @@ export function advanced(state, seconds) {
 }
 
 /**
- * Repeats the two seconds before and after the moment, or nothing any more.
+ * Toggles the repetition of the two seconds before and after the moment.
  *
  * @param {ReplayState} state
  * @returns {ReplayState}
@@ -73,7 +73,7 @@ export function looped(state) {
  * @param {ReplayState} state
  * @param {readonly RecordedEvent[]} events
  * @param {-1 | 1} direction
- * @returns {RecordedEvent | undefined} the next event in this direction
+ * @returns {RecordedEvent | undefined} the next event in the given direction
  */
 export function neighbourEvent(state, events, direction) {
   const sorted = [...events].sort((a, b) => a.index - b.index);
@@ -87,7 +87,7 @@ export function neighbourEvent(state, events, direction) {
  * @param {Record<string, string>} header of the recording
  * @param {Record<string, RobotModel>} models
  * @param {number} revision
- * @returns {Scene} who plays
+ * @returns {Scene} scene of the moment
  */
 export function sceneOf(moment, header, models, revision) {
   const number = (/** @type {string} */ name, /** @type {number} */ otherwise) => Number(header[name] ?? otherwise);
@@ -113,8 +113,8 @@ export function sceneOf(moment, header, models, revision) {
 
 /**
  * @param {Moment} moment
- * @param {Scene} scene the one of the moment
- * @returns {Frame} what the picture shows
+ * @param {Scene} scene scene of the moment
+ * @returns {Frame} frame for the picture
  */
 export function frameOf(moment, scene) {
   const { numbers, game } = moment;
@@ -162,7 +162,7 @@ function poseAt(numbers, at) {
 }
 
 /**
- * Repeats moments where a recording was thinned out, so that there are fifty for each second again.
+ * Repeats the moments of a thinned-out recording, so that it has fifty per second again.
  *
  * @param {readonly Moment[]} moments
  * @param {readonly RecordedEvent[]} events
@@ -180,9 +180,9 @@ export function evenly(moments, events) {
 }
 
 /**
- * @param {string} place the part of the address that shows a recording
- * @returns {{name: string, seconds: number | undefined, plays: boolean}} its name, the moment if one is named, and whether it is
- * to be played at once
+ * @param {string} place address fragment of a recording
+ * @returns {{name: string, seconds: number | undefined, plays: boolean}} its name, the moment if one is given, and whether to play it
+ *     immediately
  */
 export function placeOf(place) {
   const text = decodeURIComponent(place.split('/').slice(1).join('/'));

@@ -1,5 +1,5 @@
 /**
- * A recording as a table: one line for each cycle in which those robots were there that were there the longest. Pure.
+ * CSV table of a recording: one row per cycle with the main roster, the one present for the longest time. Pure.
  *
  * @typedef {import('./recording-reader.js').Moment} Moment
  * @typedef {import('../kinematics.js').RobotModel} RobotModel
@@ -7,12 +7,12 @@
  */
 import { frameOf, sceneOf } from './replay-state.js';
 
-/** @param {ReadonlyArray<{robots: Member[], cycles: number}>} rosters @returns {Member[]} those that were there the longest */
+/** @param {ReadonlyArray<{robots: Member[], cycles: number}>} rosters @returns {Member[]} the roster present for the longest time */
 export function mainRoster(rosters) {
   return rosters.reduce((best, each) => (each.cycles > best.cycles ? each : best), { robots: [], cycles: 0 }).robots;
 }
 
-/** @param {readonly Member[]} robots @param {Record<string, RobotModel>} models @returns {string} the names of the columns */
+/** @param {readonly Member[]} robots @param {Record<string, RobotModel>} models @returns {string} header row */
 export function tableHead(robots, models) {
   const head = ['cycle', 'game_time_s', 'play_mode', 'score_left', 'score_right', 'ball_x_m', 'ball_y_m', 'ball_z_m'];
   for (const { team, number, type } of robots) {
@@ -25,9 +25,9 @@ export function tableHead(robots, models) {
 
 /**
  * @param {readonly Moment[]} moments
- * @param {readonly Member[]} robots of the columns
+ * @param {readonly Member[]} robots robots of the columns
  * @param {Record<string, RobotModel>} models
- * @returns {string} the lines of those moments in which just these robots were there
+ * @returns {string} the rows of the moments with exactly these robots
  */
 export function tableRows(moments, robots, models) {
   const key = keyOf(robots);

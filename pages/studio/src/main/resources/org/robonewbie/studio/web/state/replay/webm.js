@@ -1,19 +1,19 @@
 /**
- * Puts encoded pictures into a WebM file (a subset of Matroska, RFC 9559), with exact times and an index for going to any moment. Pure.
+ * Muxes encoded pictures into a WebM file (a subset of Matroska, RFC 9559), with exact timestamps and a seek index. Pure.
  *
  * @typedef {{data: Uint8Array, milliseconds: number, isKey: boolean}} EncodedPicture
  * @typedef {{codec: 'V_VP8' | 'V_VP9', width: number, height: number, milliseconds: number}} Film
  */
 
 const NANOSECONDS_PER_TICK = 1_000_000;
-/** Times in a cluster have 16 bits. */
+/** Timestamps within a cluster have 16 bits. */
 const LONGEST_CLUSTER_MILLISECONDS = 30_000;
 const KEY_PICTURE = 0x80;
 const NAME = 'RoboNewbie';
 
 /**
  * @param {Film} film
- * @param {readonly EncodedPicture[]} pictures in their order; the first one is a key picture
+ * @param {readonly EncodedPicture[]} pictures in order; the first one is a key frame
  * @returns {Uint8Array<ArrayBuffer>} the file
  */
 export function webmOf(film, pictures) {
@@ -29,10 +29,10 @@ export function webmOf(film, pictures) {
     at += length;
     return at - length;
   });
-  return joined(beginning(), element(0x18538067, ...head, cuesOf(clusters, places), ...bodies));
+  return joined(fileHeader(), element(0x18538067, ...head, cuesOf(clusters, places), ...bodies));
 }
 
-function beginning() {
+function fileHeader() {
   return element(
     0x1a45dfa3,
     element(0x4286, number(1)),
@@ -65,17 +65,21 @@ function tracksOf({ codec, width, height }) {
   return element(0x1654ae6b, element(0xae, ...entry, element(0x86, letters(codec)), video));
 }
 
-/** Each begins with a key picture, so that one can begin to play there. @param {readonly EncodedPicture[]} pictures */
+/**
+ * Groups pictures into clusters that begin with a key frame, so that playback can start there.
+ *
+ * @param {readonly EncodedPicture[]} pictures
+ */
 function clustersOf(pictures) {
   /** @type {EncodedPicture[][]} */
   const clusters = [];
   for (const picture of pictures) {
-    const begun = clusters.at(-1);
-    const isLong = begun && picture.milliseconds - begun[0].milliseconds > LONGEST_CLUSTER_MILLISECONDS;
-    if (!begun || picture.isKey || isLong) {
+    const current = clusters.at(-1);
+    const isLong = current && picture.milliseconds - current[0].milliseconds > LONGEST_CLUSTER_MILLISECONDS;
+    if (!current || picture.isKey || isLong) {
       clusters.push([picture]);
     } else {
-      begun.push(picture);
+      current.push(picture);
     }
   }
   return clusters;
@@ -92,7 +96,7 @@ function clusterOf(pictures) {
   return element(0x1f43b675, element(0xe7, number(Math.round(start))), ...blocks);
 }
 
-/** @param {EncodedPicture[][]} clusters @param {number[]} places in the segment */
+/** @param {EncodedPicture[][]} clusters @param {number[]} places offsets in the segment */
 function cuesOf(clusters, places) {
   const points = clusters.map(([{ milliseconds }], i) =>
     element(
@@ -104,7 +108,7 @@ function cuesOf(clusters, places) {
   return element(0x1c53bb6b, ...points);
 }
 
-/** @param {number} id with its marker @param {...Uint8Array} content */
+/** @param {number} id with its length marker @param {...Uint8Array} content */
 function element(id, ...content) {
   const length = content.reduce((sum, part) => sum + part.length, 0);
   const size = number(length, 8);
@@ -112,7 +116,11 @@ function element(id, ...content) {
   return joined(number(id), size, ...content);
 }
 
-/** @param {number} value @param {number} [bytes] as many as it needs, if left out @returns {Uint8Array<ArrayBuffer>} the highest byte first */
+/**
+ * @param {number} value
+ * @param {number} [bytes] number of bytes; as many as needed if omitted
+ * @returns {Uint8Array<ArrayBuffer>} big-endian
+ */
 function number(value, bytes) {
   const count = bytes ?? Math.max(1, Math.ceil(Math.log2(value + 1) / 8));
   return Uint8Array.from({ length: count }, (_, i) => Math.floor(value / 256 ** (count - 1 - i)) % 256);

@@ -1,49 +1,49 @@
-/** What all robots have drawn over time, so that each moment of the last minute can be looked at again. Pure. */
+/** Drawings of all robots over time, for looking back at the last minute. Pure. */
 import { DRAWING_SECONDS, keep, latest } from './robot-memory.js';
 import { readTelemetry } from './telemetry.js';
 
-/** A minute of a robot that draws in each picture of the live view. */
-const MOST_PICTURES = 1500;
+/** One minute of a robot that draws in every frame of the live view. */
+const MAX_PICTURES = 1500;
 
 export class DrawingMemory {
-  /** @param {number} [most] how many pictures of each robot are kept */
-  constructor(most = MOST_PICTURES) {
-    this.most = most;
-    /** Lines are kept as they came, since few of them are ever drawn. @type {Map<string, Array<{seconds: number, line: string}>>} */
+  /** @param {number} [max] maximum number of pictures per robot */
+  constructor(max = MAX_PICTURES) {
+    this.max = max;
+    /** Lines are parsed on demand, because few of them are ever drawn. @type {Map<string, Array<{seconds: number, line: string}>>} */
     this.pictures = new Map();
-    /** @type {Map<string, Set<string>>} the kinds of drawings that each robot has made */
+    /** @type {Map<string, Set<string>>} kinds of drawings of each robot */
     this.kinds = new Map();
   }
 
-  /** @param {readonly string[]} lines of telemetry; what is no picture is left out */
-  hear(lines) {
+  /** @param {readonly string[]} lines of telemetry; lines without drawings are ignored */
+  receive(lines) {
     for (const line of lines.filter((each) => each.startsWith('draw\t'))) {
-      const told = readTelemetry(line);
-      if (told.kind === 'draw') {
-        this.#keep(told.robot, told.seconds, line);
-        const kinds = this.kinds.get(told.robot) ?? new Set();
-        told.drawings.forEach(({ shape }) => kinds.add(shape));
-        this.kinds.set(told.robot, kinds);
+      const item = readTelemetry(line);
+      if (item.kind === 'draw') {
+        this.#keep(item.robot, item.seconds, line);
+        const kinds = this.kinds.get(item.robot) ?? new Set();
+        item.drawings.forEach(({ shape }) => kinds.add(shape));
+        this.kinds.set(item.robot, kinds);
       }
     }
   }
 
-  /** A picture from before the last one begins a new time. @param {string} robot @param {number} seconds @param {string} line */
+  /** A picture older than the last one starts a new time base. @param {string} robot @param {number} seconds @param {string} line */
   #keep(robot, seconds, line) {
     const before = this.pictures.get(robot) ?? [];
     const kept = (before.at(-1)?.seconds ?? 0) > seconds ? [] : before;
-    keep(kept, { seconds, line }, this.most);
+    keep(kept, { seconds, line }, this.max);
     this.pictures.set(robot, kept);
   }
 
   /**
    * @param {string} robot its key
    * @param {number} seconds
-   * @returns {readonly import('./telemetry.js').Drawing[]} the picture of that moment
+   * @returns {readonly import('./telemetry.js').Drawing[]} the picture at that moment
    */
   at(robot, seconds) {
     const picture = latest(this.pictures.get(robot) ?? [], seconds);
-    const told = picture && seconds - picture.seconds < DRAWING_SECONDS ? readTelemetry(picture.line) : undefined;
-    return told?.kind === 'draw' ? told.drawings : [];
+    const item = picture && seconds - picture.seconds < DRAWING_SECONDS ? readTelemetry(picture.line) : undefined;
+    return item?.kind === 'draw' ? item.drawings : [];
   }
 }

@@ -1,11 +1,11 @@
 /**
- * S-expressions, the form of all messages between agents and simulator. Pure.
+ * Parser and writer of S-expressions, the syntax of all messages between agents and simulator. Pure.
  *
  * @typedef {string | any[]} Expression an atom, or a list of expressions
  */
 
 /**
- * Reads a message; what is not closed at its end is closed there.
+ * Parses a message; open lists are closed at its end.
  *
  * @param {string} text
  * @returns {Expression[]}
@@ -30,7 +30,7 @@ export function readExpressions(text) {
   return all;
 }
 
-/** @param {Expression} expression @returns {string} as it goes over the wire */
+/** @param {Expression} expression @returns {string} as sent over the wire */
 export function writeExpression(expression) {
   return typeof expression === 'string' ? expression : `(${expression.map(writeExpression).join(' ')})`;
 }
@@ -38,7 +38,7 @@ export function writeExpression(expression) {
 /**
  * @param {Expression} list
  * @param {string} name
- * @returns {Expression[] | undefined} the first list in it that begins with the name
+ * @returns {Expression[] | undefined} the first nested list that begins with the name
  */
 export function part(list, name) {
   return typeof list === 'string'
@@ -46,7 +46,7 @@ export function part(list, name) {
     : /** @type {Expression[] | undefined} */ (list.find((each) => typeof each !== 'string' && each[0] === name));
 }
 
-/** @param {Expression[] | undefined} list @returns {number[]} the numbers behind the list's name */
+/** @param {Expression[] | undefined} list @returns {number[]} the numbers that follow the list's name */
 export function numbers(list) {
   return (list ?? []).slice(1).map(Number);
 }

@@ -1,4 +1,4 @@
-/** The values of one robot of a recording, around one moment. Pure. */
+/** Traces of one recorded robot around one moment. Pure. */
 import { frameOf, sceneOf } from '../replay/replay-state.js';
 import { commandedValues, trueValues } from './signals.js';
 import { Traces } from './traces.js';
@@ -13,7 +13,7 @@ import { Traces } from './traces.js';
  * @param {Record<string, string>} header of the recording
  * @param {Scene} scene
  * @param {number} id of the robot
- * @returns {Traces} of these moments
+ * @returns {Traces} traces of these moments
  */
 export function recordedTraces(moments, header, scene, id) {
   const traces = new Traces();

@@ -1,5 +1,5 @@
 /**
- * What is true of one robot in the present frame. Pure.
+ * Ground truth about one robot in the current frame. Pure.
  *
  * @typedef {import('../../live/state-frame.js').Scene} Scene
  * @typedef {import('../../live/state-frame.js').Frame} Frame
@@ -7,7 +7,7 @@
  * @typedef {object} TrueThing
  * @property {string} name
  * @property {'ball' | 'mate' | 'opponent' | 'post'} kind
- * @property {number[]} position metres from the torso over the ground: forward, left
+ * @property {number[]} position horizontal metres from the torso: forward, left
  */
 import { headingDegrees, rotated } from '../kinematics.js';
 
@@ -42,7 +42,7 @@ export function thingsAround(scene, frame, robot) {
 /**
  * @param {ArrayLike<number>} torso pose of the robot
  * @param {ArrayLike<number>} place x and y in the world
- * @returns {number[]} the same place as the robot sees it: metres forward and left
+ * @returns {number[]} the same position relative to the robot: metres forward and left
  */
 export function seenFrom(torso, place) {
   const heading = (headingDegrees(torso) * Math.PI) / 180;
@@ -70,12 +70,12 @@ export function placeOf(frame, robot) {
 }
 
 /**
- * Where a robot believes to be, seen from where it is.
+ * The believed position of a robot relative to its true one.
  *
  * @param {ArrayLike<number>} torso true pose
- * @param {string} side of its team; robots of the right team count from their own side
- * @param {number[]} self believed x, y in metres and direction in degrees, where the opponents' goal is at positive x
- * @returns {{position: number[], heading: number}} metres forward and left; direction in the world in degrees
+ * @param {string} side side of its team; the coordinates of the right team are rotated by 180 degrees
+ * @param {number[]} self believed x, y in metres and heading in degrees, with the opponents' goal at positive x
+ * @returns {{position: number[], heading: number}} metres forward and left; heading in the world in degrees
  */
 export function believedPlace(torso, side, [x, y, degrees]) {
   const sign = side === 'right' ? -1 : 1;

@@ -1,5 +1,5 @@
 /**
- * What one robot has told, heard and been told over time, so that each moment of the last minutes can be looked at again.
+ * Telemetry and messages of one robot over time, for looking back at the last minutes.
  *
  * @typedef {import('./telemetry.js').LogLine} LogLine
  * @typedef {import('./telemetry.js').Belief} Belief
@@ -11,24 +11,24 @@
  * @property {string} perceptors message of the simulator
  * @property {string} effectors message of the agent
  *
- * @typedef {object} Thoughts what is known of one moment
- * @property {readonly LogLine[]} log all lines, also later ones
+ * @typedef {object} Thoughts telemetry at one moment
+ * @property {readonly LogLine[]} log all lines, including later ones
  * @property {MotionProgress} motion
  * @property {Belief | undefined} belief
  * @property {readonly Drawing[]} drawings
  * @property {Exchange | undefined} exchange
- * @property {Exchange | undefined} picture the last exchange in which the camera has told what it sees
+ * @property {Exchange | undefined} picture the last exchange with camera data
  */
 import { readTelemetry } from './telemetry.js';
 
-const MOST_LINES = 5000;
-const MOST_MOMENTS = 15_000;
+const MAX_LINES = 5000;
+const MAX_MOMENTS = 15_000;
 const BELIEF_SECONDS = 5;
 const MESSAGE_SECONDS = 0.5;
 const PICTURE_MESSAGES = 12;
 const HALF_CYCLE = 0.01;
 
-/** How long a picture that an agent has drawn stays if it draws no other. */
+/** How long a drawn picture stays visible if no other follows. */
 export const DRAWING_SECONDS = 1;
 
 export class RobotMemory {
@@ -47,30 +47,30 @@ export class RobotMemory {
 
   /**
    * @param {string} line of telemetry
-   * @returns {{name: string, value: number, seconds: number} | undefined} a value to be plotted
+   * @returns {{name: string, value: number, seconds: number} | undefined} a value to plot
    */
-  hear(line) {
-    const told = readTelemetry(line);
-    if (told.kind === 'log') {
-      keep(this.log, told.log, MOST_LINES);
-    } else if (told.kind === 'motion') {
-      keep(this.motions, told, MOST_LINES);
-    } else if (told.kind === 'belief') {
-      keep(this.beliefs, told, MOST_MOMENTS);
-    } else if (told.kind === 'draw') {
-      keep(this.pictures, told, MOST_MOMENTS);
+  receive(line) {
+    const item = readTelemetry(line);
+    if (item.kind === 'log') {
+      keep(this.log, item.log, MAX_LINES);
+    } else if (item.kind === 'motion') {
+      keep(this.motions, item, MAX_LINES);
+    } else if (item.kind === 'belief') {
+      keep(this.beliefs, item, MAX_MOMENTS);
+    } else if (item.kind === 'draw') {
+      keep(this.pictures, item, MAX_MOMENTS);
     }
-    return told.kind === 'plot' ? told : undefined;
+    return item.kind === 'plot' ? item : undefined;
   }
 
   /** @param {Exchange} exchange */
   exchanged(exchange) {
-    keep(this.exchanges, exchange, MOST_MOMENTS);
+    keep(this.exchanges, exchange, MAX_MOMENTS);
   }
 
   /** @param {number} seconds @returns {Thoughts} */
   at(seconds) {
-    const young = (/** @type {{seconds: number} | undefined} */ each, /** @type {number} */ limit) =>
+    const isRecent = (/** @type {{seconds: number} | undefined} */ each, /** @type {number} */ limit) =>
       each !== undefined && seconds - each.seconds < limit;
     const belief = latest(this.beliefs, seconds);
     const picture = latest(this.pictures, seconds);
@@ -78,9 +78,9 @@ export class RobotMemory {
     return {
       log: this.log,
       motion: latest(this.motions, seconds)?.motion ?? { name: '', keyframe: 0 },
-      belief: young(belief, BELIEF_SECONDS) ? belief?.belief : undefined,
-      drawings: young(picture, DRAWING_SECONDS) ? (picture?.drawings ?? []) : [],
-      exchange: young(exchange, MESSAGE_SECONDS) ? exchange : undefined,
+      belief: isRecent(belief, BELIEF_SECONDS) ? belief?.belief : undefined,
+      drawings: isRecent(picture, DRAWING_SECONDS) ? (picture?.drawings ?? []) : [],
+      exchange: isRecent(exchange, MESSAGE_SECONDS) ? exchange : undefined,
       picture: this.#picture(seconds),
     };
   }
@@ -95,21 +95,21 @@ export class RobotMemory {
 }
 
 /**
- * Adds something, and forgets the oldest if there is too much.
+ * Appends an item, and removes the oldest ones beyond the limit.
  *
  * @template {{seconds: number}} T
  * @param {T[]} list
  * @param {T} item
- * @param {number} most
+ * @param {number} max
  */
-export function keep(list, item, most) {
+export function keep(list, item, max) {
   list.push(item);
-  if (list.length > most * 1.1) {
-    list.splice(0, list.length - most);
+  if (list.length > max * 1.1) {
+    list.splice(0, list.length - max);
   }
 }
 
-/** @param {ReadonlyArray<{seconds: number}>} list @param {number} seconds @returns {number} how many are not later */
+/** @param {ReadonlyArray<{seconds: number}>} list @param {number} seconds @returns {number} number of entries that are not later */
 function countUntil(list, seconds) {
   let [low, high] = [0, list.length];
   while (low < high) {

@@ -1,4 +1,4 @@
-/** Knows all of the robot that is looked at, at the moment that all rooms show: of a running simulation or of a recording. */
+/** Collects everything about the watched robot at the shown moment of a running simulation or a recording. */
 import { CYCLE_SECONDS } from '../cycle.js';
 import { readOrders, readSenses } from './senses.js';
 import { recordedTraces } from './recorded-traces.js';
@@ -14,10 +14,10 @@ import { Traces } from './traces.js';
  * @typedef {import('../../live/state-frame.js').Frame} Frame
  * @typedef {import('../kinematics.js').RobotModel} RobotModel
  *
- * @typedef {object} RobotMoment all that is known of a robot at one moment
+ * @typedef {object} RobotMoment state of a robot at one moment
  * @property {Scene} scene
  * @property {Frame} frame
- * @property {number} robot its index
+ * @property {number} robot index of the robot
  * @property {RobotModel} model
  * @property {number} seconds
  * @property {import('./robot-memory.js').Thoughts} thoughts
@@ -26,7 +26,7 @@ import { Traces } from './traces.js';
 
 const MARGIN_SECONDS = 20;
 
-/** Curves show so many cycles before and after the moment. */
+/** Number of cycles that plots show before and after the moment. */
 const TRACED_CYCLES = 3000;
 
 export class RobotWatch {
@@ -40,7 +40,7 @@ export class RobotWatch {
     this.traced = -1;
     /** @type {{cycle: number, degrees: ArrayLike<number>} | undefined} */
     this.before = undefined;
-    /** @type {Record<string, number>} commanded speed of each effector; a motor keeps its speed until it gets another one */
+    /** @type {Record<string, number>} commanded speed of each effector; motors keep their speed until the next command */
     this.commanded = {};
     /** @type {RobotModel | undefined} */
     this.model = undefined;
@@ -49,18 +49,18 @@ export class RobotWatch {
     this.recorded = undefined;
   }
 
-  /** A new line to the simulator knows nothing of what was watched. */
+  /** Forgets the subscription, which a new connection does not have. */
   forget() {
     this.watched = '';
   }
 
   /** @param {{robot: string, lines: string[], messages: Array<[number, string, string]>}} news */
-  hear({ robot, lines, messages }) {
+  receive({ robot, lines, messages }) {
     if (robot !== this.watched) {
       return;
     }
     for (const line of lines) {
-      const plotted = this.memory.hear(line);
+      const plotted = this.memory.receive(line);
       if (plotted) {
         this.traces.add(Math.round(plotted.seconds / CYCLE_SECONDS), [[`agent/${plotted.name}`, plotted.value]]);
       }
@@ -124,7 +124,7 @@ export class RobotWatch {
     }
   }
 
-  /** Takes in the frames that are new. @param {TimeCursor} cursor @param {string} key */
+  /** Adds the new frames to the traces. @param {TimeCursor} cursor @param {string} key */
   #trace({ history }, key) {
     const { last } = history;
     const first = this.traced < 0 ? 0 : history.indexOf(this.traced) + 1;

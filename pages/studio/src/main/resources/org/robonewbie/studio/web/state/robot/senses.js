@@ -1,6 +1,6 @@
 /**
- * What messages between a robot and the simulator mean. Directions are those of the framework: forward, left, up; SimSpark's
- * own axes are right, forward, up. Pure.
+ * Interprets messages between a robot and the simulator. Directions are those of the framework: forward, left, up; SimSpark's own axes are
+ * right, forward, up. Pure.
  *
  * @typedef {import('./expressions.js').Expression} Expression
  *
@@ -8,7 +8,7 @@
  * @property {string} name
  * @property {'ball' | 'post' | 'flag' | 'player'} kind
  * @property {Array<{name: string, polar: number[]}>} points distance in metres, degrees to the left, degrees up
- * @property {string} team of a player
+ * @property {string} team team of a player
  *
  * @typedef {object} FootForce
  * @property {number[]} contact metres from the centre of the foot
@@ -16,16 +16,16 @@
  *
  * @typedef {object} Senses
  * @property {number | undefined} now seconds
- * @property {Record<string, string>} game what the referee tells, by SimSpark's names
- * @property {number[] | undefined} gyro degrees per second about forward, left and up
+ * @property {Record<string, string>} game game state by SimSpark's names
+ * @property {number[] | undefined} gyro degrees per second about the forward, left and up axes
  * @property {number[] | undefined} acceleration metres per second squared
  * @property {Record<string, FootForce>} feet by SimSpark's names: lf, rf and, with toes, lf1, rf1
  * @property {Array<{seconds: number, from: string, text: string}>} heard
- * @property {{things: SeenThing[], lines: number[][][]} | undefined} seen undefined in messages without a picture
+ * @property {{things: SeenThing[], lines: number[][][]} | undefined} seen undefined in messages without camera data
  */
 import { numbers, part, readExpressions } from './expressions.js';
 
-/** @param {string} message of the simulator @returns {Senses} */
+/** @param {string} message message of the simulator @returns {Senses} */
 export function readSenses(message) {
   /** @type {Senses} */
   const senses = {
@@ -55,15 +55,15 @@ function sense(senses, expression) {
       senses.game = Object.fromEntries(expression.slice(1).map((each) => [each[0], String(each[1])]));
       break;
     case 'GYR':
-      senses.gyro = ours(numbers(part(expression, 'rt')));
+      senses.gyro = toBodyFrame(numbers(part(expression, 'rt')));
       break;
     case 'ACC':
-      senses.acceleration = ours(numbers(part(expression, 'a')));
+      senses.acceleration = toBodyFrame(numbers(part(expression, 'a')));
       break;
     case 'FRP':
       senses.feet[String(part(expression, 'n')?.[1])] = {
-        contact: ours(numbers(part(expression, 'c'))),
-        force: ours(numbers(part(expression, 'f'))),
+        contact: toBodyFrame(numbers(part(expression, 'c'))),
+        force: toBodyFrame(numbers(part(expression, 'f'))),
       };
       break;
     case 'hear':
@@ -76,11 +76,11 @@ function sense(senses, expression) {
 }
 
 /** @param {number[]} raw right, forward, up @returns {number[]} forward, left, up */
-function ours([right, forward, up]) {
+function toBodyFrame([right, forward, up]) {
   return [forward, right === 0 ? 0 : -right, up];
 }
 
-/** Some servers tell the team first. @param {Expression[]} expression */
+/** Some servers send the team first. @param {Expression[]} expression */
 function heard(expression) {
   const at = Number.isNaN(Number(expression[1])) ? 2 : 1;
   const from = String(expression[at + 1]);
@@ -132,10 +132,10 @@ function player(expression) {
 }
 
 /**
- * What an agent orders.
+ * Reads the commands of an agent.
  *
- * @param {string} message of the agent
- * @returns {{speeds: Record<string, number>, said: string[]}} degrees per second by effector, and what the robot calls
+ * @param {string} message message of the agent
+ * @returns {{speeds: Record<string, number>, said: string[]}} degrees per second by effector, and the texts said
  */
 export function readOrders(message) {
   /** @type {Record<string, number>} */

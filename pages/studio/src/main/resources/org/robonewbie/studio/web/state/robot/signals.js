@@ -1,5 +1,5 @@
 /**
- * The values of a robot that can be plotted, each with a name such as “joint angle/left knee pitch”. Pure.
+ * Plottable values of a robot, each with a name such as “joint angle/left knee pitch”. Pure.
  *
  * @typedef {import('../kinematics.js').RobotModel} RobotModel
  * @typedef {import('../../live/state-frame.js').Frame} Frame
@@ -28,7 +28,7 @@ const UNITS = {
 const FEET = { lf: 'left foot', rf: 'right foot', lf1: 'left toe', rf1: 'right toe' };
 
 /**
- * What is true in a frame.
+ * Ground truth of a frame.
  *
  * @param {RobotModel} model
  * @param {Frame} frame
@@ -54,7 +54,7 @@ export function trueValues(model, frame, robot) {
 }
 
 /**
- * What the robot senses.
+ * Values of the perceptors.
  *
  * @param {Senses} senses
  * @returns {Values}
@@ -94,7 +94,7 @@ export function measuredSpeeds(model, speeds) {
   return model.hinges.map(({ joint }, i) => /** @type {const} */ ([`joint speed/${jointName(joint)}`, speeds[i]]));
 }
 
-/** @param {string} name @returns {string} unit of a value, empty if only its agent knows */
+/** @param {string} name @returns {string} unit of a value, empty if it is plotted by an agent */
 export function unitOf(name) {
   return name.endsWith('°') ? '°' : (UNITS[name.split('/')[0]] ?? '');
 }

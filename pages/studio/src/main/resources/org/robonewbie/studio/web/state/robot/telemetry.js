@@ -1,6 +1,5 @@
 /**
- * What robots tell about their thoughts: reads the lines that the server hands on, as the Java class TelemetryLine writes
- * them. Pure.
+ * Parser of telemetry lines, written by the Java class TelemetryLine. Pure.
  *
  * @typedef {object} LogLine
  * @property {number} seconds
@@ -24,10 +23,10 @@
  * @typedef {{things: BelievedThing[], self: number[] | undefined}} Belief
  * @typedef {{name: string, keyframe: number}} MotionProgress
  *
- * @typedef {{seconds: number, robot: string} & (
- *   {kind: 'log', log: LogLine} | {kind: 'motion', motion: MotionProgress} | {kind: 'belief', belief: Belief}
- *   | {kind: 'draw', drawings: Drawing[]} | {kind: 'plot', name: string, value: number}
- *   | {kind: 'number', number: import('../program/sliders.js').DeclaredNumber} | {kind: 'other'})} Told
+ * @typedef {{seconds: number, robot: string} & ( {kind: 'log', log: LogLine} | {kind: 'motion', motion: MotionProgress} | {kind: 'belief',
+ *     belief: Belief}
+ * | {kind: 'draw', drawings: Drawing[]} | {kind: 'plot', name: string, value: number}
+ * | {kind: 'number', number: import('../program/sliders.js').DeclaredNumber} | {kind: 'other'})} TelemetryItem
  */
 
 /** @param {string} team @param {number} number @returns {string} */
@@ -35,28 +34,28 @@ export function robotKey(team, number) {
   return `${team}\t${number}`;
 }
 
-/** @param {string} line @returns {Told} */
+/** @param {string} line @returns {TelemetryItem} */
 export function readTelemetry(line) {
   const [kind, time, team, number, ...fields] = line.split('\t').map(unescaped);
   const seconds = Number(time);
-  const told = { seconds, robot: robotKey(team, Number(number)) };
+  const base = { seconds, robot: robotKey(team, Number(number)) };
   switch (kind) {
     case 'log':
-      return { ...told, kind, log: { seconds, level: fields[0], text: fields[1] ?? '' } };
+      return { ...base, kind, log: { seconds, level: fields[0], text: fields[1] ?? '' } };
     case 'motion':
-      return { ...told, kind, motion: { name: fields[0], keyframe: Number(fields[1]) } };
+      return { ...base, kind, motion: { name: fields[0], keyframe: Number(fields[1]) } };
     case 'belief':
-      return { ...told, kind, belief: readBelief(fields) };
+      return { ...base, kind, belief: readBelief(fields) };
     case 'draw':
-      return { ...told, kind, drawings: readDrawings(fields) };
+      return { ...base, kind, drawings: readDrawings(fields) };
     case 'plot':
-      return { ...told, kind, name: fields[0], value: Number(fields[1]) };
+      return { ...base, kind, name: fields[0], value: Number(fields[1]) };
     case 'number': {
-      const [usual, least, most, value] = fields.slice(1).map(Number);
-      return { ...told, kind, number: { name: fields[0], usual, least, most, value } };
+      const [defaultValue, min, max, value] = fields.slice(1).map(Number);
+      return { ...base, kind, number: { name: fields[0], defaultValue, min, max, value } };
     }
     default:
-      return { ...told, kind: 'other' };
+      return { ...base, kind: 'other' };
   }
 }
 

@@ -1,9 +1,9 @@
-/** The values of one robot over time, to be plotted: a table with one row for each cycle and one column for each name. */
+/** Time series of one robot's values: a table with one row per cycle and one column per name. */
 import { csvCell } from '../csv-cell.js';
 import { CYCLE_SECONDS } from '../cycle.js';
 
-/** The last five minutes. */
-const MOST_ROWS = 15_000;
+/** Five minutes. */
+const MAX_ROWS = 15_000;
 
 export class Traces {
   constructor() {
@@ -13,12 +13,12 @@ export class Traces {
     this.cycles = [];
     /** @type {Array<Array<number | undefined>>} */
     this.rows = [];
-    /** Grows with each change. */
+    /** Incremented by each change. */
     this.revision = 0;
   }
 
   /**
-   * Adds values of a cycle to what is known of it. Cycles come in ascending order, a few may come late.
+   * Adds values to a cycle. Cycles must be ascending, except for a few late ones.
    *
    * @param {number} cycle
    * @param {Iterable<readonly [string, number]>} values
@@ -49,9 +49,9 @@ export class Traces {
     const row = [];
     this.cycles.splice(at, 0, cycle);
     this.rows.splice(at, 0, row);
-    if (this.rows.length > MOST_ROWS * 1.1) {
-      this.cycles.splice(0, this.rows.length - MOST_ROWS);
-      this.rows.splice(0, this.rows.length - MOST_ROWS);
+    if (this.rows.length > MAX_ROWS * 1.1) {
+      this.cycles.splice(0, this.rows.length - MAX_ROWS);
+      this.rows.splice(0, this.rows.length - MAX_ROWS);
     }
     return row;
   }
@@ -76,7 +76,7 @@ export class Traces {
     ];
   }
 
-  /** @returns {{from: number, to: number}} seconds of the first and last row */
+  /** @returns {{from: number, to: number}} time of the first and the last row */
   get extent() {
     return { from: (this.cycles[0] ?? 0) * CYCLE_SECONDS, to: (this.cycles.at(-1) ?? 0) * CYCLE_SECONDS };
   }
@@ -84,7 +84,7 @@ export class Traces {
   /**
    * @param {string} name
    * @param {number} seconds
-   * @returns {number | undefined} the last value that is not later
+   * @returns {number | undefined} the last value at or before that time
    */
   valueAt(name, seconds) {
     const column = this.names.get(name) ?? -1;
@@ -108,7 +108,7 @@ export class Traces {
 }
 
 /**
- * Writes values as a table for other programs.
+ * Writes values as a CSV table.
  *
  * @param {Traces} traces
  * @param {readonly string[]} names

@@ -3,7 +3,7 @@ package org.robonewbie.web.library.java.security;
 import java.math.BigInteger;
 import java.security.NoSuchAlgorithmException;
 
-/** What the simulator needs of {@link java.security.MessageDigest}: SHA-256, as FIPS 180-4 defines it. */
+/** Subset of {@link java.security.MessageDigest} for the simulator: SHA-256 according to FIPS 180-4. */
 public final class MessageDigest implements Cloneable {
 
     private static final int BLOCK_BYTES = 64;
@@ -20,15 +20,15 @@ public final class MessageDigest implements Cloneable {
     private MessageDigest() {}
 
     /**
-     * Begins a checksum.
+     * Creates a digest.
      *
      * @param algorithm SHA-256
-     * @return the checksum of nothing
+     * @return a digest without input
      * @throws NoSuchAlgorithmException for other algorithms
      */
     public static MessageDigest getInstance(String algorithm) throws NoSuchAlgorithmException {
         if (!algorithm.equals("SHA-256")) {
-            throw new NoSuchAlgorithmException(algorithm + " is not available in a page: only SHA-256 is.");
+            throw new NoSuchAlgorithmException(algorithm + " is not available in a page; only SHA-256 is.");
         }
         return new MessageDigest();
     }
@@ -36,9 +36,9 @@ public final class MessageDigest implements Cloneable {
     /**
      * Adds bytes.
      *
-     * @param bytes holds them
-     * @param offset where they begin
-     * @param count how many there are
+     * @param bytes the array
+     * @param offset index of the first byte
+     * @param count number of bytes
      */
     public void update(byte[] bytes, int offset, int count) {
         for (int i = offset; i < offset + count; i++) {
@@ -47,7 +47,7 @@ public final class MessageDigest implements Cloneable {
         length += count;
     }
 
-    /** {@return the checksum of all bytes, 32 bytes long; nothing can be added afterwards} */
+    /** {@return the 32-byte digest of all bytes; no more bytes can be added afterwards} */
     public byte[] digest() {
         add((byte) 0x80);
         while (filled != BLOCK_BYTES - LENGTH_BYTES) {
@@ -116,7 +116,7 @@ public final class MessageDigest implements Cloneable {
         }
     }
 
-    /** The first 32 bits behind the point of the square or cube roots of the first prime numbers, from which SHA-256 begins. */
+    /** First 32 bits of the fractional parts of the square or cube roots of the first primes, the constants of SHA-256. */
     private static int[] fractionsOfRoots(int count, int degree) {
         int[] fractions = new int[count];
         int prime = 2;

@@ -1,16 +1,16 @@
 package org.robonewbie.web.library.java.util;
 
 /**
- * A number of 0 or more in decimal digits: 0.DIGITS times ten to the power of a point. It rounds half up, as Java does.
+ * Non-negative decimal number 0.DIGITS · 10^point, with half-up rounding as in Java.
  *
- * @param digits without zeros before them; empty for 0
- * @param point how many digits stand before the point
+ * @param digits significant digits; empty for 0
+ * @param point number of digits before the decimal point
  */
 record Decimal(String digits, int point) {
 
     private static final int SMALLEST_FIXED = -4;
 
-    /** {@return the shortest decimal number that means a double} */
+    /** {@return the shortest decimal number that identifies a double} */
     static Decimal of(double number) {
         String text = Double.toString(number);
         int e = text.indexOf('E');
@@ -25,7 +25,7 @@ record Decimal(String digits, int point) {
         return new Decimal(all.substring(zeros), point + exponent - zeros);
     }
 
-    /** Keeps so many digits from the first one on. */
+    /** Rounds to a number of significant digits. */
     private Decimal rounded(int count) {
         if (count >= digits.length()) {
             return this;
@@ -49,7 +49,7 @@ record Decimal(String digits, int point) {
         return new Decimal(digits.substring(0, nines - 1) + raised + "0".repeat(digits.length() - nines), point);
     }
 
-    /** Writes so many digits behind the point. */
+    /** Formats with a number of decimal places. */
     String fixed(int precision) {
         Decimal near = rounded(point + precision);
         if (near.digits.isEmpty()) {
@@ -62,7 +62,7 @@ record Decimal(String digits, int point) {
         return withPoint(padded.substring(0, before), padded.substring(before, before + precision));
     }
 
-    /** Writes one digit before the point, so many behind it, and a power of ten. */
+    /** Formats in scientific notation with a number of decimal places. */
     String scientific(int precision) {
         Decimal near = rounded(precision + 1);
         String all = near.digits + "0".repeat(Math.max(0, precision + 1 - near.digits.length()));
@@ -74,7 +74,7 @@ record Decimal(String digits, int point) {
                 + power;
     }
 
-    /** Writes so many digits, with a power of ten where the number is very large or small. */
+    /** Formats with a number of significant digits, in scientific notation if the number is very large or small. */
     String general(int precision) {
         int count = Math.max(1, precision);
         Decimal near = rounded(count);

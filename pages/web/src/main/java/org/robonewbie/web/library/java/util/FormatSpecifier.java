@@ -6,22 +6,22 @@ import java.util.UnknownFormatConversionException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A place for a value in a text, such as {@code %-8.2f}.
+ * Format specifier such as {@code %-8.2f}.
  *
- * @param index number of the value, from 1; 0 for the next one, -1 for the one before once more
- * @param flags all of {@code -#+ 0,(} that are set
- * @param width fewest characters
- * @param precision digits or characters; -1 if none is given
- * @param conversion the letter at its end
- * @param end index of the character behind it
+ * @param index index of the argument, from 1; 0 for the next one, -1 for the previous one
+ * @param flags the set flags of {@code -#+ 0,(}
+ * @param width minimum number of characters
+ * @param precision digits or characters; -1 if not given
+ * @param conversion the conversion character
+ * @param end index of the character after it
  */
 record FormatSpecifier(int index, String flags, int width, int precision, char conversion, int end) {
 
     private static final String FLAGS = "-#+ 0,(";
-    private static final int USUAL_PRECISION = 6;
+    private static final int DEFAULT_PRECISION = 6;
     private static final int GROUP_DIGITS = 3;
 
-    /** Reads the specifier whose percent sign stands before a position. */
+    /** Parses the specifier whose percent sign precedes a position. */
     static FormatSpecifier read(String format, int from) {
         int at = from;
         int index = 0;
@@ -62,17 +62,17 @@ record FormatSpecifier(int index, String flags, int width, int precision, char c
         return at;
     }
 
-    /** {@return whether it stands for a sign and takes no value} */
+    /** {@return whether it is {@code %%} or {@code %n}, which take no argument} */
     boolean isText() {
         return conversion == '%' || conversion == 'n';
     }
 
-    /** {@return the sign that it stands for} */
+    /** {@return the text of {@code %%} or {@code %n}} */
     String text() {
         return conversion == '%' ? padded("%") : "\n";
     }
 
-    /** Writes a value. */
+    /** Formats a value. */
     String text(@Nullable Object value) {
         String text = switch (Character.toLowerCase(conversion)) {
             case 'b' -> padded(cut(value instanceof Boolean known ? known.toString() : "" + (value != null)));
@@ -130,7 +130,7 @@ record FormatSpecifier(int index, String flags, int width, int precision, char c
             return signed(isNegative, "Infinity", false);
         }
         Decimal decimal = Decimal.of(Math.abs(number));
-        int digits = precision < 0 ? USUAL_PRECISION : precision;
+        int digits = precision < 0 ? DEFAULT_PRECISION : precision;
         return signed(
                 isNegative,
                 switch (Character.toLowerCase(conversion)) {
@@ -141,7 +141,7 @@ record FormatSpecifier(int index, String flags, int width, int precision, char c
                 true);
     }
 
-    /** Sets separators into the digits before the point. */
+    /** Inserts grouping separators before the decimal point. */
     private String grouped(String digits) {
         if (!has(',') || digits.indexOf('e') >= 0) {
             return digits;

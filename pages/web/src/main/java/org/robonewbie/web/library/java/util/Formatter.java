@@ -7,8 +7,8 @@ import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the page needs of {@link java.util.Formatter}: all conversions but those of dates, with numbers written as in {@link
- * Locale#ROOT}. In the one of TeaVM 0.15.0 {@code %%} takes an argument away, and 12.5 is rounded to 12.
+ * Subset of {@link java.util.Formatter} for the page: all conversions except dates, with numbers as in {@link Locale#ROOT}. In TeaVM
+ * 0.15.0, {@code %%} consumes an argument and 12.5 is rounded to 12.
  */
 public final class Formatter implements Closeable, Flushable {
 
@@ -17,44 +17,44 @@ public final class Formatter implements Closeable, Flushable {
     private final Appendable destination;
     private @Nullable IOException failure;
 
-    /** Writes into memory. */
+    /** Creates a formatter that writes to a string. */
     public Formatter() {
         this(new StringBuilder());
     }
 
     /**
-     * Writes into memory.
+     * Creates a formatter that writes to a string.
      *
-     * @param locale without a meaning here
+     * @param locale ignored
      */
     public Formatter(@Nullable Locale locale) {
         this();
     }
 
     /**
-     * Writes to a destination.
+     * Creates a formatter with a destination.
      *
-     * @param destination gets the texts
+     * @param destination receives the text
      */
     public Formatter(Appendable destination) {
         this.destination = destination;
     }
 
     /**
-     * Writes to a destination.
+     * Creates a formatter with a destination.
      *
-     * @param destination gets the texts
-     * @param locale without a meaning here
+     * @param destination receives the text
+     * @param locale ignored
      */
     public Formatter(Appendable destination, @Nullable Locale locale) {
         this(destination);
     }
 
     /**
-     * Writes a text with values.
+     * Writes a formatted string.
      *
-     * @param locale without a meaning here
-     * @param format a text with specifiers such as {@code %.2f}
+     * @param locale ignored
+     * @param format a string with specifiers such as {@code %.2f}
      * @param arguments the values
      * @return this formatter
      */
@@ -63,12 +63,12 @@ public final class Formatter implements Closeable, Flushable {
     }
 
     /**
-     * Writes a text with values.
+     * Writes a formatted string.
      *
-     * @param format a text with specifiers such as {@code %.2f}
+     * @param format a string with specifiers such as {@code %.2f}
      * @param arguments the values
      * @return this formatter
-     * @throws IllegalArgumentException with Java's own words, if format and values do not fit
+     * @throws IllegalArgumentException if format and values do not match
      */
     public Formatter format(String format, @Nullable Object... arguments) {
         int next = 0;
@@ -113,7 +113,7 @@ public final class Formatter implements Closeable, Flushable {
         return failure;
     }
 
-    /** {@return where the texts go} */
+    /** {@return the destination} */
     public Appendable out() {
         return destination;
     }

@@ -1,6 +1,6 @@
 package org.robonewbie.web.library.java.util;
 
-/** What the simulator needs of {@link java.util.HexFormat}. */
+/** Subset of {@link java.util.HexFormat} for the simulator. */
 public final class HexFormat {
 
     private static final HexFormat LOWER_CASE = new HexFormat();
@@ -8,16 +8,16 @@ public final class HexFormat {
 
     private HexFormat() {}
 
-    /** {@return the format without separators, in small letters} */
+    /** {@return the lower-case format without separators} */
     public static HexFormat of() {
         return LOWER_CASE;
     }
 
     /**
-     * Writes bytes.
+     * Formats bytes.
      *
-     * @param bytes any
-     * @return two digits for each
+     * @param bytes the bytes
+     * @return two digits per byte
      */
     public String formatHex(byte[] bytes) {
         StringBuilder text = new StringBuilder();

@@ -2,19 +2,19 @@ package org.robonewbie.web.library.java.util;
 
 import java.util.random.RandomGenerator;
 
-/** What the simulator needs of {@link java.util.SplittableRandom}: the same numbers for the same seed. */
+/** Subset of {@link java.util.SplittableRandom} for the simulator, with the same sequence for the same seed. */
 public final class SplittableRandom implements RandomGenerator {
 
     private static final long GOLDEN_GAMMA = 0x9E3779B97F4A7C15L;
-    private static final int FEWEST_CHANGES = 24;
+    private static final int MIN_BIT_CHANGES = 24;
 
     private final long gamma;
     private long state;
 
     /**
-     * Begins a sequence.
+     * Creates a generator.
      *
-     * @param seed which sequence
+     * @param seed the seed
      */
     public SplittableRandom(long seed) {
         this(seed, GOLDEN_GAMMA);
@@ -25,7 +25,7 @@ public final class SplittableRandom implements RandomGenerator {
         this.gamma = gamma;
     }
 
-    /** {@return a generator whose numbers have nothing to do with those that follow here} */
+    /** {@return a statistically independent generator} */
     public SplittableRandom split() {
         return new SplittableRandom(nextLong(), mixedGamma(nextState()));
     }
@@ -52,6 +52,6 @@ public final class SplittableRandom implements RandomGenerator {
         long mixed = (next ^ (next >>> 33)) * 0xFF51AFD7ED558CCDL;
         mixed = (mixed ^ (mixed >>> 33)) * 0xC4CEB9FE1A85EC53L;
         mixed = (mixed ^ (mixed >>> 33)) | 1;
-        return Long.bitCount(mixed ^ (mixed >>> 1)) < FEWEST_CHANGES ? mixed ^ 0xAAAAAAAAAAAAAAAAL : mixed;
+        return Long.bitCount(mixed ^ (mixed >>> 1)) < MIN_BIT_CHANGES ? mixed ^ 0xAAAAAAAAAAAAAAAAL : mixed;
     }
 }

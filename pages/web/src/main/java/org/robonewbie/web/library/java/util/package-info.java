@@ -1,7 +1,7 @@
 /**
- * Stands in for {@code java.util} where the class library of the compiled program has a gap.
+ * Replacements for {@code java.util} where TeaVM's class library has gaps.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.web.library.java.util;

@@ -3,26 +3,26 @@ package org.robonewbie.web.library.org.slf4j;
 import org.slf4j.Logger;
 import org.slf4j.helpers.NOPLogger;
 
-/** What ode4j needs of {@link org.slf4j.LoggerFactory}: in a page nobody reads its diary. */
+/** Subset of {@link org.slf4j.LoggerFactory} for ode4j: logging is disabled in a page. */
 public final class LoggerFactory {
 
     private LoggerFactory() {}
 
     /**
-     * Finds a logger.
+     * Returns a logger.
      *
-     * @param name any
-     * @return the logger that writes nothing
+     * @param name ignored
+     * @return a logger that discards all messages
      */
     public static Logger getLogger(String name) {
         return NOPLogger.NOP_LOGGER;
     }
 
     /**
-     * Finds a logger.
+     * Returns a logger.
      *
-     * @param type any
-     * @return the logger that writes nothing
+     * @param type ignored
+     * @return a logger that discards all messages
      */
     public static Logger getLogger(Class<?> type) {
         return NOPLogger.NOP_LOGGER;

@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.robonewbie.web.PageMemory;
 
 /**
- * Finds the line of the robot's own program, which a machine carries out here: the calls of the compiled program say nothing about it.
+ * Finds the current line of the robot's program. The program is interpreted, so the JVM's stack trace does not contain it.
  */
 public final class PageStudentCode {
 
@@ -14,9 +14,9 @@ public final class PageStudentCode {
     private PageStudentCode() {}
 
     /**
-     * Finds the line that is being executed.
+     * Finds the current line.
      *
-     * @return such as {@code WalkToBall.java:31}; empty if only the framework is at work
+     * @return a position such as {@code WalkToBall.java:31}; empty if only the framework is running
      */
     public static Optional<String> place() {
         return place(PageMemory.calls());
@@ -26,7 +26,7 @@ public final class PageStudentCode {
      * Finds the line in a stack trace.
      *
      * @param trace innermost call first
-     * @return such as {@code WalkToBall.java:31}; empty if only the framework is at work
+     * @return a position such as {@code WalkToBall.java:31}; empty if only the framework is running
      */
     public static Optional<String> place(StackTraceElement[] trace) {
         return Arrays.stream(trace)

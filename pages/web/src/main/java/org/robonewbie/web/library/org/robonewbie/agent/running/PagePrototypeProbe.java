@@ -3,34 +3,34 @@ package org.robonewbie.web.library.org.robonewbie.agent.running;
 import java.util.Optional;
 import org.robonewbie.pagejvm.StudentFields;
 
-/** Makes robots of students' programs once more; compiled ones ask for their numbers in {@code think()}. */
+/** Creates a second instance of a student's robot to detect changed numbers; compiled robots read theirs in {@code think()}. */
 public final class PagePrototypeProbe {
 
     private PagePrototypeProbe() {}
 
     /**
-     * Makes another robot of the same class by its constructor without parameters.
+     * Creates another instance of the same class with the no-arg constructor.
      *
      * @param robot the robot
      * @param <R> its class
-     * @return another one; empty if there is no such constructor, or if it fails
+     * @return the new instance; empty if there is no such constructor or it fails
      */
     @SuppressWarnings("unchecked")
     public static <R> Optional<R> of(R robot) {
         try {
-            return (Optional<R>) StudentFields.madeOnceMore(robot);
+            return (Optional<R>) StudentFields.newInstance(robot);
         } catch (RuntimeException impossible) {
             return Optional.empty();
         }
     }
 
     /**
-     * Gives a robot the values in which two others of its class differ.
+     * Updates a robot with the values in which two instances of its class differ.
      *
-     * @param old one of the others
-     * @param fresh the other, whose values are taken
-     * @param robot is changed
-     * @return whether that was possible
+     * @param old the old instance
+     * @param fresh the new instance, whose values are copied
+     * @param robot the robot to update
+     * @return always true
      */
     public static boolean copyDifferences(Object old, Object fresh, Object robot) {
         StudentFields.copyDifferences(old, fresh, robot);

@@ -2,12 +2,12 @@ package org.robonewbie.web.library.org.robonewbie.agent.running;
 
 import java.util.Map;
 
-/** A page has no environment and no files of properties. */
+/** Empty environment: a page has neither environment variables nor properties files. */
 public final class PageSurroundings {
 
     private PageSurroundings() {}
 
-    /** {@return nothing} */
+    /** {@return an empty map} */
     public static Map<String, String> environment() {
         return Map.of();
     }
@@ -15,8 +15,8 @@ public final class PageSurroundings {
     /**
      * Reads no file.
      *
-     * @param file its name
-     * @return nothing
+     * @param file name of the file
+     * @return an empty map
      */
     public static Map<String, String> properties(String file) {
         return Map.of();

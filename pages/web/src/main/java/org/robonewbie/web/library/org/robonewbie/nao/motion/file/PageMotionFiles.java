@@ -8,12 +8,12 @@ import org.robonewbie.nao.motion.MotionSource;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.web.PageMemory;
 
-/** The motions that somebody has made in the page, which hands them over since it has no folder. */
+/** Motions that the user has made in the page, kept in memory since a page has no folder. */
 public final class PageMotionFiles implements MotionSource {
 
     private PageMotionFiles() {}
 
-    /** {@return the motions that a robot can perform: those of the page, and the shipped ones} */
+    /** {@return the available motions: those of the page and the shipped ones} */
     public static MotionLibrary library() {
         return new MotionLibrary(new PageMotionFiles(), new ShippedMotions());
     }

@@ -1,0 +1,122 @@
+package org.robonewbie.app.command;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.robonewbie.agent.Agent;
+import org.robonewbie.agent.TunableNumbers;
+import org.robonewbie.learning.optimise.AgentParametrization;
+import org.robonewbie.learning.optimise.AgentScene;
+import org.robonewbie.learning.optimise.Objective;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.programs.ExampleCatalogue;
+import org.robonewbie.programs.ProgramFinder;
+import org.robonewbie.programs.StudentsAgents;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** A student's program whose numbers are to be improved, and where it is tried. */
+public final class OptimisedAgent {
+
+    @Option(
+            names = "--agent",
+            paramLabel = "CLASS",
+            description =
+                    "Improve the numbers that this agent declares by number(...): an example, your class or .java file.")
+    private Optional<String> program = Optional.empty();
+
+    @Option(
+            names = "--pose",
+            paramLabel = "X,Y,DEGREES",
+            split = ",",
+            description = "With --agent: where it starts (default: -1,0,0).")
+    private List<Double> pose = List.of(-1.0, 0.0, 0.0);
+
+    @Option(
+            names = "--ball",
+            paramLabel = "X,Y",
+            split = ",",
+            description = "With --agent: where the ball lies (default: 0,0).")
+    private List<Double> ball = List.of(0.0, 0.0);
+
+    @Option(
+            names = "--spread",
+            paramLabel = "METRES",
+            defaultValue = "0.2",
+            description = "With --agent: how far robot and ball start elsewhere in each trial (default: 0.2).")
+    private double spread;
+
+    @Option(
+            names = "--seconds",
+            paramLabel = "T",
+            defaultValue = "20",
+            description = "With --agent: simulated length of a trial (default: 20).")
+    private double seconds;
+
+    @Mixin
+    private final ClassPathOption classPath = new ClassPathOption();
+
+    /** {@return whether a program was named at all} */
+    public boolean isWanted() {
+        return program.isPresent();
+    }
+
+    /** {@return whether the program is a {@code .java} file, which only this computer has} */
+    public boolean isSourceFile() {
+        return program.filter(name -> name.endsWith(".java")).isPresent();
+    }
+
+    /** {@return the name of the class without package and ending} */
+    public String simpleName() {
+        String name = String.valueOf(Path.of(program.orElse("")).getFileName()).replaceFirst("\\.java$", "");
+        return name.substring(name.lastIndexOf('.') + 1);
+    }
+
+    /** {@return the file that the program itself reads} */
+    public Path file() {
+        return Path.of(TunableNumbers.fileName(simpleName()));
+    }
+
+    /**
+     * Looks up what is to be improved, a measure of the framework or a class from the class path.
+     *
+     * @param label name of the measure
+     * @return the objective
+     */
+    public Objective objective(String label) {
+        return Objective.named(label, ProgramFinder.loaderOf(classPath.folders()));
+    }
+
+    /**
+     * Makes the program the subject of a search.
+     *
+     * @param objective what is to be improved
+     * @return the program with its numbers
+     */
+    public AgentParametrization subject(Objective objective) {
+        if (pose.size() != 3 || ball.size() != 2) {
+            throw new CalledWronglyException(
+                    "Give --pose three numbers, such as -1,0,0, and --ball two, such as 0,0. Given: " + pose + " and "
+                            + ball + ".");
+        }
+        String name = program.orElseThrow();
+        List<Path> folders = classPath.folders();
+        StudentsAgents agents = StudentsAgents.of(new ProgramFinder(ExampleCatalogue.load(), folders).findClass(name));
+        AgentScene scene = new AgentScene(
+                new Vector3(pose.get(0), pose.get(1), 0),
+                pose.get(2),
+                new Vector3(ball.get(0), ball.get(1), 0),
+                spread,
+                seconds);
+        return new AgentParametrization(name, () -> made(agents), objective, scene);
+    }
+
+    private static Agent made(StudentsAgents agents) {
+        try {
+            return agents.get();
+        } catch (IllegalStateException broken) {
+            throw new CalledWronglyException("The agent cannot be made: " + broken.getMessage() + ".");
+        }
+    }
+}

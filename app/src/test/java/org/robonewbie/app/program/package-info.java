@@ -1,3 +1,0 @@
-/** Tests of how programs of students are found, compiled and run. */
-@org.jspecify.annotations.NullMarked
-package org.robonewbie.app.program;

@@ -1,0 +1,23 @@
+package org.robonewbie.trial.batch;
+
+import java.io.Serializable;
+
+/**
+ * The work of a batch, such as a trial with one seed. The result depends on the parameters only. Serializable, since a runner may send it to
+ * another computer.
+ *
+ * @param <P> the parameters of one job, with its seed
+ * @param <R> its result
+ */
+@FunctionalInterface
+public interface Job<P, R> extends Serializable {
+
+    /**
+     * Runs one job.
+     *
+     * @param parameters the parameters of this job
+     * @return its result
+     * @throws Exception if it failed; the batch ends then
+     */
+    R run(P parameters) throws Exception;
+}

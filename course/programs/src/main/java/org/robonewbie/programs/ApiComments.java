@@ -1,0 +1,56 @@
+package org.robonewbie.programs;
+
+import com.sun.source.util.JavacTask;
+import com.sun.source.util.Trees;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import org.robonewbie.programs.completion.ApiDocumentation;
+
+/** Documentation comments of the framework, read from the sources that come along with it. */
+final class ApiComments {
+
+    /** Where the build puts them. */
+    static final String FOLDER = "/META-INF/sources/";
+
+    /** For each class: comment by member, such as {@code setJointSpeed/2}. */
+    private static final Map<String, Map<String, String>> READ = new ConcurrentHashMap<>();
+
+    private ApiComments() {}
+
+    /** Finds what a class or one of its members does; empty if its source is not there. */
+    static String of(String className, String key) {
+        String outermost = className.replaceFirst("\\$.*", "");
+        return outermost.startsWith("org.robonewbie.")
+                ? READ.computeIfAbsent(outermost, ApiComments::read).getOrDefault(key, "")
+                : "";
+    }
+
+    /** The source of a class of the framework; empty if it does not come along. */
+    static Optional<String> source(String className) {
+        String path = FOLDER + className.replace('.', '/') + ".java";
+        try (InputStream stream = ApiComments.class.getResourceAsStream(path)) {
+            return stream == null
+                    ? Optional.empty()
+                    : Optional.of(new String(stream.readAllBytes(), StandardCharsets.UTF_8));
+        } catch (IOException unreadable) {
+            return Optional.empty();
+        }
+    }
+
+    private static Map<String, String> read(String className) {
+        return source(className)
+                .map(text -> JavaSource.of(Path.of(className.replaceAll(".*\\.", "") + ".java"), text)
+                        .with(new CompilerMessages(), List.of(), (task, classes) -> comments(task)))
+                .orElse(Map.of());
+    }
+
+    private static Map<String, String> comments(JavacTask task) throws IOException {
+        return ApiDocumentation.comments(task.parse().iterator().next(), Trees.instance(task));
+    }
+}

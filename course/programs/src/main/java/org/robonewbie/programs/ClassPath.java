@@ -1,0 +1,163 @@
+package org.robonewbie.programs;
+
+import java.io.File;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
+import java.net.URI;
+import java.net.URISyntaxException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.jar.Attributes;
+import java.util.jar.JarOutputStream;
+import java.util.jar.Manifest;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.robonewbie.nao.file.TemporaryFiles;
+
+/**
+ * The class path of a Java process. Its option separates places by colons (on Windows semicolons), so that none can have one in its
+ * name, and it cannot express characters beyond 16 bits, such as emoji. Where a place has such a name, an empty jar in the folder for
+ * temporary files refers to all places, as addresses in its manifest.
+ *
+ * @param places absolute paths of folders and jars
+ */
+public record ClassPath(List<Path> places) {
+
+    /** A process that ends at once may still need its jar, so it is kept until this process ends. */
+    private static final Map<ClassPath, Path> JARS = new ConcurrentHashMap<>();
+
+    /** Makes all paths absolute. */
+    public ClassPath {
+        places =
+                places.stream().map(place -> place.toAbsolutePath().normalize()).toList();
+    }
+
+    /** {@return the classes of this program: its class path, or the one jar to which a jar of the launcher refers} */
+    public static ClassPath ofThisProgram() {
+        Path own = ownPlace();
+        return new ClassPath(
+                canBeOption(own)
+                        ? Stream.of(System.getProperty("java.class.path").split(File.pathSeparator, -1))
+                                .map(Path::of)
+                                .toList()
+                        : List.of(own));
+    }
+
+    /** {@return the jar that holds this program; empty if its classes are in folders, as in an IDE} */
+    public static Optional<Path> ownJar() {
+        return Optional.of(ownPlace()).filter(Files::isRegularFile);
+    }
+
+    private static Path ownPlace() {
+        try {
+            return Path.of(ClassPath.class
+                    .getProtectionDomain()
+                    .getCodeSource()
+                    .getLocation()
+                    .toURI());
+        } catch (URISyntaxException impossible) {
+            throw new IllegalStateException(impossible);
+        }
+    }
+
+    /**
+     * Adds places.
+     *
+     * @param more folders and jars, which are searched last
+     * @return all of them
+     */
+    public ClassPath with(List<Path> more) {
+        return new ClassPath(Stream.concat(places.stream(), more.stream()).toList());
+    }
+
+    /** {@return the places as addresses, to be read by {@link #read}} */
+    public String text() {
+        return places.stream().map(place -> place.toUri().toASCIIString()).collect(Collectors.joining(" "));
+    }
+
+    /**
+     * Reads places.
+     *
+     * @param text their addresses
+     * @return the places
+     */
+    public static List<Path> read(String text) {
+        return Stream.of(text.split(" ", -1))
+                .filter(address -> !address.isEmpty())
+                .map(URI::create)
+                .map(Path::of)
+                .toList();
+    }
+
+    /**
+     * Returns the class path as an option of Java.
+     *
+     * @return what follows {@code -cp}
+     * @throws CalledWronglyException if the folder for temporary files has a name that cannot stand in an option
+     */
+    public String option() {
+        return files().stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator));
+    }
+
+    /** {@return what a process with this class path must be able to read, with Java itself} */
+    public List<Path> readable() {
+        return Stream.of(places.stream(), files().stream(), Stream.of(Path.of(System.getProperty("java.home"))))
+                .flatMap(each -> each)
+                .distinct()
+                .map(place -> place.toAbsolutePath().normalize())
+                .toList();
+    }
+
+    /** {@return the files and folders that the option names} */
+    List<Path> files() {
+        return places.stream().allMatch(ClassPath::canBeOption)
+                ? places
+                : List.of(JARS.computeIfAbsent(this, ClassPath::jar));
+    }
+
+    private static boolean canBeOption(Path place) {
+        return obstacle(place).isEmpty();
+    }
+
+    /**
+     * Looks for a character that cannot stand in a class path as Java's tools take it.
+     *
+     * @param place a folder or jar
+     * @return the first such character of its absolute path; empty if there is none
+     */
+    public static Optional<String> obstacle(Path place) {
+        return place.toAbsolutePath()
+                .toString()
+                .codePoints()
+                .filter(letter -> Character.isSupplementaryCodePoint(letter) || letter == File.pathSeparatorChar)
+                .mapToObj(Character::toString)
+                .findFirst();
+    }
+
+    private Path jar() {
+        Manifest manifest = new Manifest();
+        manifest.getMainAttributes().put(Attributes.Name.MANIFEST_VERSION, "1.0");
+        manifest.getMainAttributes().put(Attributes.Name.CLASS_PATH, text());
+        try {
+            Path jar = TemporaryFiles.file("robonewbie-classes", ".jar");
+            jar.toFile().deleteOnExit();
+            Optional<String> obstacle = obstacle(jar);
+            if (obstacle.isPresent()) {
+                throw new CalledWronglyException("Java does not take the character \"" + obstacle.get()
+                        + "\" in the path of " + jar.getParent() + ". " + TemporaryFiles.howToChoose());
+            }
+            try (OutputStream file = Files.newOutputStream(jar);
+                    JarOutputStream out = new JarOutputStream(file, manifest)) {
+                out.finish();
+            }
+            return jar;
+        } catch (IOException unwritable) {
+            throw new UncheckedIOException(unwritable.getMessage(), unwritable);
+        }
+    }
+}

@@ -1,0 +1,84 @@
+package org.robonewbie.programs;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.SortedMap;
+
+/** The texts of the examples, to be read and to begin with. */
+public final class ExampleSources {
+
+    private static final String SHORTEST = """
+            import org.robonewbie.agent.Agent;
+            import org.robonewbie.nao.Joint;
+
+            public class NAME extends Agent {
+
+                public static void main(String[] args) {
+                    new NAME().run(args);
+                }
+
+                @Override
+                protected void think() {
+                    double angle = nao.getJointAngle(Joint.LEFT_SHOULDER_PITCH);
+                    nao.setJointSpeed(Joint.LEFT_SHOULDER_PITCH, angle < 30 ? 60 : 0);
+                }
+            }
+            """;
+
+    private final SortedMap<String, String> classNames = ExampleCatalogue.load().classNames();
+
+    /** Looks which examples there are. */
+    public ExampleSources() {}
+
+    /** {@return names of the examples whose text is there} */
+    public List<String> names() {
+        return classNames.keySet().stream()
+                .filter(name -> text(name).isPresent())
+                .toList();
+    }
+
+    /**
+     * Reads an example.
+     *
+     * @param name its simple name
+     * @return its text; empty if there is none of this name
+     */
+    public Optional<String> text(String name) {
+        return Optional.ofNullable(classNames.get(name)).flatMap(ApiComments::source);
+    }
+
+    /**
+     * Makes a program to begin with.
+     *
+     * @param file where it will be, which names its class and package
+     * @param example the text of an example; empty for the shortest program that moves a robot
+     * @return its text
+     */
+    public String startingWith(Path file, Optional<String> example) {
+        String name = String.valueOf(file.getFileName()).replace(".java", "");
+        String text = example.map(given -> renamed(given, name)).orElse(SHORTEST.replace("NAME", name));
+        return packageOf(file).map(own -> "package " + own + ";\n\n" + text).orElse(text);
+    }
+
+    private String renamed(String example, String name) {
+        String text = example.replaceFirst("(?m)^package [\\w.]+;\\s*", "");
+        Optional<String> old = classNames.keySet().stream()
+                .filter(each -> text.contains("class " + each + " "))
+                .findFirst();
+        return old.map(each -> text.replaceAll("\\b" + each + "\\b", name)).orElse(text);
+    }
+
+    /** The package of a file of a project. */
+    private static Optional<String> packageOf(Path file) {
+        String folder = Objects.requireNonNull(file.toAbsolutePath().getParent())
+                .toString()
+                .replace('\\', '/');
+        int sources = folder.indexOf("/src/main/java/");
+        return sources < 0
+                ? Optional.empty()
+                : Optional.of(
+                        folder.substring(sources + "/src/main/java/".length()).replace('/', '.'));
+    }
+}

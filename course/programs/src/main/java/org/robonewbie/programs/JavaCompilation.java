@@ -1,0 +1,99 @@
+package org.robonewbie.programs;
+
+import com.sun.source.util.JavacTask;
+import java.io.IOException;
+import java.io.StringWriter;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Function;
+import javax.tools.JavaCompiler;
+import javax.tools.JavaFileObject;
+import javax.tools.StandardJavaFileManager;
+import javax.tools.StandardLocation;
+
+/**
+ * Java files that are compiled together, with the classes of this program and those of the class path. Classes are kept in memory, and
+ * nothing of the files runs.
+ *
+ * @param name what messages call the files
+ * @param sourcePath folders in which the compiler finds further sources by itself
+ * @param classPath folders and jars that they use
+ */
+record JavaCompilation(String name, List<Path> sourcePath, List<Path> classPath) {
+
+    /** The files that the compiler has used last: the next compilation need not read all archives of the class path again. */
+    private static final AtomicReference<Optional<StandardJavaFileManager>> KEPT =
+            new AtomicReference<>(Optional.empty());
+
+    private static final List<String> OPTIONS =
+            List.of("-g", "-XDshould-stop.ifError=FLOW", "-parameters", "-proc:none", "-implicit:class");
+
+    /** What the compiler is to do with the files. */
+    interface Work<T> {
+        T of(JavacTask task, CompiledClasses classes) throws IOException;
+    }
+
+    /** Does something with the compiler. */
+    <T> T with(CompilerMessages messages, Function<SourceFiles, List<JavaFileObject>> sources, Work<T> work) {
+        JavaCompiler compiler = CompilerOfThisJava.get();
+        StandardJavaFileManager disk =
+                KEPT.getAndSet(Optional.empty()).orElseGet(() -> compiler.getStandardFileManager(null, null, null));
+        try {
+            disk.setLocationFromPaths(StandardLocation.SOURCE_PATH, sourcePath);
+            disk.setLocationFromPaths(
+                    StandardLocation.CLASS_PATH,
+                    new ClassPath(classPath)
+                            .with(ClassPath.ofThisProgram().places())
+                            .places());
+            SourceFiles files = new SourceFiles(disk);
+            CompiledClasses classes = new CompiledClasses(files);
+            StringWriter said = new StringWriter();
+            JavacTask task = (JavacTask) compiler.getTask(said, classes, messages, OPTIONS, null, sources.apply(files));
+            T done = work.of(task, classes);
+            if (said.toString().contains(StackOverflowError.class.getName())) {
+                throw overtaxed();
+            }
+            System.err.print(said);
+            return done;
+        } catch (StackOverflowError tooDeep) {
+            throw overtaxed();
+        } catch (IllegalStateException failed) {
+            throw failed.getCause() instanceof StackOverflowError ? overtaxed() : failed;
+        } catch (IOException impossible) {
+            throw new UncheckedIOException(impossible);
+        } finally {
+            KEPT.getAndSet(Optional.of(disk)).ifPresent(JavaCompilation::close);
+        }
+    }
+
+    private CompilationFailedException overtaxed() {
+        return new CompilationFailedException("The compiler cannot read " + name
+                + ", since an expression or a block in it is nested too deeply. Split it into several shorter ones.");
+    }
+
+    /** Two have compiled at the same time, and one of them has kept its files already. */
+    private static void close(StandardJavaFileManager other) {
+        try {
+            other.close();
+        } catch (IOException failed) {
+            throw new UncheckedIOException(failed);
+        }
+    }
+
+    /**
+     * Compiles the files and prints what the compiler says.
+     *
+     * @throws CompilationFailedException if they have mistakes
+     */
+    CompiledClasses compile(Function<SourceFiles, List<JavaFileObject>> sources) {
+        CompilerMessages messages = new CompilerMessages();
+        Optional<CompiledClasses> classes =
+                with(messages, sources, (task, made) -> task.call() ? Optional.of(made) : Optional.empty());
+        messages.print(System.err);
+        return classes.orElseThrow(() -> new CompilationFailedException(
+                "The Java file has mistakes. Correct the line of the first error above and start again."));
+    }
+}

@@ -1,0 +1,155 @@
+package org.robonewbie.programs;
+
+import java.lang.reflect.Constructor;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
+import java.lang.reflect.Modifier;
+import java.net.ConnectException;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.robonewbie.agent.log.Failure;
+import org.robonewbie.agent.log.StudentCode;
+import org.robonewbie.agent.running.RobotsOfProcess;
+
+/**
+ * A program: a class with {@code public static void main(String[] args)}, or from Java 25 on with a {@code main} that is neither public
+ * nor static, with or without parameter (JEP 512).
+ */
+public final class Program {
+
+    /** The first Java with the short forms. */
+    static final int JAVA_OF_SHORT_FORMS = 25;
+
+    private final Class<?> type;
+    private final Method main;
+
+    private Program(Class<?> type, Method main) {
+        this.type = type;
+        this.main = main;
+    }
+
+    /**
+     * Takes a class as a program.
+     *
+     * @param type a class
+     * @return the program; empty if the class has no main method of its own with which this Java begins
+     */
+    public static Optional<Program> of(Class<?> type) {
+        return of(type, Runtime.version().feature());
+    }
+
+    /** Takes a class as a program of a version of Java. */
+    static Optional<Program> of(Class<?> type, int javaVersion) {
+        Optional<Method> withArguments = declared(type, String[].class);
+        Optional<Method> main = javaVersion >= JAVA_OF_SHORT_FORMS
+                ? withArguments.or(() -> declared(type))
+                : withArguments.filter(Program::isClassic);
+        return main.map(method -> new Program(type, method));
+    }
+
+    /**
+     * Takes a class as a program that may have inherited its main method.
+     *
+     * @param type a class
+     * @return the program
+     * @throws CalledWronglyException if it has no main method
+     */
+    public static Program ofAny(Class<?> type) {
+        return of(type).or(() -> Stream.of(type.getMethods())
+                        .filter(method -> method.getName().equals("main") && isClassic(method))
+                        .findFirst()
+                        .map(method -> new Program(type, method)))
+                .orElseThrow(() -> ProgramFinder.withoutMain(type));
+    }
+
+    /** Whether a class without a main method for this Java has one with which a newer Java begins. */
+    static boolean isShort(Class<?> type) {
+        return of(type, JAVA_OF_SHORT_FORMS).isPresent();
+    }
+
+    private static boolean isClassic(Method main) {
+        return Modifier.isPublic(main.getModifiers())
+                && Modifier.isStatic(main.getModifiers())
+                && Arrays.equals(main.getParameterTypes(), new Class<?>[] {String[].class});
+    }
+
+    private static Optional<Method> declared(Class<?> type, Class<?>... parameters) {
+        return Stream.of(type.getDeclaredMethods())
+                .filter(method -> method.getName().equals("main") && method.getReturnType() == void.class)
+                .filter(method -> Arrays.equals(method.getParameterTypes(), parameters))
+                .filter(method -> !Modifier.isPrivate(method.getModifiers()))
+                .filter(method -> Modifier.isStatic(method.getModifiers()) || hasConstructor(type))
+                .findFirst();
+    }
+
+    private static boolean hasConstructor(Class<?> type) {
+        return !Modifier.isAbstract(type.getModifiers())
+                && Stream.of(type.getDeclaredConstructors())
+                        .anyMatch(each -> each.getParameterCount() == 0 && !Modifier.isPrivate(each.getModifiers()));
+    }
+
+    /** {@return the name of the class} */
+    String className() {
+        return type.getName();
+    }
+
+    /**
+     * Runs the program in this thread; what ends it is reported with its own lines only.
+     *
+     * @param options the arguments of its {@code main}
+     * @return the exit code: 0, or 1 after an exception, or if a robot could not do what the program asked it for
+     */
+    public int run(List<String> options) {
+        Thread.currentThread().setContextClassLoader(type.getClassLoader());
+        int failuresBefore = RobotsOfProcess.failures();
+        try {
+            call(options.toArray(String[]::new));
+            return RobotsOfProcess.failures() > failuresBefore ? 1 : 0;
+        } catch (InvocationTargetException thrown) {
+            report(Objects.requireNonNull(thrown.getCause()));
+            return 1;
+        } catch (LinkageError unprepared) {
+            report(unprepared);
+            return 1;
+        } catch (ReflectiveOperationException impossible) {
+            throw new IllegalStateException(className() + ".main cannot be called", impossible);
+        }
+    }
+
+    void call(String... arguments) throws ReflectiveOperationException {
+        main.setAccessible(true);
+        Object[] parameters = main.getParameterCount() == 0 ? new Object[0] : new Object[] {arguments};
+        main.invoke(Modifier.isStatic(main.getModifiers()) ? null : instance(), parameters);
+    }
+
+    private Object instance() throws ReflectiveOperationException {
+        Constructor<?> constructor = type.getDeclaredConstructor();
+        constructor.setAccessible(true);
+        return constructor.newInstance();
+    }
+
+    private void report(Throwable thrown) {
+        Throwable mistake = Failure.rootOf(thrown);
+        List<StackTraceElement> own = StudentCode.lines(mistake.getStackTrace());
+        String place = own.isEmpty() ? "" : " (" + Failure.place(mistake) + ")";
+        System.err.println(className()
+                + (mistake instanceof OutOfMemoryError ? " " + Failure.MEMORY : " ended with " + mistake)
+                + place);
+        if (own.isEmpty()) {
+            print(List.of(mistake.getStackTrace()));
+        } else if (mistake instanceof Exception && own.size() > 1) {
+            print(own);
+        }
+        if (thrown instanceof ConnectException || thrown.getCause() instanceof ConnectException) {
+            System.err.println(
+                    "No server answers there. If the program needs a simulator, start one first: robonewbie simulator");
+        }
+    }
+
+    private static void print(List<StackTraceElement> calls) {
+        calls.forEach(call -> System.err.println("    at " + call));
+    }
+}

@@ -1,0 +1,13 @@
+package org.robonewbie.programs;
+
+/**
+ * A compiler diagnostic.
+ *
+ * @param from index of the first marked character
+ * @param to index after the last marked character
+ * @param line line number from 1; 0 if it has no position in this file
+ * @param serious whether it prevents the program from running
+ * @param text the compiler's message
+ * @param hint advice for beginners; may be empty
+ */
+public record Remark(int from, int to, int line, boolean serious, String text, String hint) {}

@@ -1,0 +1,55 @@
+package org.robonewbie.programs;
+
+import java.io.IOException;
+import java.net.URI;
+import java.net.URISyntaxException;
+import java.net.URL;
+import java.nio.file.FileSystem;
+import java.nio.file.FileSystems;
+import java.nio.file.Path;
+import java.util.Map;
+
+/** Reads folders of the class path, on the disk and in jars alike. */
+public final class ResourceFolder {
+
+    private ResourceFolder() {}
+
+    /** Reads the files of a folder. */
+    public interface Reader {
+
+        /**
+         * Reads the files.
+         *
+         * @param folder the folder, which can be read until this call ends
+         * @throws IOException if a file cannot be read
+         */
+        void read(Path folder) throws IOException;
+    }
+
+    /**
+     * Opens a folder for as long as it is read.
+     *
+     * @param place where the class loader has found it
+     * @param name its name on the class path, with slashes
+     * @param reader reads it
+     * @throws IOException if it cannot be read
+     */
+    public static void read(URL place, String name, Reader reader) throws IOException {
+        URI address = addressOf(place);
+        if (address.getScheme().equals("jar")) {
+            try (FileSystem jar = FileSystems.newFileSystem(address, Map.of())) {
+                reader.read(jar.getPath(name));
+            }
+        } else {
+            reader.read(Path.of(address));
+        }
+    }
+
+    private static URI addressOf(URL place) {
+        try {
+            return place.toURI();
+        } catch (URISyntaxException impossible) {
+            throw new IllegalStateException("The class path cannot be read", impossible);
+        }
+    }
+}

@@ -1,0 +1,94 @@
+package org.robonewbie.programs;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import javax.tools.FileObject;
+import javax.tools.ForwardingJavaFileManager;
+import javax.tools.ForwardingJavaFileObject;
+import javax.tools.JavaFileManager;
+import javax.tools.JavaFileObject;
+import javax.tools.StandardJavaFileManager;
+import org.robonewbie.nao.file.TextFile;
+
+/**
+ * Gives a compiler the Java files of a folder as {@link TextFile} reads them, whatever the encoding of the system: those that it
+ * compiles and those that it finds on its source path.
+ */
+public final class SourceFiles extends ForwardingJavaFileManager<StandardJavaFileManager> {
+
+    /**
+     * Creates a view of the files.
+     *
+     * @param disk the compiler's own access to files
+     */
+    public SourceFiles(StandardJavaFileManager disk) {
+        super(disk);
+    }
+
+    /**
+     * Returns files for the compiler.
+     *
+     * @param files Java files
+     * @return the same for a compiler
+     */
+    public List<JavaFileObject> of(List<Path> files) {
+        return decoded(fileManager.getJavaFileObjectsFromPaths(files));
+    }
+
+    @Override
+    public Iterable<JavaFileObject> list(
+            Location location, String packageName, Set<JavaFileObject.Kind> kinds, boolean recurse) throws IOException {
+        Iterable<JavaFileObject> files = super.list(location, packageName, kinds, recurse);
+        return kinds.contains(JavaFileObject.Kind.SOURCE) ? decoded(files) : files;
+    }
+
+    @Override
+    public String inferBinaryName(Location location, JavaFileObject file) {
+        return super.inferBinaryName(location, file instanceof Decoded decoded ? decoded.onDisk() : file);
+    }
+
+    @Override
+    public boolean isSameFile(FileObject file, FileObject other) {
+        return super.isSameFile(onDisk(file), onDisk(other));
+    }
+
+    @Override
+    public boolean contains(JavaFileManager.Location location, FileObject file) throws IOException {
+        return super.contains(location, onDisk(file));
+    }
+
+    private static FileObject onDisk(FileObject file) {
+        return file instanceof Decoded decoded ? decoded.onDisk() : file;
+    }
+
+    private List<JavaFileObject> decoded(Iterable<? extends JavaFileObject> files) {
+        List<JavaFileObject> decoded = new ArrayList<>();
+        for (JavaFileObject file : files) {
+            decoded.add(
+                    file.getKind() == JavaFileObject.Kind.SOURCE ? new Decoded(file, fileManager.asPath(file)) : file);
+        }
+        return decoded;
+    }
+
+    private static final class Decoded extends ForwardingJavaFileObject<JavaFileObject> {
+
+        private final Path path;
+
+        Decoded(JavaFileObject file, Path path) {
+            super(file);
+            this.path = path;
+        }
+
+        JavaFileObject onDisk() {
+            return fileObject;
+        }
+
+        @Override
+        public CharSequence getCharContent(boolean ignoreEncodingErrors) throws IOException {
+            return TextFile.readAndNote(path).content();
+        }
+    }
+}

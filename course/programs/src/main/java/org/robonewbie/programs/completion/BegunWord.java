@@ -1,0 +1,32 @@
+package org.robonewbie.programs.completion;
+
+/**
+ * Partly typed identifier at the cursor.
+ *
+ * @param text the program with {@link #STAND_IN} in place of the identifier
+ * @param begun the part before the cursor
+ */
+public record BegunWord(String text, String begun) {
+
+    /** Placeholder by which the cursor is found in the syntax tree. */
+    static final String STAND_IN = "__here__";
+
+    /**
+     * Finds the identifier at a position.
+     *
+     * @param text a program
+     * @param at index of the cursor
+     * @return the identifier, which may be empty
+     */
+    public static BegunWord at(String text, int at) {
+        int start = at;
+        while (start > 0 && Character.isJavaIdentifierPart(text.charAt(start - 1))) {
+            start--;
+        }
+        int end = at;
+        while (end < text.length() && Character.isJavaIdentifierPart(text.charAt(end))) {
+            end++;
+        }
+        return new BegunWord(text.substring(0, start) + STAND_IN + text.substring(end), text.substring(start, at));
+    }
+}

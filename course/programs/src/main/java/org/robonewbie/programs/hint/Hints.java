@@ -1,0 +1,186 @@
+package org.robonewbie.programs.hint;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.robonewbie.nao.text.Spelling;
+
+/**
+ * Advice for compiler diagnostics: the missing import, the framework's name that was probably meant, or general advice for errors of
+ * this kind.
+ */
+public final class Hints {
+
+    /** Matches for example {@code location: class org.robonewbie.nao.motion.Posture}. */
+    private static final Pattern OWNER =
+            Pattern.compile("symbol: +method[^\\n]*\\n.*\\b(?:class|interface|of type) (?:\\w+\\.)*(\\w+)");
+
+    /** The compiler takes an unknown class for a package if more than one name follows. */
+    private static final Pattern TAKEN_FOR_PACKAGE = Pattern.compile("package ([A-Z]\\w*) does not exist");
+
+    /** The argument of an import: a package with a class or an asterisk. */
+    private static final Pattern IMPORTED = Pattern.compile("((?:[a-z_]\\w*\\.)+)([A-Z]\\w*|\\*)");
+
+    private static final Pattern UNKNOWN_PACKAGE = Pattern.compile("package ([a-z_]\\w*(?:\\.\\w+)*) does not exist");
+    private static final Pattern IN_PACKAGE = Pattern.compile("location: +package ");
+
+    private final FrameworkNames names;
+
+    /**
+     * Creates advice.
+     *
+     * @param names candidates for misspelt names
+     */
+    public Hints(FrameworkNames names) {
+        this.names = names;
+    }
+
+    /**
+     * A compiler diagnostic.
+     *
+     * @param code the compiler's code of the error
+     * @param place the underlined text
+     * @param text the English message
+     */
+    public record Remark(String code, String place, String text) {
+
+        private boolean isUnknownName() {
+            return code.contains("cant.resolve")
+                    || code.contains("enum.label")
+                    || TAKEN_FOR_PACKAGE.matcher(text).find();
+        }
+
+        /** Returns whether it concerns a qualified name, as in an import. */
+        private boolean isAboutImport() {
+            Matcher unknown = UNKNOWN_PACKAGE.matcher(text);
+            boolean noPackage = unknown.find();
+            return (IMPORTED.matcher(imported()).matches()
+                            && (noPackage || IN_PACKAGE.matcher(text).find()))
+                    || (noPackage && unknown.group(1).contains(".") && isWholePackage());
+        }
+
+        /** In an import on demand, no part of the package is underlined. */
+        private boolean isWholePackage() {
+            return !place.contains(".");
+        }
+
+        /** The underlined text without surrounding blanks. */
+        private String imported() {
+            return place.strip();
+        }
+
+        /** The compiler also takes an unknown variable for a package. */
+        private boolean isUnknownVariable() {
+            return UNKNOWN_PACKAGE.matcher(text).find() && !isAboutImport();
+        }
+
+        private String lastName() {
+            Matcher taken = TAKEN_FOR_PACKAGE.matcher(text);
+            if (taken.find()) {
+                return taken.group(1);
+            }
+            String name = place.substring(place.lastIndexOf('.') + 1).strip();
+            return name.matches("\\w+") ? name : "";
+        }
+    }
+
+    /**
+     * Returns advice for a diagnostic.
+     *
+     * @param remark the diagnostic
+     * @return a sentence or two; may be empty
+     */
+    public String of(Remark remark) {
+        return meantImport(remark)
+                .or(() -> missingImport(remark).map(line -> "Add at the top of the file: " + line))
+                .or(() -> meant(remark))
+                .or(() -> offers(remark))
+                .orElseGet(() ->
+                        BeginnersHints.of(remark.isUnknownVariable() ? "cant.resolve" : remark.code(), remark.place()));
+    }
+
+    /**
+     * Returns the missing import line.
+     *
+     * @param remark the diagnostic
+     * @return the line; empty if no import is missing
+     */
+    public Optional<String> missingImport(Remark remark) {
+        return remark.isUnknownName() && !remark.isAboutImport() ? names.importOf(remark.lastName()) : Optional.empty();
+    }
+
+    /**
+     * Removes follow-up errors of missing or misspelt imports: the compiler reports every later use of such a name as well.
+     *
+     * @param all all diagnostics in the compiler's order
+     * @param remark converts an element to a diagnostic
+     * @param <R> the type of the elements
+     * @return those about imports, without duplicates; all of them if none is about imports
+     */
+    public <R> List<R> withoutFollowUps(List<R> all, Function<? super R, Remark> remark) {
+        List<R> aboutImports = new ArrayList<>();
+        Set<String> named = new HashSet<>();
+        for (R each : all) {
+            Remark said = remark.apply(each);
+            if (said.isAboutImport()) {
+                named.add(said.lastName());
+                aboutImports.add(each);
+            }
+        }
+        for (R each : all) {
+            Remark said = remark.apply(each);
+            if (missingImport(said).isPresent() && named.add(said.lastName())) {
+                aboutImports.add(each);
+            }
+        }
+        return aboutImports.isEmpty() ? all : aboutImports;
+    }
+
+    /** Corrects a misspelt import: to the package of the class, or to one with a similar name. */
+    private Optional<String> meantImport(Remark remark) {
+        if (!remark.isAboutImport()) {
+            return Optional.empty();
+        }
+        String written = remark.imported();
+        Matcher unknown = UNKNOWN_PACKAGE.matcher(remark.text());
+        Optional<String> meant = Optional.ofNullable(names.types().get(remark.lastName()));
+        if (meant.isEmpty() && unknown.find()) {
+            String home = unknown.group(1);
+            meant = Spelling.nearest(home, FrameworkNames.PACKAGES)
+                    .map(near -> near + (remark.isWholePackage() ? ".*" : written.substring(home.length())));
+        }
+        return meant.map(name -> "Did you mean " + name + "?");
+    }
+
+    private Optional<String> meant(Remark remark) {
+        String written = remark.lastName();
+        if (written.isEmpty() || !remark.isUnknownName()) {
+            return Optional.empty();
+        }
+        boolean constant = written.equals(written.toUpperCase(Locale.ROOT));
+        boolean type = Character.isUpperCase(written.charAt(0)) && !constant;
+        return Optional.of(Spelling.question(
+                        written,
+                        constant ? names.constants() : type ? names.types().keySet() : names.methodsOf(owner(remark))))
+                .map(String::strip)
+                .filter(question -> !question.isEmpty());
+    }
+
+    /** Lists the methods of the class if no name is similar. */
+    private Optional<String> offers(Remark remark) {
+        Optional<String> owner = remark.isUnknownName() ? owner(remark) : Optional.empty();
+        return owner.map(type -> type + " has the methods " + String.join(", ", names.methodsOf(owner)) + ".");
+    }
+
+    /** The framework class in which the compiler has looked for a method. */
+    private Optional<String> owner(Remark remark) {
+        Matcher place = OWNER.matcher(remark.text());
+        return place.find() ? Optional.of(place.group(1)).filter(names.types()::containsKey) : Optional.empty();
+    }
+}

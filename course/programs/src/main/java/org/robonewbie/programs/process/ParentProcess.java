@@ -1,0 +1,77 @@
+package org.robonewbie.programs.process;
+
+import java.io.BufferedReader;
+import java.io.ByteArrayInputStream;
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+
+/**
+ * The process that has started this one, see {@link ChildProcess}: its calls come as lines of the input, which the program does not
+ * see. Answers go back between what the program prints. When the parent ends, so does this process with all that it has started.
+ */
+public final class ParentProcess {
+
+    private final BlockingQueue<String> calls = new LinkedBlockingQueue<>();
+    private final OutputStream answers = new FileOutputStream(FileDescriptor.out);
+
+    private ParentProcess() {}
+
+    /**
+     * Takes the input of this process.
+     *
+     * @return the parent
+     */
+    public static ParentProcess take() {
+        ParentProcess parent = new ParentProcess();
+        BufferedReader input = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
+        System.setIn(new ByteArrayInputStream(new byte[0]));
+        Thread thread = new Thread(() -> parent.listen(input), "calls");
+        thread.setDaemon(true);
+        thread.start();
+        return parent;
+    }
+
+    private void listen(BufferedReader input) {
+        try {
+            for (String line = input.readLine(); line != null; line = input.readLine()) {
+                calls.add(line);
+            }
+        } catch (IOException gone) {
+            // as if it were the end
+        }
+        ProcessHandle.current().descendants().forEach(ProcessHandle::destroyForcibly);
+        Runtime.getRuntime().halt(1);
+    }
+
+    /**
+     * Waits for the next call.
+     *
+     * @return the call
+     * @throws InterruptedException if this thread is interrupted
+     */
+    public String nextCall() throws InterruptedException {
+        return calls.take();
+    }
+
+    /**
+     * Sends an answer.
+     *
+     * @param text one line, not empty
+     */
+    public void answer(String text) {
+        String line = ProgramOutput.ANSWER + text.replace('\n', ' ') + "\n";
+        try {
+            synchronized (answers) {
+                answers.write(line.getBytes(StandardCharsets.UTF_8));
+            }
+        } catch (IOException gone) {
+            Runtime.getRuntime().halt(1);
+        }
+    }
+}

@@ -1,0 +1,308 @@
+package org.robonewbie.programs.process;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.SocketAddress;
+import java.net.UnixDomainSocketAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+import org.robonewbie.nao.TeamSide;
+import org.robonewbie.nao.file.TemporaryFolder;
+import org.robonewbie.nao.file.TextFile;
+import org.robonewbie.programs.ClassPath;
+import org.robonewbie.programs.JavaSource;
+import org.robonewbie.programs.process.Departure.Cause;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.trial.Controller;
+import org.robonewbie.trial.SensorReadings;
+
+/**
+ * A student's program in a process of its own, which brings a robot whenever a trial in this process asks for one. All that it can say
+ * to its judge is what its robots do and why they have gone.
+ *
+ * <pre>{@code
+ * try (RobotProcess program = RobotProcess.start(request, sandbox, System.out::println);
+ *         RobotProcess.Entrance entrance = program.entrance()) {
+ *     Trial trial = Trial.served(scene, 1, entrance.get());
+ * }
+ * }</pre>
+ */
+public final class RobotProcess implements AutoCloseable {
+
+    /** Stands before each line that the student's program prints, so that none can be taken for a verdict. */
+    public static final String MARK = "  program| ";
+
+    private static final double SECONDS_TO_LEAVE = 3;
+    private static final double SECONDS_TO_END = 0.5;
+
+    private final ChildProcess process;
+    private final Optional<TemporaryFolder> sockets;
+    private final Map<Integer, CompletableFuture<Departure>> robots;
+    private final State state;
+    private final AtomicInteger calls = new AtomicInteger();
+
+    private RobotProcess(
+            ChildProcess process,
+            Optional<TemporaryFolder> sockets,
+            Map<Integer, CompletableFuture<Departure>> robots,
+            State state) {
+        this.process = process;
+        this.sockets = sockets;
+        this.robots = robots;
+        this.state = state;
+    }
+
+    /** What the process has said of itself. */
+    private static final class State {
+        private volatile boolean ready;
+        private volatile Optional<Departure> slowness = Optional.empty();
+    }
+
+    /**
+     * A program to be started.
+     *
+     * @param program name of an example, a class or a Java file
+     * @param classPath folders and jars with the student's classes
+     * @param folder working directory of the program, where its motions are; in a sandbox it cannot change what is there
+     * @param isAlone whether only this program works there
+     */
+    public record Request(String program, List<Path> classPath, Path folder, boolean isAlone) {
+
+        /** Makes all places absolute. */
+        public Request {
+            classPath = new ClassPath(classPath).places();
+            folder = folder.toAbsolutePath().normalize();
+        }
+
+        private SandboxPolicy policy(Path sockets) throws IOException {
+            List<Path> readable = new ArrayList<>(
+                    JavaCommand.readable(ClassPath.ofThisProgram().with(classPath)));
+            if (program.endsWith(".java")) {
+                Path file = folder.resolve(program);
+                readable.add(JavaSource.of(file, TextFile.read(file).content()).rootFolder());
+            }
+            return new SandboxPolicy(
+                    readable, hiddenAtHome(), Optional.of(folder), Optional.of(sockets), Optional.empty());
+        }
+
+        /** A program that lies in the home folder itself sees keys and settings of its owner no more than another one. */
+        private static List<Path> hiddenAtHome() {
+            try (Stream<Path> entries = Files.list(Path.of(System.getProperty("user.home", "/")))) {
+                return entries.filter(
+                                entry -> String.valueOf(entry.getFileName()).startsWith("."))
+                        .toList();
+            } catch (IOException none) {
+                return List.of();
+            }
+        }
+    }
+
+    /**
+     * Starts a program.
+     *
+     * @param request what is started
+     * @param sandbox where it runs, if there is a sandbox
+     * @param lines receives each line that the process prints, those of the program with a {@link #MARK}
+     * @return the running process
+     * @throws IOException if it cannot be started
+     */
+    public static RobotProcess start(Request request, Sandbox sandbox, Consumer<String> lines) throws IOException {
+        List<String> command = JavaCommand.of(
+                JavaCommand.withMemory(JavaCommand.MEGABYTES),
+                ClassPath.ofThisProgram(),
+                ProgramMain.class.getName(),
+                List.of(ProgramMain.ROBOTS, request.program(), new ClassPath(request.classPath()).text()));
+        Optional<TemporaryFolder> sockets =
+                sandbox.isUp() ? Optional.of(TemporaryFolder.create("doors")) : Optional.empty();
+        State state = new State();
+        Map<Integer, CompletableFuture<Departure>> robots = new ConcurrentHashMap<>();
+        ProgramOutput output = ProgramOutput.of(
+                line -> lines.accept((state.ready ? MARK : "") + line), answer -> hear(answer, state, robots));
+        ChildProcess process = ChildProcess.start(
+                sockets.isPresent()
+                        ? sandbox.enclose(command, request.policy(sockets.get().path()))
+                        : command,
+                request.folder(),
+                request.isAlone(),
+                output,
+                Limits.UNTIMED);
+        return new RobotProcess(process, sockets, robots, state);
+    }
+
+    /** What a program writes in place of an answer concerns its own robots only. */
+    private static void hear(String answer, State state, Map<Integer, CompletableFuture<Departure>> robots) {
+        try {
+            if (answer.isEmpty()) {
+                robots.values().forEach(robot -> robot.cancel(false));
+            } else if (answer.equals(RobotHost.READY)) {
+                state.ready = true;
+            } else if (answer.startsWith(RobotHost.SLOW)) {
+                state.slowness = Optional.of(Departure.read(answer.substring(RobotHost.SLOW.length())));
+            } else {
+                int id = Integer.parseInt(answer.substring(0, answer.indexOf(' ')));
+                Departure why = Departure.read(answer.substring(answer.indexOf(' ') + 1));
+                Optional.ofNullable(robots.get(id)).ifPresent(robot -> robot.complete(why));
+            }
+        } catch (IllegalArgumentException | IndexOutOfBoundsException forged) {
+            // It says nothing.
+        }
+    }
+
+    /** {@return whether the program could be compiled and loaded} */
+    public boolean isReady() {
+        return state.ready;
+    }
+
+    /** {@return what makes the program slow, if anything does} */
+    public Optional<Departure> slowness() {
+        return state.slowness;
+    }
+
+    /** {@return the end of what the process has printed} */
+    public String output() {
+        return process.output().end();
+    }
+
+    /** {@return how the process has ended; 1 if it has not, or was ended by a limit} */
+    public int exitCode() {
+        process.awaitEnd(SECONDS_TO_END);
+        return process.exitCode().orElse(1);
+    }
+
+    private Departure ending() {
+        int code = exitCode();
+        return process.excess()
+                .map(limit -> new Departure(
+                        limit == ChildProcess.Excess.MEMORY ? Cause.MEMORY : Cause.EXCESS,
+                        String.valueOf(JavaCommand.MEGABYTES),
+                        ""))
+                .orElse(new Departure(Cause.EXIT, String.valueOf(code), ""));
+    }
+
+    /**
+     * Opens a way for the robots of one trial.
+     *
+     * @return the entrance
+     * @throws IOException if no port is free
+     */
+    public Entrance entrance() throws IOException {
+        String name = "door" + calls.incrementAndGet();
+        SocketAddress address = sockets.<SocketAddress>map(
+                        folder -> UnixDomainSocketAddress.of(folder.path().resolve(name)))
+                .orElse(new InetSocketAddress(InetAddress.getByAddress(new byte[] {127, 0, 0, 1}), 0));
+        return new Entrance(address, name);
+    }
+
+    /** The way for the robots of one trial; programs that are tried at the same time do not come through it. */
+    public final class Entrance implements Supplier<Controller>, AutoCloseable {
+
+        private final GuestDoor door;
+        private final String name;
+        private final List<CompletableFuture<Departure>> own = new ArrayList<>();
+
+        private Entrance(SocketAddress address, String name) throws IOException {
+            this.name = name;
+            this.door = GuestDoor.open(address, 0, this::isWelcome);
+        }
+
+        private boolean isWelcome(InetSocketAddress guest) {
+            return !ProcessTree.knowsConnections() || process.holds(guest.getPort(), door.port());
+        }
+
+        /** {@return a robot, which is called when it is known who it is} */
+        @Override
+        public Controller get() {
+            return new CalledRobot(this);
+        }
+
+        private Controller call(String team, int number, TeamSide side) {
+            int id = calls.incrementAndGet();
+            CompletableFuture<Departure> departure = new CompletableFuture<>();
+            robots.put(id, departure);
+            own.add(departure);
+            String address = sockets.isPresent() ? name : String.valueOf(door.port());
+            if (!process.call(new RobotHost.Call(id, address, team, number, side).line())) {
+                departure.cancel(false);
+            }
+            return door.await(() -> !departure.isDone() && process.isRunning());
+        }
+
+        /**
+         * Returns why the robots of a trial that is over have gone, as they say themselves; or that the process has ended.
+         *
+         * @return the reason; empty if there is none but the end of the trial, or if the program could not even begin
+         */
+        public Optional<Departure> departure() {
+            return (state.ready ? own : List.<CompletableFuture<Departure>>of())
+                    .stream()
+                            .flatMap(robot -> departure(robot).stream())
+                            .filter(why -> why.cause() != Cause.NONE)
+                            .findFirst();
+        }
+
+        private Optional<Departure> departure(CompletableFuture<Departure> robot) {
+            try {
+                return Optional.of(robot.get((long) (SECONDS_TO_LEAVE * 1000), TimeUnit.MILLISECONDS));
+            } catch (InterruptedException stopped) {
+                Thread.currentThread().interrupt();
+                return Optional.empty();
+            } catch (ExecutionException | TimeoutException | CancellationException silent) {
+                return process.isRunning() && !process.awaitEnd(SECONDS_TO_END)
+                        ? Optional.empty()
+                        : Optional.of(ending());
+            }
+        }
+
+        @Override
+        public void close() {
+            door.close();
+        }
+    }
+
+    private static final class CalledRobot implements Controller {
+
+        private final Entrance entrance;
+        private Optional<Controller> guest = Optional.empty();
+
+        CalledRobot(Entrance entrance) {
+            this.entrance = entrance;
+        }
+
+        @Override
+        public void introduce(String team, int number, TeamSide side) {
+            guest = Optional.of(entrance.call(team, number, side));
+        }
+
+        @Override
+        public List<EffectorCommand> respond(SensorReadings readings) {
+            return guest.orElseThrow().respond(readings);
+        }
+
+        @Override
+        public void close() {
+            guest.ifPresent(Controller::close);
+        }
+    }
+
+    /** Ends the program with all that it has started. */
+    @Override
+    public void close() {
+        process.close();
+        sockets.ifPresent(TemporaryFolder::close);
+    }
+}

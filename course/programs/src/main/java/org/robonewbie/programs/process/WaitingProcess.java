@@ -1,0 +1,76 @@
+package org.robonewbie.programs.process;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.robonewbie.programs.ClassPath;
+
+/** Keeps one process ready that has loaded the framework, so that a program starts without waiting for Java. */
+public final class WaitingProcess implements AutoCloseable {
+
+    static final String SEPARATOR = "\t";
+
+    private final Path folder;
+    private Optional<ChildProcess> waiting = Optional.empty();
+
+    /**
+     * Prepares processes.
+     *
+     * @param folder their working directory
+     */
+    public WaitingProcess(Path folder) {
+        this.folder = folder;
+    }
+
+    /** Starts a process if none is waiting. */
+    public synchronized void prepare() {
+        if (waiting.filter(ChildProcess::isRunning).isEmpty()) {
+            waiting = Optional.of(start());
+        }
+    }
+
+    private ChildProcess start() {
+        List<String> options = new ArrayList<>(JavaCommand.withMemory(JavaCommand.MEGABYTES));
+        options.add(JavaCommand.QUICK_START);
+        try {
+            return ChildProcess.start(
+                    JavaCommand.of(
+                            options, ClassPath.ofThisProgram(), ProgramMain.class.getName(), List.of(ProgramMain.CALL)),
+                    folder,
+                    false,
+                    ProgramOutput.of(line -> {}, answer -> {}),
+                    Limits.NONE);
+        } catch (IOException unstartable) {
+            throw new UncheckedIOException("The program cannot be started: " + unstartable.getMessage(), unstartable);
+        }
+    }
+
+    /**
+     * Starts a program at once.
+     *
+     * @param className its class
+     * @param classes its compiled classes
+     * @param options arguments of its {@code main}
+     * @return its process
+     */
+    public synchronized ChildProcess start(String className, Path classes, List<String> options) {
+        prepare();
+        ChildProcess process = waiting.orElseThrow();
+        waiting = Optional.empty();
+        process.call(className
+                + SEPARATOR
+                + new ClassPath(List.of(classes, folder)).text()
+                + SEPARATOR
+                + String.join(SEPARATOR, options));
+        return process;
+    }
+
+    @Override
+    public synchronized void close() {
+        waiting.ifPresent(ChildProcess::close);
+        waiting = Optional.empty();
+    }
+}

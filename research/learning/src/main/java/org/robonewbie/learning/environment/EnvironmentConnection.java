@@ -1,0 +1,196 @@
+package org.robonewbie.learning.environment;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.robonewbie.agent.policy.MotionGuide;
+import org.robonewbie.agent.policy.Policy;
+import org.robonewbie.agent.policy.Quantity;
+import org.robonewbie.simulator.embedded.Viewer;
+
+/** Serves one learning program: creates its environments and steps them; see docs/gym-protocol.md. */
+final class EnvironmentConnection {
+
+    private static final int MAX_MESSAGE_BYTES = 64 << 20;
+    private static final int MAX_ENVIRONMENTS = 1024;
+    private static final byte MAKE = 'M';
+    private static final byte ACT = 'A';
+    private static final byte CHANGE = 'C';
+    private static final byte PICTURE = 'P';
+    private static final byte VIEW = 'V';
+    private static final byte OK = 0;
+    private static final byte ERROR = 1;
+
+    private final DataInputStream input;
+    private final DataOutputStream output;
+    private final ClassLoader classes;
+    private final Viewer viewer;
+    private VectorEnvironment environments = VectorEnvironment.NONE;
+    private final List<EnvironmentRenderer> renderers = new ArrayList<>();
+
+    EnvironmentConnection(DataInputStream input, DataOutputStream output, ClassLoader classes, Viewer viewer) {
+        this.input = input;
+        this.output = output;
+        this.classes = classes;
+        this.viewer = viewer;
+    }
+
+    /** Answers requests until the connection ends. */
+    void serve() throws IOException {
+        try {
+            while (true) {
+                answer(readMessage());
+            }
+        } catch (EOFException left) {
+            // The program has ended.
+        } finally {
+            end();
+        }
+    }
+
+    private void end() {
+        renderers.forEach(EnvironmentRenderer::close);
+        renderers.clear();
+        environments.close();
+    }
+
+    private ByteBuffer readMessage() throws IOException {
+        int length = Integer.reverseBytes(input.readInt());
+        if (length < 1 || length > MAX_MESSAGE_BYTES) {
+            throw new IOException("A learning program sent a message of " + length
+                    + " bytes. Do both sides have the same version of RoboNewbie?");
+        }
+        byte[] bytes = new byte[length];
+        input.readFully(bytes);
+        return ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+    }
+
+    private void answer(ByteBuffer request) throws IOException {
+        try {
+            byte kind = request.get();
+            switch (kind) {
+                case MAKE -> reply(OK, make(request));
+                case ACT -> reply(OK, environments.act(request));
+                case CHANGE -> reply(OK, change(request));
+                case PICTURE -> reply(OK, picture(request));
+                case VIEW -> reply(OK, view(request));
+                default -> throw new IllegalArgumentException("There is no request of kind " + kind + ".");
+            }
+        } catch (IllegalArgumentException | java.nio.BufferUnderflowException wrong) {
+            reply(ERROR, String.valueOf(wrong.getMessage()).getBytes(StandardCharsets.UTF_8));
+        }
+    }
+
+    private void reply(byte status, byte[] content) throws IOException {
+        ByteBuffer frame = ByteBuffer.allocate(5 + content.length).order(ByteOrder.LITTLE_ENDIAN);
+        frame.putInt(1 + content.length).put(status).put(content);
+        output.write(frame.array());
+        output.flush();
+    }
+
+    private byte[] make(ByteBuffer request) {
+        int count = request.getInt();
+        if (count < 1 || count > MAX_ENVIRONMENTS) {
+            throw new IllegalArgumentException(
+                    count + " environments were asked for; there can be 1 to " + MAX_ENVIRONMENTS + ".");
+        }
+        List<String> lines = text(request).lines().toList();
+        EnvironmentSpec spec = new EnvironmentSpec(
+                lines.stream().findFirst().orElse(""), lines.stream().skip(1).toList());
+        Supplier<List<EpisodeRunner>> runners = spec.runners(classes);
+        DomainRandomization options = spec.randomization();
+        end();
+        environments = VectorEnvironment.of(count, () -> new TrainingEnvironment(runners, options));
+        return description(spec, environments.environment(0)).toString().getBytes(StandardCharsets.UTF_8);
+    }
+
+    private static String text(ByteBuffer request) {
+        return StandardCharsets.UTF_8.decode(request).toString();
+    }
+
+    private byte[] change(ByteBuffer request) {
+        List<String> options = text(request).lines().toList();
+        environments.setOptions(new EnvironmentSpec("", options).randomization());
+        return new byte[0];
+    }
+
+    private byte[] picture(ByteBuffer request) {
+        return EnvironmentPicture.of(environment(request).now()).toString().getBytes(StandardCharsets.UTF_8);
+    }
+
+    private byte[] view(ByteBuffer request) throws IOException {
+        TrainingEnvironment environment = environment(request);
+        Optional<EnvironmentRenderer> open = renderers.stream()
+                .filter(renderer -> renderer.shows(environment))
+                .findFirst();
+        EnvironmentRenderer renderer = open.isPresent() ? open.get() : new EnvironmentRenderer(environment, viewer);
+        if (open.isEmpty()) {
+            renderers.add(renderer);
+        }
+        return renderer.addresses().getBytes(StandardCharsets.UTF_8);
+    }
+
+    private TrainingEnvironment environment(ByteBuffer request) {
+        return environments.environment(request.getInt());
+    }
+
+    private static JsonObject description(EnvironmentSpec spec, TrainingEnvironment environment) {
+        JsonArray observation = new JsonArray();
+        for (ObservedQuantity quantity : environment.quantities()) {
+            JsonObject entry = new JsonObject();
+            entry.addProperty("name", quantity.name());
+            entry.addProperty("unit", quantity.unit());
+            entry.addProperty("least", quantity.least());
+            entry.addProperty("greatest", quantity.greatest());
+            observation.add(entry);
+        }
+        JsonArray action = new JsonArray();
+        environment.task().outputs().stream()
+                .map(Quantity::name)
+                .map(EnvironmentConnection::withoutKind)
+                .forEach(action::add);
+        JsonObject all = new JsonObject();
+        all.addProperty("task", spec.task());
+        all.addProperty("reward", spec.reward());
+        all.addProperty("longestCycles", environment.task().longestCycles());
+        all.addProperty("rangeDegrees", environment.task().rangeDegrees());
+        JsonArray motion = new JsonArray();
+        environment.task().motion().map(MotionGuide::numbers).orElse(List.of()).forEach(motion::add);
+        all.add("motion", motion);
+        all.add("walk", walk(environment.task()));
+        all.add("observation", observation);
+        all.add("action", action);
+        JsonArray truth = new JsonArray();
+        PrivilegedState.NAMES.forEach(truth::add);
+        all.add("truth", truth);
+        JsonArray robots = new JsonArray();
+        environment.names().forEach(robots::add);
+        all.add("robots", robots);
+        return all;
+    }
+
+    private static String withoutKind(String output) {
+        return output.substring(output.indexOf('.') + 1);
+    }
+
+    private static JsonObject walk(TrainingTask task) {
+        JsonObject walk = new JsonObject();
+        task.walk().map(Policy::numbers).orElse(Map.of()).forEach((name, numbers) -> {
+            JsonArray row = new JsonArray();
+            numbers.forEach(row::add);
+            walk.add(name, row);
+        });
+        return walk;
+    }
+}

@@ -1,0 +1,101 @@
+package org.robonewbie.learning.environment;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
+import java.util.stream.IntStream;
+import org.robonewbie.trial.Measure;
+import org.robonewbie.trial.measure.Catalogue;
+import org.robonewbie.trial.measure.Measures;
+
+/**
+ * What an environment is made of: a task, and options for it.
+ *
+ * @param task name of a task such as {@code Walk}, or of a class that extends {@link TrainingTask}
+ * @param options what is different in its episodes, each {@code NAME=VALUE}, see docs/gym-protocol.md
+ */
+public record EnvironmentSpec(String task, List<String> options) {
+
+    private static final String REWARD = "reward=";
+    private static final Catalogue<TrainingTask> TASKS = new Catalogue<>(
+            "task",
+            TrainingTask.class,
+            Map.ofEntries(
+                    Map.entry("Stand", StandTraining::new),
+                    Map.entry("Follow", FollowTraining::new),
+                    Map.entry("Run", RunTraining::new),
+                    Map.entry("EngineFollow", EngineFollowTraining::new),
+                    Map.entry("EngineRun", EngineRunTraining::new),
+                    Map.entry("WalkGait", GaitTraining::walking),
+                    Map.entry("JogGait", GaitTraining::jogging),
+                    Map.entry("RunGait", GaitTraining::running),
+                    Map.entry("GetUp", GetUpTraining::new),
+                    Map.entry("QuickGetUp", QuickGetUpTraining::new),
+                    Map.entry("Walk", WalkTraining::new),
+                    Map.entry("Kick", KickTraining::new),
+                    Map.entry("KickTo", KickToTraining::new),
+                    Map.entry("Reach", ReachTraining::new),
+                    Map.entry("Match1v1", () -> MatchTraining.of(1)),
+                    Map.entry("Match2v2", () -> MatchTraining.of(2)),
+                    Map.entry("Match11v11", () -> MatchTraining.of(11)),
+                    Map.entry("KeeperAgainstAttacker", MatchTraining::keeperAgainstAttacker)));
+
+    /** Copies the list. */
+    public EnvironmentSpec {
+        options = List.copyOf(options);
+    }
+
+    /** The name of the measure that is rewarded, such as {@code energy}; empty for the task's own value. */
+    String reward() {
+        return options.stream()
+                .filter(option -> option.startsWith(REWARD))
+                .reduce("", (before, option) -> option.substring(REWARD.length()));
+    }
+
+    /**
+     * Reads the options but the reward.
+     *
+     * @return the ranges from which episodes are drawn
+     * @throws IllegalArgumentException if there is no such option, or if its value is not possible
+     */
+    public DomainRandomization randomization() {
+        return options.stream()
+                .filter(option -> !option.startsWith(REWARD))
+                .map(option -> option.split("=", 2))
+                .reduce(
+                        DomainRandomization.NONE,
+                        (ranges, part) -> ranges.with(part[0], part[part.length - 1]),
+                        (a, b) -> b);
+    }
+
+    /**
+     * Creates an environment.
+     *
+     * @param classes where to look for classes
+     * @return the environment in its first episode
+     * @throws IllegalArgumentException if task, reward or an option does not exist; the message lists what there is
+     */
+    public TrainingEnvironment create(ClassLoader classes) {
+        return new TrainingEnvironment(runners(classes), randomization());
+    }
+
+    /** Looks up task and reward; the result creates each episode, for each robot that learns. */
+    Supplier<List<EpisodeRunner>> runners(ClassLoader classes) {
+        Supplier<TrainingTask> tasks = TASKS.named(task, classes);
+        Optional<Supplier<Measure>> rewards =
+                reward().isEmpty() ? Optional.empty() : Optional.of(Measures.named(reward(), classes));
+        if (rewards.isPresent() && tasks.get().learners() > 1) {
+            throw new IllegalArgumentException(
+                    "The reward " + reward() + " looks at one robot, but several learn in " + task + ". Leave it out.");
+        }
+        return () -> IntStream.range(0, tasks.get().learners())
+                .mapToObj(robot -> runner(tasks.get(), robot, rewards))
+                .toList();
+    }
+
+    private static EpisodeRunner runner(TrainingTask task, int robot, Optional<Supplier<Measure>> rewards) {
+        task.setRobot(robot);
+        return rewards.map(reward -> new EpisodeRunner(task, reward.get())).orElseGet(() -> new EpisodeRunner(task));
+    }
+}

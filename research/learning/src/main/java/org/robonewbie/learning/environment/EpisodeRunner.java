@@ -1,0 +1,175 @@
+package org.robonewbie.learning.environment;
+
+import java.util.ArrayDeque;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.Queue;
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
+import org.robonewbie.agent.policy.MotionGuide;
+import org.robonewbie.agent.walk.PolicyWalk;
+import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.motion.JointStates;
+import org.robonewbie.nao.motion.Motors;
+import org.robonewbie.nao.motion.Posture;
+import org.robonewbie.protocol.effector.EffectorCommand;
+import org.robonewbie.trial.Controller;
+import org.robonewbie.trial.Measure;
+import org.robonewbie.trial.SensorReadings;
+import org.robonewbie.trial.WorldState;
+
+/** One learning robot in one episode: carries out actions, observes, and collects rewards. */
+final class EpisodeRunner implements Controller {
+
+    private static final List<Joint> ALL_JOINTS = List.of(Joint.values());
+
+    /** Share by which ranges of observations are widened: joints overshoot their stops, and sensor noise comes on top. */
+    private static final double MARGIN = 0.1;
+
+    private final TrainingTask task;
+    private final Measure measure;
+    private final Controller motor = Controller.ofPolicy(this::speeds);
+    private final JointStates joints = new JointStates();
+    private final Motors motors = new Motors(joints);
+    private final Perception perception;
+    private SensorNoise noise = SensorNoise.NONE;
+    private double[] perceived = {};
+    private Posture firstPosture = Posture.ZERO;
+    private Optional<MotionGuide> guide = Optional.empty();
+    private Optional<WalkGuide> walk = Optional.empty();
+    private int cycles;
+    private final Queue<double[]> delayed = new ArrayDeque<>();
+    private double[] action = {};
+    private double value;
+    private double reward;
+
+    /** Rewards the growth of the task's own value. */
+    EpisodeRunner(TrainingTask task) {
+        this(task, task);
+    }
+
+    /** Rewards the growth of a measure, or its decrease if smaller values are better. */
+    EpisodeRunner(TrainingTask task, Measure measure) {
+        this.task = task;
+        this.measure = measure;
+        this.perception = new Perception(task.hasCamera());
+    }
+
+    TrainingTask task() {
+        return task;
+    }
+
+    /** Names, units and ranges of the observation. */
+    List<ObservedQuantity> quantities() {
+        if (task.walk().isPresent()) {
+            return WalkGuide.QUANTITIES;
+        }
+        Stream<ObservedQuantity> progress = task.motion().isPresent()
+                ? MotionGuide.PROGRESS.stream().map(one -> new ObservedQuantity(one.name(), one.unit(), -1, 1))
+                : Stream.empty();
+        return Stream.of(perception.quantities().stream(), progress, task.extraQuantities().stream())
+                .flatMap(all -> all)
+                .map(quantity -> quantity.widened(MARGIN))
+                .toList();
+    }
+
+    /** Takes the first posture, the reference of actions. */
+    void stand(WorldState moment) {
+        firstPosture = moment.robots().get(task.robot()).joints();
+        guide = task.motion().map(motion -> new MotionGuide(motion, firstPosture));
+        walk = task.walk().map(policy -> new WalkGuide(new PolicyWalk(policy).style(), motors, task.learnsGait()));
+    }
+
+    /** Begins the episode when the scene is complete. */
+    void begin(WorldState first, SensorReadings readings, DomainRandomization.Sample sample, long seed) {
+        noise = new SensorNoise(sample.noise(), seed + task.robot());
+        for (int i = 0; i < sample.delayCycles(); i++) {
+            delayed.add(new double[task.joints().size()]);
+        }
+        see(first, readings);
+        reward = 0;
+    }
+
+    /** Sets the action of the next cycle; numbers are clamped to [-1, 1]. */
+    void act(double... newAction) {
+        delayed.add(newAction);
+        action = delayed.remove();
+    }
+
+    /** Resets the reward before an action. */
+    void beginReward() {
+        reward = 0;
+    }
+
+    /** Adds the reward of a cycle, and observes. */
+    void see(WorldState moment, SensorReadings readings) {
+        double before = value;
+        task.see(moment);
+        if (measure != task) {
+            measure.see(moment);
+        }
+        value = measure.isLargerBetter() ? measure.value() : -measure.value();
+        reward += value - before;
+        perceived = noise.added(perception.observe(readings));
+        walk.ifPresent(one -> one.plan(task.velocity(), perceived));
+    }
+
+    /** The present observation, clamped to the ranges of the quantities. */
+    double[] observation(List<ObservedQuantity> quantities) {
+        double[] all = walk.map(WalkGuide::inputs)
+                .orElseGet(() -> Stream.of(perceived, motionProgress(), task.extras())
+                        .flatMapToDouble(DoubleStream::of)
+                        .toArray());
+        Arrays.setAll(all, i -> quantities.get(i).clamped(all[i]));
+        return all;
+    }
+
+    private double[] motionProgress() {
+        return guide.map(one -> one.progress(cycles)).orElse(new double[0]);
+    }
+
+    /** The reward of the last action. */
+    double reward() {
+        return reward;
+    }
+
+    /** Whether the task or the measure has ended the episode. */
+    boolean isTerminated() {
+        return task.isDecided() || measure.isDecided();
+    }
+
+    @Override
+    public List<EffectorCommand> respond(SensorReadings readings) {
+        return motor.respond(readings);
+    }
+
+    private double[] speeds(SensorReadings readings) {
+        readings.sense(joints);
+        if (action.length > 0) {
+            double[] clamped = Arrays.stream(action)
+                    .map(part -> Math.max(-1, Math.min(1, part)))
+                    .toArray();
+            walk.ifPresentOrElse(one -> one.move(clamped), () -> move(clamped));
+        }
+        motors.endCycle();
+        return motors.sentDegreesPerSecond();
+    }
+
+    private void move(double... parts) {
+        cycles++;
+        double[] degrees =
+                guide.map(one -> one.posture(cycles)).orElse(firstPosture).toArray();
+        for (int i = 0; i < parts.length; i++) {
+            degrees[task.joints().get(i).ordinal()] += parts[i] * task.rangeDegrees();
+        }
+        for (Joint joint : guide.isPresent() ? ALL_JOINTS : task.joints()) {
+            motors.setTarget(joint, joint.clampDegrees(degrees[joint.ordinal()]), joint.maxDegreesPerSecond());
+        }
+    }
+
+    @Override
+    public boolean readsMessages() {
+        return task.hasCamera();
+    }
+}

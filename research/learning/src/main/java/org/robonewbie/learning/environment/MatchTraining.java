@@ -1,0 +1,208 @@
+package org.robonewbie.learning.environment;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.stream.DoubleStream;
+import org.robonewbie.nao.PlayMode;
+import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.trial.RandomSource;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.WorldState;
+
+/**
+ * Two teams learn at the same time until the first goal. Reward of a team: 10 for a goal and 1 per metre that the ball gets
+ * ahead, the negative for the other team. Reward of a robot besides: 0.2 per metre that it gets nearer to the ball, and −1
+ * for a fall. A ball that leaves the pitch beside the goal is put back.
+ */
+final class MatchTraining extends TrainingTask {
+
+    private static final String[] TEAMS = {"left", "right"};
+    private static final SoccerField FIELD = SoccerField.BEGINNER;
+    private static final double GOAL_REWARD = 10;
+    private static final double NEARNESS_REWARD = 0.2;
+    private static final double SPREAD_METRES = 0.1;
+    private static final double INSIDE_METRES = 0.3;
+    private static final double FAR_METRES = 15;
+
+    private static final WorldState NOTHING_YET =
+            new WorldState(0, List.of(), Vector3.ZERO, Vector3.ZERO, PlayMode.PLAY_ON, 0, 0);
+
+    private final Scene scene;
+    private final int left;
+    private WorldState now = NOTHING_YET;
+    private double value;
+    private int goal;
+
+    private MatchTraining(Scene scene) {
+        this.scene = scene;
+        left = (int) scene.robots().stream()
+                .filter(robot -> robot.team().equals(TEAMS[0]))
+                .count();
+    }
+
+    /** Two teams of equal size. */
+    static MatchTraining of(int robots) {
+        List<RobotStart> all = new ArrayList<>();
+        for (String team : TEAMS) {
+            for (int i = 0; i < robots; i++) {
+                all.add(start(team, i + 1, place(i)));
+            }
+        }
+        return new MatchTraining(Scene.of(all.toArray(RobotStart[]::new)));
+    }
+
+    /** The first robot attacks from in front of the goal that the second one keeps. */
+    static MatchTraining keeperAgainstAttacker() {
+        double goalLine = FIELD.length() / 2;
+        return new MatchTraining(Scene.of(
+                        start(TEAMS[0], 1, new Pose2d(goalLine - 2.8, 0, 0)),
+                        start(TEAMS[1], 1, new Pose2d(-goalLine + 0.2, 0, 0)))
+                .withBall(goalLine - 2.5, 0));
+    }
+
+    /** The first robot of a team stands near the ball, the others three in a row behind it. */
+    private static Pose2d place(int index) {
+        int row = (index + 2) / 3;
+        int column = (index + 2) % 3;
+        double y = row == 0 ? 0 : 2.0 * (column == 2 ? -1 : column);
+        return new Pose2d(-0.8 - 1.2 * row, y, 0);
+    }
+
+    private static RobotStart start(String team, int number, Pose2d place) {
+        boolean own = team.equals(TEAMS[0]);
+        Pose2d there = own ? place : new Pose2d(-place.x(), -place.y(), 180);
+        return RobotStart.at(there).withTeam(team, number).after(TO_THE_STANCE);
+    }
+
+    @Override
+    public Scene scene(RandomSource ofTheEpisode) {
+        super.scene(ofTheEpisode);
+        return scene;
+    }
+
+    @Override
+    public int learners() {
+        return scene.robots().size();
+    }
+
+    @Override
+    public double rangeDegrees() {
+        return 60;
+    }
+
+    @Override
+    public int longestCycles() {
+        return 1500;
+    }
+
+    @Override
+    public void begin(Trial trial) {
+        scatterBall(trial, SPREAD_METRES);
+    }
+
+    @Override
+    public void act(Trial trial) {
+        Vector3 ball = trial.ball().position();
+        Vector3 inside = new Vector3(
+                within(ball.x(), FIELD.length() / 2 - INSIDE_METRES),
+                within(ball.y(), FIELD.width() / 2 - INSIDE_METRES),
+                0);
+        boolean out = Math.abs(ball.x()) > FIELD.length() / 2 || Math.abs(ball.y()) > FIELD.width() / 2;
+        if (out && !isGoal(ball)) {
+            trial.placeBall(inside);
+        }
+    }
+
+    private static double within(double number, double most) {
+        return Math.max(-most, Math.min(most, number));
+    }
+
+    private static boolean isGoal(Vector3 ball) {
+        return Math.abs(ball.x()) > FIELD.length() / 2 && Math.abs(ball.y()) < FIELD.goalWidth() / 2;
+    }
+
+    /** {@return 1 for the team that plays towards the right goal, −1 for the other} */
+    private int side() {
+        return robot() < left ? 1 : -1;
+    }
+
+    @Override
+    public List<ObservedQuantity> extraQuantities() {
+        List<ObservedQuantity> all = new ArrayList<>(point("ball"));
+        all.addAll(point("goal"));
+        for (int i = 1; i < ownTeam(); i++) {
+            all.addAll(point("mate" + i));
+        }
+        for (int i = 1; i <= learners() - ownTeam(); i++) {
+            all.addAll(point("opponent" + i));
+        }
+        return all;
+    }
+
+    private static List<ObservedQuantity> point(String name) {
+        return List.of(
+                new ObservedQuantity(name + ".forward", "m", -FAR_METRES, FAR_METRES),
+                new ObservedQuantity(name + ".left", "m", -FAR_METRES, FAR_METRES));
+    }
+
+    private int ownTeam() {
+        return side() > 0 ? left : learners() - left;
+    }
+
+    /** Where ball, the other team's goal and the other robots are, as the robot would point at them: the truth, not what its camera sees. */
+    @Override
+    public double[] extras() {
+        Pose2d own = now.place(robot());
+        List<Vector3> all = new ArrayList<>(List.of(now.ball(), new Vector3(side() * FIELD.length() / 2, 0, 0)));
+        all.addAll(others(true));
+        all.addAll(others(false));
+        return all.stream()
+                .flatMapToDouble(point -> DoubleStream.of(own.ahead(point), own.left(point)))
+                .toArray();
+    }
+
+    private List<Vector3> others(boolean ofTheTeam) {
+        List<Vector3> others = new ArrayList<>();
+        for (int i = 0; i < learners(); i++) {
+            boolean mate = i < left == robot() < left;
+            if (i != robot() && mate == ofTheTeam) {
+                others.add(now.robots().get(i).position());
+            }
+        }
+        return Collections.unmodifiableList(others);
+    }
+
+    @Override
+    protected void see(WorldState first, WorldState moment) {
+        now = moment;
+        if (isGoal(moment.ball())) {
+            goal = moment.ball().x() > 0 ? 1 : -1;
+        }
+        double ahead = moment.ball().x() - first.ball().x();
+        double nearer = first.place(robot()).distance(first.ball())
+                - moment.place(robot()).distance(moment.ball());
+        value = side() * (GOAL_REWARD * goal + ahead) + NEARNESS_REWARD * nearer - (hasFallen() ? 1 : 0);
+    }
+
+    /** {@return whether the robot's team has scored} */
+    @Override
+    public boolean isDone() {
+        return goal == side();
+    }
+
+    /** {@return whether there was a goal; falls end no match} */
+    @Override
+    public boolean isDecided() {
+        return goal != 0;
+    }
+
+    @Override
+    public double value() {
+        return value;
+    }
+}

@@ -1,0 +1,6 @@
+/**
+ * Environments of reinforcement learning: tasks, episodes of them, and the server for learning programs in other languages. Read {@link
+ * org.robonewbie.learning.environment.TrainingTask} first, then {@link org.robonewbie.learning.environment.EnvironmentSpec}.
+ */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.learning.environment;

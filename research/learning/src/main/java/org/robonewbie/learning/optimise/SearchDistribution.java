@@ -1,0 +1,32 @@
+package org.robonewbie.learning.optimise;
+
+import java.util.Arrays;
+import java.util.List;
+import org.robonewbie.learning.search.AskAndTell;
+
+/**
+ * The distribution of the next candidates of a search, in coordinates of its {@link Parametrization}.
+ *
+ * @param step step size (sigma); small when the search has converged
+ * @param middle the mean, which is the result if the search ends now
+ * @param spread standard deviation in each coordinate
+ */
+public record SearchDistribution(double step, List<Double> middle, List<Double> spread) {
+
+    /** Copies the lists. */
+    public SearchDistribution {
+        middle = List.copyOf(middle);
+        spread = List.copyOf(spread);
+    }
+
+    static SearchDistribution of(AskAndTell search) {
+        return new SearchDistribution(
+                search.distribution().step(),
+                list(search.mean()),
+                list(search.distribution().spread()));
+    }
+
+    private static List<Double> list(double[] numbers) {
+        return Arrays.stream(numbers).boxed().toList();
+    }
+}
