@@ -51,7 +51,14 @@ public sealed interface EffectorCommand {
      *
      * @param pose in the coordinates of the team; the own half has negative x
      */
-    record Beam(Pose2d pose) implements EffectorCommand {}
+    record Beam(Pose2d pose) implements EffectorCommand {
+
+        /** {@return the command in the words of recordings} */
+        @Override
+        public String toString() {
+            return "Beam[xMetres=" + pose.x() + ", yMetres=" + pose.y() + ", headingDegrees=" + pose.degrees() + "]";
+        }
+    }
 
     /**
      * Sets the speed of a joint's motor: {@code (he1 0.5)}. The motor keeps turning until the next command. This is the only
