@@ -55,7 +55,7 @@ final class GymCommand implements Callable<Integer> {
                 port,
                 ProgramFinder.loaderOf(classPath.folders()),
                 (simulation, any) -> StudioServer.start(simulation, any, AccessToken.ofUser()),
-                System.err::println)) {
+                message -> System.err.println(message))) {
             System.out.println("gym " + server.port());
             System.out.flush();
             while (System.in.read() >= 0) {
