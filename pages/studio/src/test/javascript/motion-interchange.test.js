@@ -119,7 +119,7 @@ withBody('unreadable rows are kept with a message and their line number', () => 
 });
 
 withBody('files that are not motions are refused with a message', () => {
-  assert.throws(() => readWebots('hello', body, stand), /no Webots motion/);
+  assert.throws(() => readWebots('hello', body, stand), /not a Webots motion/);
   assert.throws(() => read('theirs.mef', 'hello\n'), /first line is not “nao”/);
   assert.throws(() => read('theirs.csv', 'a,b\n1,2\n'), /must name a time \(way_ms, time_ms or time_s\) and joints/);
 });
@@ -143,7 +143,7 @@ withBody('tables may have any column order, times instead of durations, and deci
   assert.deepEqual(notes, [
     'Without remark, which this robot does not have.',
     'No column for NECK_YAW, LEFT_SHOULDER_PITCH, LEFT_SHOULDER_YAW and 17 more joints: angles of the start posture are used.',
-    'Where a cell is empty (line 4) the joint keeps its angle.',
+    'If a cell is empty (line 4), the joint keeps its angle.',
   ]);
 });
 
@@ -180,7 +180,7 @@ withBody('the path along the first transitions of a net is imported, and other b
     ],
   );
   assert.match(notes[1], /2 other transitions are kept as comments/);
-  assert.match(notes[2], /goes on at keyframe 1 again; the motion ends there/);
+  assert.match(notes[2], /continues at keyframe 1 again; the motion ends there/);
   assert.match(notes[3], /line 7 of the file: found 1 angles, expected 2/);
 });
 
@@ -217,7 +217,7 @@ const READ = [
       [100, -68.8],
       [500, 17.2],
     ],
-    /seconds of its way/,
+    /duration in seconds/,
   ],
   [
     'a row with more values than names',
@@ -255,7 +255,7 @@ const READ = [
       [400, -68.8],
       [400, -68.8],
     ],
-    /Where a cell is empty \(line 3\) the joint keeps its angle/,
+    /If a cell is empty \(line 3\), the joint keeps its angle/,
   ],
   [
     'times that decrease or repeat',
@@ -397,7 +397,7 @@ const REFUSED = [
     'a column without a name',
     'a.motion',
     '#WEBOTS_MOTION,V1.0,LKneePitch,,HeadYaw\n00:01:000,P,1,-1,0\n',
-    /line 1 has no name for its 2. column/,
+    /line 1 has no name for its angle column 2/,
   ],
   [
     'seconds',

@@ -124,11 +124,10 @@ class StartPlaceTest {
 
     @Test
     void missingFolderForTemporaryFilesIsNamedWithWhatToDo() throws Exception {
-        Files.writeString(temporary.resolve("Standing.java"), PROGRAM);
         Path missing = temporary.resolve("missing");
+        Files.writeString(Files.createDirectory(temporary.resolve("anna")).resolve("Standing.java"), PROGRAM);
 
-        Ended ended = start(
-                "C.UTF-8", List.of("-Djava.io.tmpdir=" + missing), temporary, "grade", "raise-arms", "Standing.java");
+        Ended ended = start("C.UTF-8", List.of("-Djava.io.tmpdir=" + missing), temporary, "grade", "--class", ".");
 
         assertThat(ended.exitCode()).isEqualTo(1);
         assertThat(ended.said())

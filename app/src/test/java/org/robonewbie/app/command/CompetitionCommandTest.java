@@ -59,7 +59,7 @@ class CompetitionCommandTest {
 
         assertThat(printed.exitCode()).as(printed.err()).isZero();
         assertThat(Files.readString(results.resolve("table.html")))
-                .contains("Programs were not fenced in (the organisers did not want it).", "Whose connection came");
+                .contains("Programs were not fenced in (--fence none).", "Whose connection came");
         assertThat(results.resolve("recordings.sha256")).content().contains("  recordings/walk-Red.rec");
     }
 

@@ -84,9 +84,9 @@ final class WrittenTelemetry {
         if (item instanceof TelemetryItem.DeclaredNumber number) {
             return Map.of(
                     "name", number.name(),
-                    "usual", number.usual(),
-                    "least", number.least(),
-                    "most", number.most(),
+                    "defaultValue", number.usual(),
+                    "min", number.least(),
+                    "max", number.most(),
                     "value", number.value());
         }
         TelemetryItem.PlotValue plot = (TelemetryItem.PlotValue) item;
