@@ -1,5 +1,6 @@
 package org.robonewbie.programs.process;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -12,6 +13,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import org.robonewbie.nao.file.TemporaryFiles;
 
 /**
  * A sandbox by <a href="https://github.com/containers/bubblewrap">bubblewrap</a>, where Linux has it: programs see a
@@ -75,12 +77,17 @@ public final class Sandbox {
             String told = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
             boolean stands = process.waitFor(MAX_SECONDS, TimeUnit.SECONDS) && process.exitValue() == 0;
             return stands ? sandbox : none("bubblewrap does not work here: " + told.strip());
-        } catch (IOException missing) {
-            return none("bubblewrap is not installed");
+        } catch (IOException impossible) {
+            return none(isInstalled() ? String.valueOf(impossible.getMessage()) : "bubblewrap is not installed");
         } catch (InterruptedException stopped) {
             Thread.currentThread().interrupt();
             return none("bubblewrap has not been tried");
         }
+    }
+
+    private static boolean isInstalled() {
+        return Stream.of(String.valueOf(System.getenv("PATH")).split(File.pathSeparator))
+                .anyMatch(folder -> Files.isExecutable(Path.of(folder, BUBBLEWRAP)));
     }
 
     private static Optional<Path> writtenFilter() throws IOException {
@@ -88,7 +95,7 @@ public final class Sandbox {
         if (filter.isEmpty()) {
             return Optional.empty();
         }
-        Path file = Files.createTempFile("sandbox", ".bpf");
+        Path file = TemporaryFiles.file("sandbox", ".bpf");
         file.toFile().deleteOnExit();
         return Optional.of(Files.write(file, filter.get().toBytes()));
     }
