@@ -121,7 +121,7 @@ const ACTIONS = {
     take(exports, classes);
     postMessage({ result: exports.score(exercise, seed) });
   },
-  call: (exports, { id, name, argument }) => postMessage({ id, result: exports[name](...argument) }),
+  call: (exports, { id, name, args }) => postMessage({ id, result: exports[name](...args) }),
 };
 
 /** @param {() => void} action */

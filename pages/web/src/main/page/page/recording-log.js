@@ -8,7 +8,7 @@ export async function simSparkLog(recording) {
     const log = await new Promise((done, fail) => {
       worker.onmessage = ({ data }) => ('result' in data ? done(data.result) : fail(new Error(data.failure)));
       worker.onerror = (event) => fail(new Error(event.message));
-      worker.postMessage({ call: { id: 0, name: 'simSparkLog', given: [packed] } });
+      worker.postMessage({ call: { id: 0, name: 'simSparkLog', args: [packed] } });
     });
     const stream = new Blob([log]).stream().pipeThrough(new CompressionStream('gzip'));
     return await new Response(stream).arrayBuffer();

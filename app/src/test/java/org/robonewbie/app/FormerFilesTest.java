@@ -93,7 +93,7 @@ class FormerFilesTest {
 
     @Test
     void progressIsShown() throws Exception {
-        assertThat(ends(0, "progress")).contains("Raise both arms", "begun", "1 try");
+        assertThat(ends(0, "grade", "--progress")).contains("Raise both arms", "begun", "1 try");
     }
 
     @Test

@@ -51,6 +51,9 @@ import picocli.CommandLine.Parameters;
             "  robonewbie grade kick Kick.java --record kick.rec   then: robonewbie studio kick.rec",
             "  robonewbie grade kick --hint              open one hint after the other",
             "  robonewbie grade kick --solution          show a solution, after three tries",
+            "  robonewbie grade --progress               passed, best points, tries, time of work, badges",
+            "  robonewbie grade --progress --csv anna.csv --name Anna   the table for your teacher",
+            "  robonewbie grade --progress anna.json ben.json   the progress of a team",
             "  robonewbie grade --class submissions      grade what a class has handed in: one folder for each student",
             "  robonewbie grade kick --class submissions --seeds 10   only this exercise",
             "",
@@ -127,10 +130,16 @@ final class GradeCommand implements Callable<Integer> {
     @Mixin
     private final FenceOption fence = new FenceOption();
 
+    @Mixin
+    private final ProgressOption progress = new ProgressOption();
+
     @Override
     public Integer call() throws IOException {
         if (seeds < 1) {
             throw new CalledWronglyException("--seeds " + seeds + ": give a number of trials of at least 1.");
+        }
+        if (progress.isGiven()) {
+            return progress.show();
         }
         if (classFolder.isPresent()) {
             return gradeClass(classFolder.get());
@@ -272,7 +281,7 @@ final class GradeCommand implements Callable<Integer> {
         lines.add(
                 progress.exercises().isEmpty()
                         ? "Begin with: robonewbie grade raise-arms --start"
-                        : new ProgressTable(progress).sum() + ". More: robonewbie progress");
+                        : new ProgressTable(progress).sum() + ". More: robonewbie grade --progress");
         return lines.stream().map(line -> line + System.lineSeparator()).collect(Collectors.joining());
     }
 

@@ -96,9 +96,6 @@ final class RecordCommand implements Callable<Integer> {
     @Mixin
     private final ClassPathOption classPath = new ClassPathOption();
 
-    @Mixin
-    final WithoutStudioOption withoutStudio = new WithoutStudioOption();
-
     @Override
     public Integer call() throws IOException, InterruptedException {
         check();

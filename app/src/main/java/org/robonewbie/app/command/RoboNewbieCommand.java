@@ -31,7 +31,6 @@ import picocli.CommandLine.TypeConversionException;
             StudioCommand.class,
             NewCommand.class,
             GradeCommand.class,
-            ProgressCommand.class,
             DoctorCommand.class,
             CompetitionCommand.class,
             EvaluationCommand.class,
@@ -60,7 +59,7 @@ public final class RoboNewbieCommand {
 
     /** The groups of commands in the help text; what is in none of them is hidden. */
     private static final List<Group> GROUPS = List.of(
-            new Group("Begin", List.of("demo", "run", "studio", "new", "grade", "progress", "doctor")),
+            new Group("Begin", List.of("demo", "run", "studio", "new", "grade", "doctor")),
             new Group("Teach", List.of("competition", "evaluation")),
             new Group("Explore", List.of("simulator", "record", "experiment", "optimise", "learn")));
 

@@ -164,9 +164,6 @@ final class SimulatorCommand implements Callable<Integer> {
                             + " that only Ruby can calculate are named.")
     private Optional<Path> script = Optional.empty();
 
-    @Mixin
-    final WithoutStudioOption withoutStudio = new WithoutStudioOption();
-
     @Unmatched
     private List<String> unknown = new ArrayList<>();
 

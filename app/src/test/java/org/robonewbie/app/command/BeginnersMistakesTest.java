@@ -163,7 +163,7 @@ class BeginnersMistakesTest {
                 .containsPattern("(?m)^[✓+?] 10\\.0 01-raise-arms")
                 .containsPattern("(?m)^   4\\.5 12-kick")
                 .containsPattern("(?m)^       02-stop-at-30")
-                .contains("1 of ", "robonewbie progress");
+                .contains("1 of ", "robonewbie grade --progress");
     }
 
     private Ended agent(String name, String members, @Nullable String think) throws Exception {

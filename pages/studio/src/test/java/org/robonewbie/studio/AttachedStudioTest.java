@@ -50,7 +50,8 @@ class AttachedStudioTest {
             }
             browser.await("document.querySelector('#puppet').hidden && document.querySelector('#scenes').hidden");
             browser.press(" ");
-            browser.await("document.querySelector('#toast').textContent.startsWith('The clock of a simulation in another process')");
+            browser.await(
+                    "document.querySelector('#toast').textContent.startsWith('The clock of a simulation in another process')");
             browser.click("#drop-ball");
             browser.await("document.querySelector('.mode').textContent === 'Play on'");
 

@@ -75,7 +75,7 @@ class SameRunInThePageTest {
                 + " const worker = new Worker('world-worker.js', { type: 'module' });"
                 + " worker.onmessage = ({ data }) => answer(data.result ?? data.failure);"
                 + " worker.onerror = (event) => answer(event.message);"
-                + " worker.postMessage({ call: { name: 'recordingSha256', given: ['"
+                + " worker.postMessage({ call: { name: 'recordingSha256', args: ['"
                 + agent.getClass().getSimpleName() + "', 1, " + SECONDS + "] } });"
                 + "})";
     }

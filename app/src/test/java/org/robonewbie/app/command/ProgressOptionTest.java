@@ -12,7 +12,7 @@ import org.robonewbie.app.Printed;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.progress.ProgressFile;
 
-class ProgressCommandTest {
+class ProgressOptionTest {
 
     private static final Instant NOON = Instant.parse("2026-11-22T12:00:00Z");
 
@@ -30,7 +30,7 @@ class ProgressCommandTest {
         String anna = member("anna", "kick", 6, true);
         String ben = member("ben", "dance", 4.5, false);
 
-        Printed printed = Printed.by("progress", anna, ben);
+        Printed printed = Printed.by("grade", "--progress", anna, ben);
 
         assertThat(printed.exitCode()).isZero();
         assertThat(printed.out())
@@ -44,7 +44,13 @@ class ProgressCommandTest {
         Path csv = folder.resolve("team.csv");
 
         Printed printed = Printed.by(
-                "progress", member("anna", "kick", 6, true), "--csv", csv.toString(), "--name", "Anna, \"A\"");
+                "grade",
+                "--progress",
+                member("anna", "kick", 6, true),
+                "--csv",
+                csv.toString(),
+                "--name",
+                "Anna, \"A\"");
 
         assertThat(printed.exitCode()).isZero();
         assertThat(Files.readString(csv))
@@ -54,7 +60,8 @@ class ProgressCommandTest {
 
     @Test
     void missingFileIsSaid() {
-        Printed printed = Printed.by("progress", folder.resolve("nobody.json").toString());
+        Printed printed =
+                Printed.by("grade", "--progress", folder.resolve("nobody.json").toString());
 
         assertThat(printed.exitCode()).isEqualTo(2);
         assertThat(printed.err()).contains("There is no file");

@@ -6,57 +6,49 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.Callable;
 import org.robonewbie.app.course.Coach;
 import org.robonewbie.app.course.ProgressTable;
 import org.robonewbie.exercises.progress.Progress;
 import org.robonewbie.exercises.progress.ProgressFile;
 import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.programs.CalledWronglyException;
-import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 
-/** Shows how far a student or a team is with the exercises. */
-@Command(
-        name = "progress",
-        description = {
-            "Show how far you are with the exercises: passed, best points, tries, time of work, badges.",
-            "Your progress is one file, .robonewbie/progress.json in your home folder; it never leaves the computer by itself."
-                    + " The environment variable " + ProgressFile.SWITCH + " names another file, or \"off\"."
-        },
-        footer = {
-            "",
-            "Examples:",
-            "  robonewbie progress",
-            "  robonewbie progress --csv anna.csv --name Anna     the table for your teacher",
-            "  robonewbie progress anna.json ben.json             the progress of a team: each exercise counts once"
-        })
-final class ProgressCommand implements Callable<Integer> {
+/** The options with which {@code grade} shows progress: passed, best points, tries, time of work and badges. */
+final class ProgressOption {
 
-    @Mixin
-    final HelpOption help = new HelpOption();
+    private static final Path OWN = Path.of("-");
 
-    @Parameters(
+    @Option(
+            names = "--progress",
             arity = "0..*",
+            fallbackValue = "-",
             paramLabel = "FILE",
-            description = "Progress files of a team's members (default: your own).")
+            description = {
+                "Show your progress: passed, best points, tries, time of work, badges; or that of a team by the progress files of its"
+                        + " members, where each exercise counts once.",
+                "Your file is .robonewbie/progress.json in your home folder; it never leaves the computer by itself. The environment"
+                        + " variable " + ProgressFile.SWITCH + " names another file, or \"off\"."
+            })
     private List<Path> files = List.of();
 
-    @Option(names = "--csv", paramLabel = "FILE", description = "Write a table with commas for the teacher.")
+    @Option(names = "--csv", paramLabel = "FILE", description = "With --progress: write a table for the teacher.")
     private Optional<Path> csv = Optional.empty();
 
     @Option(
             names = "--name",
             paramLabel = "NAME",
-            description = "Whose progress it is in the table (default: your account).")
+            description = "With --progress: the name in the table (default: your account).")
     private String name = System.getProperty("user.name", "");
 
-    @Override
-    public Integer call() throws IOException {
-        ProgressTable table = new ProgressTable(files.isEmpty() ? Coach.ofUser().progress() : team());
+    boolean isGiven() {
+        return !files.isEmpty();
+    }
+
+    int show() throws IOException {
+        ProgressTable table =
+                new ProgressTable(files.contains(OWN) ? Coach.ofUser().progress() : team());
         System.out.print(table.text());
         if (csv.isPresent()) {
             AtomicFile.write(csv.get(), table.csv(name));
