@@ -54,7 +54,7 @@ class FullDiskTest {
     @Test
     void dataSetNamesItsFileAndGoesOnWhenThereIsRoom() throws Exception {
         String set = place.resolve("set").toString();
-        String[] words = ("record Agent_BasicStructure --format csv --runs 2 --seconds 8 --out " + set).split(" ", -1);
+        String[] words = ("record Agent_BasicStructure --runs 2 --seconds 8 --out " + set).split(" ", -1);
 
         Printed full = Printed.by(words);
         List<String> left = files();

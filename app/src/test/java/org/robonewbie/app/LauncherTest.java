@@ -82,6 +82,7 @@ class LauncherTest {
         Files.createDirectories(home.resolve(BUILD).getParent());
         Files.copy(Project.ROOT.resolve(BUILD), home.resolve(BUILD));
         write(home.resolve("pom.xml"), "<project/>");
+        write(home.resolve("app/pom.xml"), "<project/>");
         write(home.resolve("app/src/main/java/Main.java"), "class Main {}");
         maven("mkdir -p app/target; echo jar >app/target/robonewbie.jar; echo '[INFO] BUILD SUCCESS'");
         java(jdk, "17.0.15");
