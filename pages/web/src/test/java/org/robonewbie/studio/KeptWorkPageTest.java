@@ -154,7 +154,7 @@ class KeptWorkPageTest {
                 + " + 'robonewbie-page-draft:MyAgent.java', '// of the other window')");
 
         chromium.evaluate(EDITOR + ".replace('// of this window')");
-        chromium.await(NOTES + ".includes('Another window has unsaved work on MyAgent.java, too.')");
+        chromium.await(NOTES + ".includes('Another window has unsaved changes to MyAgent.java, too.')");
         assertThat(chromium.evaluate("studio.rooms.isAtRisk").getAsBoolean()).isTrue();
         chromium.click("#program-save");
 

@@ -17,7 +17,9 @@ async function ask(path, options) {
  * @param {{exact: boolean, agents: number}} restored
  */
 export function restoredText({ exact, agents }) {
-  const world = exact ? 'The world is exactly as it was.' : 'The world is nearly as it was: speeds are estimated.';
+  const world = exact
+    ? 'The world is exactly as it was.'
+    : 'The world is restored approximately: speeds are estimated.';
   const count = agents === 1 ? 'One agent was' : `${agents} agents were`;
   return agents > 0
     ? `${world} ${count} restored with it; all others keep what they remember.`
