@@ -111,7 +111,7 @@ class WhatThePageLacksTest {
                 """);
         browser.click("#program-run");
 
-        browser.await(ROOM + ".includes('Try extends java.util.ArrayList, which the page cannot do')");
+        browser.await(ROOM + ".includes('Try extends java.util.ArrayList, which the page does not support')");
     }
 
     @Test
