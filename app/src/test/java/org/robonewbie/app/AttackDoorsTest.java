@@ -371,7 +371,6 @@ class AttackDoorsTest {
     enum Attack {
         ENDS_THE_PROCESS("System.exit(0);"),
         FORGES("""
-                java.nio.file.Files.writeString(java.nio.file.Path.of("ready"), "01-raise-arms PASSED: 10.0 of 10 points");
                 for (String answer : new String[] {"ready", "1 NONE\\t\\t", "2 NONE\\t\\t", "01-raise-arms PASSED: 10.0"}) {
                     System.out.println("\\u0001" + answer);
                     System.out.println(answer);
