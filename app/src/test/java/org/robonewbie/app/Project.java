@@ -17,13 +17,7 @@ public final class Project {
 
     /** Lists the files with an ending that belong to the sources of any module. */
     public static List<Path> sources(String ending) {
-        return modules().stream()
-                .map(module -> module.resolve("src"))
-                .filter(Files::isDirectory)
-                .flatMap(Project::filesBelow)
-                .filter(file -> file.toString().endsWith(ending))
-                .sorted()
-                .toList();
+        return files("src", ending);
     }
 
     /** Lists the folders of all modules: those with a {@code pom.xml}, at the root or in one of its folders. */
@@ -40,8 +34,16 @@ public final class Project {
 
     /** Lists the files with an ending that belong to the product, without those of its tests. */
     public static List<Path> productSources(String ending) {
-        return sources(ending).stream()
-                .filter(file -> modules().stream().anyMatch(module -> file.startsWith(module.resolve("src/main"))))
+        return files("src/main", ending);
+    }
+
+    private static List<Path> files(String folder, String ending) {
+        return modules().stream()
+                .map(module -> module.resolve(folder))
+                .filter(Files::isDirectory)
+                .flatMap(Project::filesBelow)
+                .filter(file -> file.toString().endsWith(ending))
+                .sorted()
                 .toList();
     }
 
