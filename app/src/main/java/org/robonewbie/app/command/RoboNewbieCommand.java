@@ -25,22 +25,6 @@ import picocli.CommandLine.TypeConversionException;
         synopsisSubcommandLabel = "COMMAND",
         mixinStandardHelpOptions = true,
         versionProvider = RoboNewbieCommand.Version.class,
-        subcommands = {
-            DemoCommand.class,
-            RunCommand.class,
-            StudioCommand.class,
-            NewCommand.class,
-            GradeCommand.class,
-            DoctorCommand.class,
-            CompetitionCommand.class,
-            EvaluationCommand.class,
-            SimulatorCommand.class,
-            RecordCommand.class,
-            ExperimentCommand.class,
-            OptimiseCommand.class,
-            LearnCommand.class,
-            GymCommand.class
-        },
         footer = {
             "",
             "Examples:",
@@ -57,11 +41,26 @@ public final class RoboNewbieCommand {
 
     private static final Set<String> CHECKS = Set.of("doctor", "help");
 
-    /** The groups of commands in the help text; what is in none of them is hidden. */
+    /** All commands but the hidden one, as the help text shows them. */
     private static final List<Group> GROUPS = List.of(
-            new Group("Begin", List.of("demo", "run", "studio", "new", "grade", "doctor")),
-            new Group("Teach", List.of("competition", "evaluation")),
-            new Group("Explore", List.of("simulator", "record", "experiment", "optimise", "learn")));
+            new Group(
+                    "Begin",
+                    List.of(
+                            DemoCommand.class,
+                            RunCommand.class,
+                            StudioCommand.class,
+                            NewCommand.class,
+                            GradeCommand.class,
+                            DoctorCommand.class)),
+            new Group("Teach", List.of(CompetitionCommand.class, EvaluationCommand.class)),
+            new Group(
+                    "Explore",
+                    List.of(
+                            SimulatorCommand.class,
+                            RecordCommand.class,
+                            ExperimentCommand.class,
+                            OptimiseCommand.class,
+                            LearnCommand.class)));
 
     /** Commands that have to start fast: all others are not even looked at. */
     private static final Map<String, Supplier<Object>> AT_ONCE = Map.of(
@@ -101,7 +100,9 @@ public final class RoboNewbieCommand {
 
     /** {@return all commands with their options} */
     public static CommandLine commandLine() {
-        return prepared(new CommandLine(new RoboNewbieCommand()));
+        CommandLine commandLine = new CommandLine(new RoboNewbieCommand()).addSubcommand(GymCommand.class);
+        GROUPS.forEach(group -> group.commands().forEach(commandLine::addSubcommand));
+        return prepared(commandLine);
     }
 
     private static CommandLine prepared(CommandLine commandLine) {
@@ -132,7 +133,9 @@ public final class RoboNewbieCommand {
         return GROUPS.stream()
                 .map(group -> {
                     Map<String, Help> commands = new LinkedHashMap<>(help.subcommands());
-                    commands.keySet().retainAll(group.commands());
+                    commands.values()
+                            .removeIf(command -> !group.commands()
+                                    .contains(command.commandSpec().userObject().getClass()));
                     return String.format("%n%s%n", group.title()) + help.commandList(commands);
                 })
                 .collect(Collectors.joining());
@@ -212,7 +215,7 @@ public final class RoboNewbieCommand {
     }
 
     /** A group of commands in the help text, in the order in which they are declared. */
-    private record Group(String title, List<String> commands) {}
+    private record Group(String title, List<Class<?>> commands) {}
 
     /** The program with a single command. */
     @Command(name = "robonewbie")
