@@ -54,9 +54,10 @@ public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path o
      * @param episodes number of episodes
      * @param policy what acts in them
      * @return the result
+     * @throws IOException if an episode cannot be played
      * @throws IllegalArgumentException if the policy was learned for another task
      */
-    public static RolloutStatistics evaluate(PolicyModel model, int episodes, Policy policy) {
+    public static RolloutStatistics evaluate(PolicyModel model, int episodes, Policy policy) throws IOException {
         try (RolloutWorkers workers = new RolloutWorkers(model)) {
             return workers.play(episodes, i -> policy, i -> -1L - i);
         }
@@ -109,7 +110,7 @@ public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path o
         return all.subList(0, Math.max(0, all.size() - 1));
     }
 
-    private RolloutStatistics generation(RolloutWorkers workers, EvolutionStrategy.State state) {
+    private RolloutStatistics generation(RolloutWorkers workers, EvolutionStrategy.State state) throws IOException {
         List<double[]> candidates = strategy.ask(state);
         return workers.play(
                 candidates.size(),

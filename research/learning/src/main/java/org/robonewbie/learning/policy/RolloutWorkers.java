@@ -1,6 +1,6 @@
 package org.robonewbie.learning.policy;
 
-import java.util.List;
+import java.io.IOException;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -9,11 +9,14 @@ import java.util.function.IntToLongFunction;
 import java.util.stream.IntStream;
 import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.learning.environment.TrainingEnvironment;
+import org.robonewbie.trial.batch.BatchRunner;
+import org.robonewbie.trial.batch.ThreadRunner;
 
 /** Environments that play episodes in parallel; the result does not depend on their number. */
 final class RolloutWorkers implements AutoCloseable {
 
     private final PolicyModel model;
+    private final BatchRunner runner = new ThreadRunner();
     private final Queue<TrainingEnvironment> idle = new ConcurrentLinkedQueue<>();
 
     RolloutWorkers(PolicyModel model) {
@@ -21,12 +24,9 @@ final class RolloutWorkers implements AutoCloseable {
     }
 
     /** Plays episodes, each with its policy and seed. */
-    RolloutStatistics play(int count, IntFunction<Policy> policies, IntToLongFunction seeds) {
-        List<Rollout> rollouts = IntStream.range(0, count)
-                .parallel()
-                .mapToObj(i -> play(policies.apply(i), seeds.applyAsLong(i)))
-                .toList();
-        return new RolloutStatistics(rollouts);
+    RolloutStatistics play(int count, IntFunction<Policy> policies, IntToLongFunction seeds) throws IOException {
+        return new RolloutStatistics(runner.run(
+                IntStream.range(0, count).boxed().toList(), i -> play(policies.apply(i), seeds.applyAsLong(i))));
     }
 
     private Rollout play(Policy policy, long seed) {
@@ -41,6 +41,7 @@ final class RolloutWorkers implements AutoCloseable {
 
     @Override
     public void close() {
+        runner.close();
         idle.forEach(TrainingEnvironment::close);
     }
 }

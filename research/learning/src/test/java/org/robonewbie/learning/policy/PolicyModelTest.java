@@ -28,7 +28,7 @@ class PolicyModelTest {
     private Path folder;
 
     @Test
-    void initialPolicyDoesNothing() {
+    void initialPolicyDoesNothing() throws IOException {
         PolicyModel stand = model("Stand", NOISE);
 
         RolloutStatistics result = PolicySearch.evaluate(stand, 1, stand.policy(List.of(), stand.initial(3)));
@@ -119,7 +119,7 @@ class PolicyModelTest {
     }
 
     @Test
-    void shippedKickComesNearerToWhatIsWantedThanTheMotionAlone() {
+    void shippedKickComesNearerToWhatIsWantedThanTheMotionAlone() throws IOException {
         PolicyModel kick = model("KickTo", "command.*", 0, NOISE);
 
         RolloutStatistics learned = PolicySearch.evaluate(kick, 20, PolicyFile.shipped("kick-to"));
@@ -130,7 +130,7 @@ class PolicyModelTest {
     }
 
     @Test
-    void shippedStandBearsHarderPushesThanTheStanceAlone() {
+    void shippedStandBearsHarderPushesThanTheStanceAlone() throws IOException {
         PolicyModel stand = model("Stand", "gyro\\.(forward|left)", 0, NOISE);
 
         RolloutStatistics learned = PolicySearch.evaluate(stand, 40, PolicyFile.shipped("stand"));
@@ -141,7 +141,7 @@ class PolicyModelTest {
     }
 
     @Test
-    void shippedGetUpStandsUpMoreOftenThanTheMotionAloneWhereFeetHoldLessOrMore() {
+    void shippedGetUpStandsUpMoreOftenThanTheMotionAloneWhereFeetHoldLessOrMore() throws IOException {
         PolicyModel getUp = model(
                 "QuickGetUp", "motion.*|gyro.left|accelerometer.(forward|up)", 0, "friction=0.5..2", "mass=0.9..1.1");
 

@@ -65,7 +65,7 @@ class PolicySearchTest {
 
     @Tag("slow")
     @Test
-    void shippedWalkFallsLessAtItsSpeedThanTheEngineAlone() {
+    void shippedWalkFallsLessAtItsSpeedThanTheEngineAlone() throws IOException {
         PolicyModel walk = model("WalkGait", "constant=0", "seconds=12");
         RolloutStatistics learned = PolicySearch.evaluate(walk, 100, PolicyFile.shipped("walk"));
         RolloutStatistics engine = PolicySearch.evaluate(walk, 100, walk.policy(List.of(), walk.initial(0)));
