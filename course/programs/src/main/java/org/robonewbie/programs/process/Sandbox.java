@@ -1,6 +1,5 @@
 package org.robonewbie.programs.process;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -68,8 +67,13 @@ public final class Sandbox {
         if (!System.getProperty("os.name").equals("Linux")) {
             return none("fences exist on Linux only");
         }
+        Sandbox sandbox;
         try {
-            Sandbox sandbox = new Sandbox("", writtenFilter());
+            sandbox = new Sandbox("", writtenFilter());
+        } catch (IOException unwritable) {
+            return none(String.valueOf(unwritable.getMessage()));
+        }
+        try {
             List<String> trial = sandbox.closed(walls(), List.of(), List.of("/bin/sh", "-c", "true"));
             Process process =
                     new ProcessBuilder(trial).redirectErrorStream(true).start();
@@ -77,17 +81,12 @@ public final class Sandbox {
             String told = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
             boolean stands = process.waitFor(MAX_SECONDS, TimeUnit.SECONDS) && process.exitValue() == 0;
             return stands ? sandbox : none("bubblewrap does not work here: " + told.strip());
-        } catch (IOException impossible) {
-            return none(isInstalled() ? String.valueOf(impossible.getMessage()) : "bubblewrap is not installed");
+        } catch (IOException missing) {
+            return none("bubblewrap is not installed");
         } catch (InterruptedException stopped) {
             Thread.currentThread().interrupt();
             return none("bubblewrap has not been tried");
         }
-    }
-
-    private static boolean isInstalled() {
-        return Stream.of(String.valueOf(System.getenv("PATH")).split(File.pathSeparator))
-                .anyMatch(folder -> Files.isExecutable(Path.of(folder, BUBBLEWRAP)));
     }
 
     private static Optional<Path> writtenFilter() throws IOException {
