@@ -20,7 +20,7 @@ import org.robonewbie.programs.process.RobotProcess;
 import org.robonewbie.trial.TrialListener;
 
 /**
- * Grades a program that runs in a process of its own. World and judge are in this one: the program speaks with them as an agent with a
+ * Grades a program that runs in a separate process. World and judge are in this one: the program speaks with them as an agent with a
  * simulator and can tell them nothing but what its robots do. A program that ends its process, takes all memory or never returns costs
  * its author the trial and others nothing.
  */

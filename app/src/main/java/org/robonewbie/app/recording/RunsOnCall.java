@@ -39,7 +39,7 @@ public final class RunsOnCall {
      * Prepares the process.
      *
      * @param order what is recorded
-     * @param programs loads the program for each run, with static fields of its own
+     * @param programs loads the program for each run, with its own static fields
      * @param set the folder of the tables
      */
     public RunsOnCall(RunOrder order, Supplier<Program> programs, DataSet set) {

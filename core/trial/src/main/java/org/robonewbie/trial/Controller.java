@@ -16,7 +16,7 @@ import org.robonewbie.protocol.effector.EffectorCommand;
  * a motion, a walk, a policy or bare joint speeds.
  *
  * <p>A controller answers each cycle's sensor readings with commands. It keeps its own state, so each robot of each trial needs
- * a controller of its own.
+ * its own controller.
  */
 @FunctionalInterface
 public interface Controller extends AutoCloseable {

@@ -76,7 +76,7 @@ public final class JavaSource {
     }
 
     /**
-     * Compiles the file for loading its class repeatedly, each time with static fields of its own.
+     * Compiles the file for loading its class repeatedly, each time with its own static fields.
      *
      * @param classPath the user's folders and jars that it uses
      * @return loads the class of the file

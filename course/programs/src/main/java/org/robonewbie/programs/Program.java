@@ -35,7 +35,7 @@ public final class Program {
      * Takes a class as a program.
      *
      * @param type a class
-     * @return the program; empty if the class has no main method of its own with which this Java begins
+     * @return the program; empty if the class itself declares no main method that this Java can launch
      */
     public static Optional<Program> of(Class<?> type) {
         return of(type, Runtime.version().feature());

@@ -42,7 +42,7 @@ public final class ProgramFinder {
     }
 
     /**
-     * Finds a class to be loaded repeatedly, each time with static fields of its own unless it belongs to RoboNewbie.
+     * Finds a class to be loaded repeatedly, each time with its own static fields unless it belongs to RoboNewbie.
      *
      * @param name simple name of an example, a class or a Java file
      * @return loads the class
@@ -60,7 +60,7 @@ public final class ProgramFinder {
     }
 
     /**
-     * Finds a program to be run repeatedly, each time with static fields of its own unless it belongs to RoboNewbie.
+     * Finds a program to be run repeatedly, each time with its own static fields unless it belongs to RoboNewbie.
      *
      * @param name simple name of an example, a class or a Java file
      * @return loads the program

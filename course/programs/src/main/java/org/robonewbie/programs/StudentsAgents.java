@@ -6,7 +6,7 @@ import java.util.Objects;
 import java.util.function.Supplier;
 import org.robonewbie.agent.Agent;
 
-/** Creates robots with a student's program, each with static fields of its own. */
+/** Creates robots from a student's program, each with its own static fields. */
 public final class StudentsAgents implements Supplier<Agent> {
 
     private final Supplier<Class<?>> types;

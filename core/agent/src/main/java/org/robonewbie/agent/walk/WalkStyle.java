@@ -17,7 +17,7 @@ import org.robonewbie.agent.walk.BalanceGains.Gain;
 import org.robonewbie.nao.model.RobotType;
 
 /**
- * All numbers of a walk. Most were found by a search in the simulator; {@code robonewbie optimise walk-engine} goes on with it.
+ * Parameters of the walk engine. Most were tuned in the simulator; {@code robonewbie optimise walk-engine} tunes them further.
  *
  * @param gait how the robot steps
  * @param gains how it keeps its balance

@@ -1,6 +1,6 @@
 /**
  * Many jobs, such as trials with different seeds, in parallel: {@link org.robonewbie.trial.batch.BatchRunner} runs them,
- * {@link org.robonewbie.trial.batch.Journal} keeps each result at once so that an interrupted run resumes, and
+ * {@link org.robonewbie.trial.batch.Journal} stores each result as it arrives so that an interrupted run resumes, and
  * {@link org.robonewbie.trial.batch.BatchProgress} shows how far it is.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.

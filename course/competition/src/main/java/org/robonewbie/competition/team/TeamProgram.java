@@ -37,7 +37,7 @@ public sealed interface TeamProgram {
     /** {@return whether one process brings all players} */
     boolean together();
 
-    /** {@return the classes of its own} */
+    /** {@return the class path of the program, without RoboNewbie} */
     List<Path> classPath();
 
     /**
@@ -57,7 +57,7 @@ public sealed interface TeamProgram {
     List<Path> readable(Collection<Path> hidden);
 
     /**
-     * Starts it in a process of its own.
+     * Starts the program in a separate process.
      *
      * @param start what it receives
      * @param limits its limits

@@ -1,5 +1,5 @@
 /**
- * The programs that take part: how they are named, prepared and started, each in a process of its own. Start reading with {@link org.robonewbie.competition.team.TeamList}.
+ * The programs that take part: how they are named, prepared and started, each in a separate process. Start reading with {@link org.robonewbie.competition.team.TeamList}.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

@@ -16,8 +16,8 @@ import java.util.TimerTask;
 import java.util.concurrent.TimeUnit;
 
 /**
- * A running program with all processes that it starts: they end together. Its output is read as it comes, and what it uses is compared
- * with its limits ten times per second.
+ * A running program with its process tree, which ends as a whole. Output is read as it arrives; resource use is checked against the
+ * limits ten times per second.
  */
 public final class ChildProcess implements AutoCloseable {
 
@@ -55,12 +55,12 @@ public final class ChildProcess implements AutoCloseable {
     }
 
     /**
-     * Starts a program. One with limits gets nothing from the environment that changes a Java.
+     * Starts a program. With limits, environment variables that configure a JVM are removed.
      *
      * @param command program and arguments
      * @param folder its working directory
-     * @param isAlone whether no other program works in this directory, so that runaways are known by it
-     * @param output what it prints
+     * @param isAlone whether no other program uses this directory, so that processes that left the tree are recognised by it
+     * @param output the capture of its output
      * @param limits its limits
      * @return the running program
      * @throws IOException if it cannot be started
@@ -112,7 +112,7 @@ public final class ChildProcess implements AutoCloseable {
         }
     }
 
-    /** {@return what it prints} */
+    /** {@return the capture of its output} */
     public ProgramOutput output() {
         return output;
     }
@@ -122,7 +122,7 @@ public final class ChildProcess implements AutoCloseable {
         return process.isAlive();
     }
 
-    /** Notes that it is the program's turn, or the world's again; the first turn is the program's, to ask for its robot. */
+    /** Passes the turn between program and world. The first turn is the program's, to connect its robot. */
     public void passTurn() {
         turns.next();
     }
@@ -132,17 +132,17 @@ public final class ChildProcess implements AutoCloseable {
         return turns.hasBegun();
     }
 
-    /** {@return how long the world has been waiting for the program: what it has calculated or slept meanwhile, in seconds} */
+    /** {@return how long the world has waited for the program, computing or sleeping, in seconds} */
     public double waitedSeconds() {
         return turns.waitedSeconds();
     }
 
     /**
-     * Looks whether one end of a connection belongs to the program.
+     * Checks whether one end of a connection belongs to the program.
      *
      * @param ownPort TCP port of this end
      * @param otherPort TCP port of the other end
-     * @return whether a process of the program holds it; false where the system does not tell
+     * @return whether a process of the program holds it; false if the system does not report that
      */
     public boolean holds(int ownPort, int otherPort) {
         return processes.holds(ownPort, otherPort);
@@ -161,7 +161,8 @@ public final class ChildProcess implements AutoCloseable {
                 processorTime.values().stream().mapToDouble(Duration::toMillis).sum() / 1000;
         boolean atWork = seen.stream().anyMatch(handle -> LinuxProcess.isAtWork(handle.pid()));
         turns.look(System.nanoTime() / 1e9, seconds, atWork);
-        if (alive > MAX_PROCESSES) { // first, since so many take too much memory, too, when a look comes late
+        if (alive > MAX_PROCESSES) { // checked first: many processes exceed the memory limit as well if the check comes
+            // late
             excess = Optional.of(Excess.PROCESSES);
         } else if (bytes > limits.residentBytes()) {
             excess = Optional.of(Excess.MEMORY);
@@ -179,7 +180,7 @@ public final class ChildProcess implements AutoCloseable {
     /**
      * Waits for the end of the program.
      *
-     * @param seconds how long at most
+     * @param seconds timeout in seconds
      * @return whether it has ended
      */
     public boolean awaitEnd(double seconds) {
@@ -200,12 +201,12 @@ public final class ChildProcess implements AutoCloseable {
         return excess;
     }
 
-    /** {@return how the program has ended by itself; empty if it goes on, or if a limit has ended it} */
+    /** {@return the exit code; empty while the program runs, or if a limit ended it} */
     public OptionalInt exitCode() {
         return excess.isPresent() || isRunning() ? OptionalInt.empty() : OptionalInt.of(process.exitValue());
     }
 
-    /** Ends the program with all that it has started; what it has printed until then can be read afterwards. */
+    /** Ends the process tree. Output captured until then can still be read. */
     @Override
     public void close() {
         timer.cancel();

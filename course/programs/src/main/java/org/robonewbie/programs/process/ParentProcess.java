@@ -12,8 +12,8 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 
 /**
- * The process that has started this one, see {@link ChildProcess}: its calls come as lines of the input, which the program does not
- * see. Answers go back between what the program prints. When the parent ends, so does this process with all that it has started.
+ * The process that started this one, see {@link ChildProcess}. Calls arrive as lines of the standard input, which is hidden from the
+ * program; answers are interleaved with its output. This process ends, with its descendants, when the parent ends.
  */
 public final class ParentProcess {
 
@@ -43,7 +43,7 @@ public final class ParentProcess {
                 calls.add(line);
             }
         } catch (IOException gone) {
-            // as if it were the end
+            // Handled like the end of the input.
         }
         ProcessHandle.current().descendants().forEach(ProcessHandle::destroyForcibly);
         Runtime.getRuntime().halt(1);

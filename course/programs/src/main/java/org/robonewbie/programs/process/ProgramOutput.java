@@ -12,12 +12,12 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 
 /**
- * All that a process prints, within limits: one thread reads it as it comes, so that no program waits for a reader. Lines that begin
- * with {@link #ANSWER} are no output but answers to calls, see {@link ParentProcess}.
+ * Capture of the output of a process, limited in size. A thread reads continuously so that the program never blocks on a full pipe.
+ * Lines that begin with {@link #ANSWER} are answers to calls, see {@link ParentProcess}.
  */
 public final class ProgramOutput {
 
-    /** Begins an answer; no text has it. */
+    /** First character of an answer; never part of text. */
     static final char ANSWER = '\u0001';
 
     private static final int MAX_FILE_BYTES = 1_000_000;
@@ -43,7 +43,7 @@ public final class ProgramOutput {
     }
 
     /**
-     * Writes what is printed into a file, up to a size; what is more, or finds no room on the disk, is thrown away.
+     * Writes the output to a file. Output beyond a size limit, or without room on the disk, is discarded.
      *
      * @param file the file, which is replaced
      * @return the output of one process
@@ -59,9 +59,9 @@ public final class ProgramOutput {
     }
 
     /**
-     * Passes on what is printed.
+     * Forwards the output line by line.
      *
-     * @param lines receives each line; long ones come in pieces
+     * @param lines receives each line; long lines are split
      * @param answers receives each answer, and an empty one at the end
      * @return the output of one process
      */
@@ -84,7 +84,7 @@ public final class ProgramOutput {
                 take(bytes, count);
             }
         } catch (IOException ended) {
-            // The process was ended while it was printing.
+            // The process ended while printing.
         }
         if (line.size() > 0) {
             finishLine();
@@ -145,17 +145,17 @@ public final class ProgramOutput {
         return text.indexOf('\uFFFD') < 0 ? text : new String(bytes, Charset.defaultCharset());
     }
 
-    /** {@return the end of what was printed} */
+    /** {@return the last characters of the output} */
     public synchronized String end() {
         return end + (isAnswer ? "" : decoded(line.toByteArray()));
     }
 
-    /** Whether Java has ended the program since its memory was full. */
+    /** Whether the JVM ended the program with an {@link OutOfMemoryError}. */
     boolean tellsLackOfMemory() {
         return lackOfMemory;
     }
 
-    /** Waits until all is read; processes that the program has started may keep the line open, but not for long. */
+    /** Waits until the output is read, for a few seconds at most, since descendants may keep the pipe open. */
     void await() {
         try {
             reader.join(TimeUnit.SECONDS.toMillis(3));

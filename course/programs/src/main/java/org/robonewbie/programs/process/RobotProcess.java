@@ -32,8 +32,8 @@ import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.SensorReadings;
 
 /**
- * A student's program in a process of its own, which brings a robot whenever a trial in this process asks for one. All that it can say
- * to its judge is what its robots do and why they have gone.
+ * A student's program in a child process that provides robots for trials in this process. The judge learns from it only the robots'
+ * commands and the reasons for their departure.
  *
  * <pre>{@code
  * try (RobotProcess program = RobotProcess.start(request, sandbox, System.out::println);
@@ -44,7 +44,7 @@ import org.robonewbie.trial.SensorReadings;
  */
 public final class RobotProcess implements AutoCloseable {
 
-    /** Stands before each line that the student's program prints, so that none can be taken for a verdict. */
+    /** Prefix of each line that the student's program prints, so that none can be mistaken for a verdict. */
     public static final String MARK = "  program| ";
 
     private static final double SECONDS_TO_LEAVE = 3;
@@ -67,18 +67,18 @@ public final class RobotProcess implements AutoCloseable {
         this.state = state;
     }
 
-    /** What the process has said of itself. */
+    /** State that the process has reported. */
     private static final class State {
         private volatile boolean ready;
         private volatile Optional<Departure> slowness = Optional.empty();
     }
 
     /**
-     * A program to be started.
+     * The program to start.
      *
      * @param program name of an example, a class or a Java file
      * @param classPath folders and jars with the student's classes
-     * @param folder working directory of the program, where its motions are; in a sandbox it cannot change what is there
+     * @param folder working directory of the program, with its motions; read-only in a sandbox
      * @param isAlone whether only this program works there
      */
     public record Request(String program, List<Path> classPath, Path folder, boolean isAlone) {
@@ -100,7 +100,7 @@ public final class RobotProcess implements AutoCloseable {
                     readable, hiddenAtHome(), Optional.of(folder), Optional.of(sockets), Optional.empty());
         }
 
-        /** A program that lies in the home folder itself sees keys and settings of its owner no more than another one. */
+        /** Hides keys and settings of the owner from a program in the home folder itself. */
         private static List<Path> hiddenAtHome() {
             try (Stream<Path> entries = Files.list(Path.of(System.getProperty("user.home", "/")))) {
                 return entries.filter(
@@ -144,7 +144,7 @@ public final class RobotProcess implements AutoCloseable {
         return new RobotProcess(process, sockets, robots, state);
     }
 
-    /** What a program writes in place of an answer concerns its own robots only. */
+    /** Parses an answer. Forged ones can affect only the robots of the program itself. */
     private static void hear(String answer, State state, Map<Integer, CompletableFuture<Departure>> robots) {
         try {
             if (answer.isEmpty()) {
@@ -159,7 +159,7 @@ public final class RobotProcess implements AutoCloseable {
                 Optional.ofNullable(robots.get(id)).ifPresent(robot -> robot.complete(why));
             }
         } catch (IllegalArgumentException | IndexOutOfBoundsException forged) {
-            // It says nothing.
+            // Ignored: no valid answer.
         }
     }
 
@@ -173,12 +173,12 @@ public final class RobotProcess implements AutoCloseable {
         return state.slowness;
     }
 
-    /** {@return the end of what the process has printed} */
+    /** {@return the last output of the process} */
     public String output() {
         return process.output().end();
     }
 
-    /** {@return how the process has ended; 1 if it has not, or was ended by a limit} */
+    /** {@return the exit code; 1 if the process still runs or was ended by a limit} */
     public int exitCode() {
         process.awaitEnd(SECONDS_TO_END);
         return process.exitCode().orElse(1);
@@ -195,7 +195,7 @@ public final class RobotProcess implements AutoCloseable {
     }
 
     /**
-     * Opens a way for the robots of one trial.
+     * Opens an entrance for the robots of one trial.
      *
      * @return the entrance
      * @throws IOException if no port is free
@@ -208,7 +208,7 @@ public final class RobotProcess implements AutoCloseable {
         return new Entrance(address, name);
     }
 
-    /** The way for the robots of one trial; programs that are tried at the same time do not come through it. */
+    /** The port for the robots of one trial; programs in concurrent trials are refused. */
     public final class Entrance implements Supplier<Controller>, AutoCloseable {
 
         private final GuestDoor door;
@@ -224,7 +224,7 @@ public final class RobotProcess implements AutoCloseable {
             return !ProcessTree.knowsConnections() || process.holds(guest.getPort(), door.port());
         }
 
-        /** {@return a robot, which is called when it is known who it is} */
+        /** {@return a robot, which is requested from the process as soon as its team and number are known} */
         @Override
         public Controller get() {
             return new CalledRobot(this);
@@ -243,9 +243,9 @@ public final class RobotProcess implements AutoCloseable {
         }
 
         /**
-         * Returns why the robots of a trial that is over have gone, as they say themselves; or that the process has ended.
+         * Returns why the robots of a finished trial have left, as reported by the process, or that the process has ended.
          *
-         * @return the reason; empty if there is none but the end of the trial, or if the program could not even begin
+         * @return the reason; empty if it is the end of the trial, or if the program was never ready
          */
         public Optional<Departure> departure() {
             return (state.ready ? own : List.<CompletableFuture<Departure>>of())
@@ -299,7 +299,7 @@ public final class RobotProcess implements AutoCloseable {
         }
     }
 
-    /** Ends the program with all that it has started. */
+    /** Ends the program with all of its processes. */
     @Override
     public void close() {
         process.close();

@@ -49,7 +49,7 @@ public final class WaitingProcess implements AutoCloseable {
     }
 
     /**
-     * Starts a program at once.
+     * Starts a program immediately in the JVM that is already running.
      *
      * @param className its class
      * @param classes its compiled classes

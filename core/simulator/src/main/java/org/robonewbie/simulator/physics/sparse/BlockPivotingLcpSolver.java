@@ -7,7 +7,7 @@ import java.util.List;
  * Solves the linear complementarity problem of the constraint forces: each row is satisfied or its force is at a limit.
  *
  * <p>Block principal pivoting: start from an initial basis of free rows, solve for their forces, and find the infeasible rows:
- * a free row whose force is beyond a limit, or a row at its limit that separates. All of them are pivoted at once; that nearly
+ * a free row whose force is beyond a limit, or a row at its limit that separates. All of them are pivoted together; that nearly
  * always converges in one or two rounds. Without progress only the last infeasible row is pivoted (Murty's rule), which
  * converges because A is positive definite, given enough rounds. Source: Júdice and Pires, "A block principal pivoting algorithm for
  * large-scale strictly monotone linear complementarity problems" (1994).

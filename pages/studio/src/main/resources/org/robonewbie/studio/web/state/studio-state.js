@@ -28,7 +28,7 @@ const CHEER_MILLISECONDS = 4000;
 
 /** Default agent port. */
 const DEFAULT_AGENT_PORT = 3100;
-/** Port of a world that only programs of its own page can join. */
+/** Port of a world that only programs of the page itself can join. */
 const NO_PORT = 0;
 
 /** Selectable speeds; 'fastest' does not wait between cycles. */
