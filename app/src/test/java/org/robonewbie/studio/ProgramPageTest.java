@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.app.course.Coach;
+import org.robonewbie.app.course.ProgressService;
 import org.robonewbie.app.studio.LocalCourseService;
 import org.robonewbie.app.studio.ProcessCompilerService;
 import org.robonewbie.exercises.progress.SolutionRepository;
@@ -78,7 +78,7 @@ class ProgramPageTest {
                 folder,
                 simulator.control(),
                 shown,
-                new Coach(Optional.empty(), new SolutionRepository(Optional.empty()), Clock.systemUTC()));
+                new ProgressService(Optional.empty(), new SolutionRepository(Optional.empty()), Clock.systemUTC()));
         StudioFolders folders = new StudioFolders(folder.resolve("motions"), Optional.empty());
         studio = StudioServer.start(shown, 0, AccessToken.random(), folders, course, workshop);
         telemetry = TelemetryServer.open(TelemetryServer.portFor(simulator.agentPort()), studio.telemetry());

@@ -16,7 +16,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.app.course.Coach;
+import org.robonewbie.app.course.ProgressService;
 import org.robonewbie.app.studio.LocalCourseService;
 import org.robonewbie.app.studio.ProcessCompilerService;
 import org.robonewbie.nao.Joint;
@@ -142,7 +142,7 @@ class ProgramRoomMeasurement {
                 ProcessCompilerService workshop = new ProcessCompilerService(folder)) {
             ShownSimulation shown = new ShownSimulation(simulator.control());
             try (LocalCourseService course =
-                            new LocalCourseService(folder, simulator.control(), shown, Coach.ofUser());
+                            new LocalCourseService(folder, simulator.control(), shown, ProgressService.ofUser());
                     StudioServer studio =
                             StudioServer.start(shown, 0, AccessToken.random(), folders, course, workshop)) {
                 cookie = StudioCookie.of(studio.oneTimeAddress());

@@ -45,7 +45,7 @@ final class DoctorCommand implements Callable<Integer> {
 
     /** Prints the findings one by one, then the verdict. */
     private static int report(Checkup checkup, String success) {
-        CommandWord word = CommandWord.here();
+        ProgramName word = ProgramName.here();
         Verdict worst = Verdict.WELL;
         for (Finding finding : checkup.findings()) {
             System.out.println(word.in(finding.toText()));

@@ -10,9 +10,9 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
-import org.robonewbie.app.course.Coach;
 import org.robonewbie.app.course.GradingConditions;
 import org.robonewbie.app.course.GradingProcess;
+import org.robonewbie.app.course.ProgressService;
 import org.robonewbie.app.course.ProgressTable;
 import org.robonewbie.app.marking.ClassMarking;
 import org.robonewbie.exercises.Exercise;
@@ -145,8 +145,8 @@ final class GradeCommand implements Callable<Integer> {
             return gradeClass(classFolder.get());
         }
         if (exerciseName.isEmpty()) {
-            System.out.print(CommandWord.here()
-                    .in(list(language.language(), Coach.ofUser().progress())));
+            System.out.print(ProgramName.here()
+                    .in(list(language.language(), ProgressService.ofUser().progress())));
             return ExitCode.OK;
         }
         Exercise exercise = exercise(exerciseName.get());
@@ -222,7 +222,7 @@ final class GradeCommand implements Callable<Integer> {
 
     private int openHint(Exercise exercise) {
         Language spoken = language.language();
-        Coach.Hints hints = Coach.ofUser().nextHint(exercise, spoken);
+        ProgressService.Hints hints = ProgressService.ofUser().nextHint(exercise, spoken);
         for (int i = 0; i < hints.open().size(); i++) {
             String number = spoken.translated("Hint " + (i + 1) + " of " + hints.all());
             System.out.println(number + ": " + hints.open().get(i));
@@ -234,7 +234,7 @@ final class GradeCommand implements Callable<Integer> {
     }
 
     private static int openSolution(Exercise exercise) {
-        SolutionRepository.Answer answer = Coach.ofUser().solution(exercise);
+        SolutionRepository.Answer answer = ProgressService.ofUser().solution(exercise);
         (answer.open() ? System.out : System.err).println(answer.text().stripTrailing());
         return answer.open() ? ExitCode.OK : ExitCode.SOFTWARE;
     }
@@ -242,8 +242,8 @@ final class GradeCommand implements Callable<Integer> {
     private int tell(Exercise exercise, Grade grade) throws IOException {
         Language spoken = language.language();
         System.out.print(grade.text(spoken));
-        Coach.ofUser().graded(exercise, grade.points(), grade.passed(), spoken).stream()
-                .map(CommandWord.here()::in)
+        ProgressService.ofUser().graded(exercise, grade.points(), grade.passed(), spoken).stream()
+                .map(ProgramName.here()::in)
                 .forEach(System.out::println);
         if (json.isPresent()) {
             AtomicFile.write(json.get(), grade.json());
@@ -258,8 +258,8 @@ final class GradeCommand implements Callable<Integer> {
                     "There is a file " + file + " already, and it is kept. Rename it to start over.");
         }
         Files.writeString(file, exercise.startCode());
-        Coach.ofUser().begun(exercise);
-        System.out.println(CommandWord.here()
+        ProgressService.ofUser().begun(exercise);
+        System.out.println(ProgramName.here()
                 .in("Written: " + file + System.lineSeparator()
                         + language.language().translated(exercise.goal()) + System.lineSeparator()
                         + "Change it, then see it in the scene of the exercise, with points and a hint:"

@@ -13,10 +13,10 @@ final class HelpExamples {
     private static final String FARTHER = "      ";
     private static final int LEAST_WIDTH = 40;
 
-    private final CommandWord word;
+    private final ProgramName word;
     private final int width;
 
-    HelpExamples(CommandWord word, int width) {
+    HelpExamples(ProgramName word, int width) {
         this.word = word;
         this.width = Math.max(LEAST_WIDTH, width);
     }

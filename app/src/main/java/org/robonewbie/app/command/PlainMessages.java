@@ -26,16 +26,16 @@ final class PlainMessages implements IParameterExceptionHandler, IExecutionExcep
     @Override
     public int handleParseException(ParameterException exception, String[] arguments) {
         CommandLine command = exception.getCommandLine();
-        command.getErr().println("robonewbie: " + CommandWord.here().in(messageOf(exception)));
+        command.getErr().println("robonewbie: " + ProgramName.here().in(messageOf(exception)));
         command.getErr()
-                .println(CommandWord.here()
+                .println(ProgramName.here()
                         .in("\"" + command.getCommandSpec().qualifiedName() + " --help\" shows what can be written."));
         return ExitCode.USAGE;
     }
 
     @Override
     public int handleExecutionException(Exception exception, CommandLine command, ParseResult parsed) {
-        command.getErr().println("robonewbie: " + CommandWord.here().in(messageOf(exception)));
+        command.getErr().println("robonewbie: " + ProgramName.here().in(messageOf(exception)));
         return isOfTheUser(exception) ? ExitCode.USAGE : ExitCode.SOFTWARE;
     }
 

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.robonewbie.app.course.Coach;
+import org.robonewbie.app.course.ProgressService;
 import org.robonewbie.app.course.ProgressTable;
 import org.robonewbie.exercises.progress.Progress;
 import org.robonewbie.exercises.progress.ProgressFile;
@@ -48,7 +48,7 @@ final class ProgressOption {
 
     int show() throws IOException {
         ProgressTable table =
-                new ProgressTable(files.contains(OWN) ? Coach.ofUser().progress() : team());
+                new ProgressTable(files.contains(OWN) ? ProgressService.ofUser().progress() : team());
         System.out.print(table.text());
         if (csv.isPresent()) {
             AtomicFile.write(csv.get(), table.csv(name));

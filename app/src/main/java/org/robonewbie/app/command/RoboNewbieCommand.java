@@ -143,7 +143,7 @@ public final class RoboNewbieCommand {
 
     /** The examples below each help text name this program as it has to be written here. */
     private static void proposeWhatCanBeCopied(CommandLine commandLine) {
-        CommandWord word = CommandWord.here();
+        ProgramName word = ProgramName.here();
         commandLine
                 .getCommandSpec()
                 .usageMessage()

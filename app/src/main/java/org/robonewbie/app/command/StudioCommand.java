@@ -5,7 +5,7 @@ import java.net.URI;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import org.robonewbie.app.course.Coach;
+import org.robonewbie.app.course.ProgressService;
 import org.robonewbie.app.studio.LocalCourseService;
 import org.robonewbie.app.studio.OpenedFile;
 import org.robonewbie.app.studio.ProcessCompilerService;
@@ -98,7 +98,8 @@ final class StudioCommand implements Callable<Integer> {
         OpenedFile opened = OpenedFile.of(file);
         SimulationControl simulation = monitor.isPresent() ? watch(monitor.get()) : start();
         ShownSimulation shown = new ShownSimulation(simulation);
-        LocalCourseService course = new LocalCourseService(opened.programs(), simulation, shown, Coach.ofUser());
+        LocalCourseService course =
+                new LocalCourseService(opened.programs(), simulation, shown, ProgressService.ofUser());
         course.speak(language.language());
         Runtime.getRuntime().addShutdownHook(new Thread(course::close, "end-of-exercise"));
         ProcessCompilerService workshop = new ProcessCompilerService(opened.programs());

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
-import org.robonewbie.app.course.Coach;
+import org.robonewbie.app.course.ProgressService;
 import org.robonewbie.app.course.ProgressTable;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
@@ -21,13 +21,13 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.studio.ShownSimulation;
 import org.robonewbie.studio.course.Attempt;
-import org.robonewbie.studio.course.Course;
+import org.robonewbie.studio.course.CourseService;
 import org.robonewbie.studio.course.Help;
 import org.robonewbie.studio.course.Lesson;
 import org.robonewbie.studio.course.Standings;
 
 /** The exercises of the studio. An attempt is shown in place of the free pitch. */
-public final class LocalCourseService implements Course, AutoCloseable {
+public final class LocalCourseService implements CourseService, AutoCloseable {
 
     /** Preferred port for students' own agents. */
     static final int DEFAULT_PORT = 3110;
@@ -37,7 +37,7 @@ public final class LocalCourseService implements Course, AutoCloseable {
     private final Path folder;
     private final SimulationControl freePitch;
     private final ShownSimulation shown;
-    private final Coach coach;
+    private final ProgressService coach;
     private Optional<CourseAttempt> current = Optional.empty();
     private long attempts;
     private Language language = Language.ENGLISH;
@@ -50,7 +50,7 @@ public final class LocalCourseService implements Course, AutoCloseable {
      * @param shown the displayed simulation
      * @param coach stores the progress and opens hints
      */
-    public LocalCourseService(Path folder, SimulationControl freePitch, ShownSimulation shown, Coach coach) {
+    public LocalCourseService(Path folder, SimulationControl freePitch, ShownSimulation shown, ProgressService coach) {
         this.folder = folder;
         this.freePitch = freePitch;
         this.shown = shown;
@@ -123,7 +123,7 @@ public final class LocalCourseService implements Course, AutoCloseable {
         return help(find(exercise), coach.nextHint(find(exercise), spoken()));
     }
 
-    private Help help(Exercise exercise, Coach.Hints hints) {
+    private Help help(Exercise exercise, ProgressService.Hints hints) {
         return new Help(hints.open(), hints.all(), coach.offersSolution(exercise), coach.triesBeforeSolution(exercise));
     }
 

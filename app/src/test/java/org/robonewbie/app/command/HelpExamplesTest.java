@@ -6,7 +6,7 @@ import org.junit.jupiter.api.Test;
 
 class HelpExamplesTest {
 
-    private final HelpExamples examples = new HelpExamples(new CommandWord("./robonewbie"), 50);
+    private final HelpExamples examples = new HelpExamples(new ProgramName("./robonewbie"), 50);
 
     @Test
     void shortExampleStaysAsItIs() {

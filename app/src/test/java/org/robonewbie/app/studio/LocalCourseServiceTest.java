@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.Project;
-import org.robonewbie.app.course.Coach;
+import org.robonewbie.app.course.ProgressService;
 import org.robonewbie.exercises.progress.ProgressFile;
 import org.robonewbie.exercises.progress.SolutionRepository;
 import org.robonewbie.programs.process.ChildProcess;
@@ -71,7 +71,7 @@ class LocalCourseServiceTest {
                 place,
                 freePitch,
                 shown,
-                new Coach(progress, SolutionRepository.ofUser(Optional.of(Project.ROOT)), Clock.systemUTC()));
+                new ProgressService(progress, SolutionRepository.ofUser(Optional.of(Project.ROOT)), Clock.systemUTC()));
     }
 
     @AfterEach

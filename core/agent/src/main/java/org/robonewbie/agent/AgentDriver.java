@@ -93,11 +93,11 @@ public final class AgentDriver {
      */
     public void play(AgentLink link, Options options) throws IOException {
         join(link, options);
-        goOn();
+        resume();
     }
 
     /**
-     * Enters a game over a connection, which is used up to the robot's first place. {@link #goOn} plays.
+     * Enters a game over a connection, which is used up to the robot's first place. {@link #resume} plays.
      *
      * @param link the robot's end of the connection
      * @param options who the robot is and where it starts
@@ -116,7 +116,7 @@ public final class AgentDriver {
      * Goes on with the game that was {@link #join joined}: answers message after message, until the connection has no more. One
      * that does not wait for messages gives control back after each of them.
      */
-    public void goOn() {
+    public void resume() {
         agent.run(session);
     }
 

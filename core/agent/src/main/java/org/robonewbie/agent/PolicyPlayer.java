@@ -79,7 +79,7 @@ public final class PolicyPlayer {
             commands.put(command, 0.0);
             return robot -> commands.getOrDefault(command, 0.0);
         }
-        return FeltQuantity.of(input).reading();
+        return SensedQuantity.of(input).reading();
     }
 
     private static Joint joint(Quantity output) {

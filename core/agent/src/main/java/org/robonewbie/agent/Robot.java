@@ -310,7 +310,7 @@ public class Robot {
      * @param y metres to the left of that
      * @param headingDegrees heading of the torso; 0 is towards the opponents' goal, positive is left
      */
-    public final void tellPose(double x, double y, double headingDegrees) {
+    public final void publishPose(double x, double y, double headingDegrees) {
         runtime.telemetry().locate(new Pose2d(x, y, headingDegrees));
     }
 }

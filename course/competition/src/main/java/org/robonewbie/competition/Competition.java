@@ -106,7 +106,7 @@ public final class Competition {
         if (settings.sandbox().isUp()) {
             return List.of("Programs were fenced in by bubblewrap; each team had a port that no other one can reach.");
         }
-        String connections = ProcessTree.knowsConnections()
+        String connections = ProcessTree.hasConnections()
                 ? "Whose connection came to the port of a team was checked."
                 : "Whose connection came to the port of a team was not checked, since this system does not tell.";
         return List.of("Programs were not fenced in (" + settings.sandbox().absence() + ").", connections);

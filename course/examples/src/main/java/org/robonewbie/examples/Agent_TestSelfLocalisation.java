@@ -46,7 +46,7 @@ public final class Agent_TestSelfLocalisation extends Agent {
     protected void think() {
         self.update(nao, fieldView);
         Pose2d pose = self.pose();
-        nao.tellPose(pose.x(), pose.y(), pose.degrees());
+        nao.publishPose(pose.x(), pose.y(), pose.degrees());
         lookAround.look();
         if (motions.start(WAY[step % WAY.length])) {
             step++;

@@ -16,8 +16,8 @@ import java.util.stream.Stream;
 import javax.tools.SimpleJavaFileObject;
 import org.robonewbie.nao.file.TextFile;
 import org.robonewbie.nao.file.UnreadableFileException;
-import org.robonewbie.programs.completion.BegunWord;
 import org.robonewbie.programs.completion.Completion;
+import org.robonewbie.programs.completion.PartialWord;
 import org.robonewbie.programs.completion.Proposal;
 import org.robonewbie.programs.hint.FrameworkNames;
 
@@ -153,7 +153,7 @@ public final class JavaSource {
      */
     public List<Proposal> complete(List<Path> classPath, int at) {
         CompilerOfThisJava.require();
-        BegunWord word = BegunWord.at(text, at);
+        PartialWord word = PartialWord.at(text, at);
         try {
             return of(file, word.text())
                     .with(new CompilerMessages(), classPath, (task, classes) -> proposals(task, word.begun()));

@@ -17,7 +17,7 @@ import org.robonewbie.team.skill.Goalkeeping;
 import org.robonewbie.team.skill.Kick;
 import org.robonewbie.team.skill.KickKind;
 import org.robonewbie.team.skill.Limbs;
-import org.robonewbie.team.tactics.KickOffPlaces;
+import org.robonewbie.team.tactics.KickOffPositions;
 import org.robonewbie.team.tactics.Plan;
 import org.robonewbie.team.tactics.Roles;
 import org.robonewbie.team.tactics.SetPlay;
@@ -157,7 +157,7 @@ public class Agent_Team extends Agent {
     /** Goes to its place before a kick-off: by beam, and again if the referee has moved it. */
     private void lineUp() {
         boolean small = !Roles.isKeeper(world, 1);
-        Pose2d place = KickOffPlaces.place(world.number(), !world.hasScored(), small, world.field());
+        Pose2d place = KickOffPositions.place(world.number(), !world.hasScored(), small, world.field());
         boolean away = world.place().distanceTo(place.translation()) > 0.3 || nao.isFallen();
         boolean free = motions.isFinished() || nao.isFallen();
         if (away && free && world.seconds() - beamedSeconds > BEAM_AGAIN_SECONDS) {

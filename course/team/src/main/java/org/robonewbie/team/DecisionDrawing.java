@@ -32,7 +32,7 @@ final class DecisionDrawing {
 
     /** Draws the plan, what else was possible, and the way of this cycle. */
     void show(Plan plan, List<KickChoice.Option> options, List<Translation2d> way) {
-        nao.tellPose(world.pose().x(), world.pose().y(), world.pose().degrees());
+        nao.publishPose(world.pose().x(), world.pose().y(), world.pose().degrees());
         nao.drawText(
                 new Vector3(0, 0, 0.3),
                 plan.role() + " " + plan.action(),

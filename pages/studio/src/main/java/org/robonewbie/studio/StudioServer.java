@@ -23,8 +23,8 @@ import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.studio.board.BoardReader;
 import org.robonewbie.studio.board.EventBus;
-import org.robonewbie.studio.course.Course;
 import org.robonewbie.studio.course.CourseApi;
+import org.robonewbie.studio.course.CourseService;
 import org.robonewbie.studio.motion.MotionApi;
 import org.robonewbie.studio.program.CompilerService;
 import org.robonewbie.studio.program.ProgramApi;
@@ -123,7 +123,7 @@ public final class StudioServer implements Viewer.View {
 
     /** Starts the studio with exercises. */
     static StudioServer start(
-            SimulationControl simulation, int port, AccessToken token, StudioFolders folders, Course course)
+            SimulationControl simulation, int port, AccessToken token, StudioFolders folders, CourseService course)
             throws IOException {
         Lessons lessons = new Lessons(Optional.of(course), Optional.empty());
         return start(simulation, port, signIn(token), folders, Optional.empty(), lessons);
@@ -135,7 +135,7 @@ public final class StudioServer implements Viewer.View {
             int port,
             AccessToken token,
             StudioFolders folders,
-            Course course,
+            CourseService course,
             CompilerService compiler)
             throws IOException {
         Lessons lessons = new Lessons(Optional.of(course), Optional.of(compiler));
@@ -143,7 +143,7 @@ public final class StudioServer implements Viewer.View {
     }
 
     /** Optional services for students. */
-    private record Lessons(Optional<Course> course, Optional<CompilerService> compiler) {
+    private record Lessons(Optional<CourseService> course, Optional<CompilerService> compiler) {
 
         private static final Lessons NONE = new Lessons(Optional.empty(), Optional.empty());
     }

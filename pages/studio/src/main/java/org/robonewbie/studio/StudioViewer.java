@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.studio.board.EventBus;
-import org.robonewbie.studio.course.Course;
+import org.robonewbie.studio.course.CourseService;
 import org.robonewbie.studio.program.CompilerService;
 
 /**
@@ -63,7 +63,11 @@ public final class StudioViewer implements Viewer {
      * @throws IOException if the port cannot be opened
      */
     public static StudioServer open(
-            SimulationControl simulation, int port, StudioFolders folders, Course course, CompilerService compiler)
+            SimulationControl simulation,
+            int port,
+            StudioFolders folders,
+            CourseService course,
+            CompilerService compiler)
             throws IOException {
         AccessToken token = AccessToken.ofUser();
         try {

@@ -93,7 +93,7 @@ class PageFeedTest {
 
         @Override
         public void restore(WorldState state, Consumer<OptionalInt> receiver) {
-            receiver.accept(OptionalInt.of(world.goOnFrom(state)));
+            receiver.accept(OptionalInt.of(world.resumeFrom(state)));
         }
 
         @Override

@@ -7,13 +7,13 @@ import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.studio.course.Attempt;
 import org.robonewbie.studio.course.Attempt.State;
-import org.robonewbie.studio.course.Course;
+import org.robonewbie.studio.course.CourseService;
 import org.robonewbie.studio.course.Help;
 import org.robonewbie.studio.course.Lesson;
 import org.robonewbie.studio.course.Standings;
 
 /** A course of two exercises on its own pitch; the test determines the results of trials. */
-final class SmallCourse implements Course {
+final class SmallCourse implements CourseService {
 
     private final SimulationControl freePitch;
     private final SmallSimulation pitchOfTrial;

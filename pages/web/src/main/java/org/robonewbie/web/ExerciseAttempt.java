@@ -64,7 +64,7 @@ final class ExerciseAttempt {
         ExerciseTrial trial = new ExerciseTrial(
                 exercise,
                 seed,
-                () -> new StudentPerformer(new Program(classes), nowhere, TelemetrySink.NONE),
+                () -> new StudentController(new Program(classes), nowhere, TelemetrySink.NONE),
                 RecordingTarget.NONE);
         while (!trial.isOver()) {
             trial.cycle();
@@ -78,7 +78,7 @@ final class ExerciseAttempt {
         ExerciseTrial started = new ExerciseTrial(
                 exercise,
                 seed,
-                () -> new StudentPerformer(new Program(classes), output, world.feed()),
+                () -> new StudentController(new Program(classes), output, world.feed()),
                 PageContext.record());
         if (started.isStarted()) {
             world.show(started);

@@ -69,7 +69,7 @@ final class FreePitch implements EditableWorld {
             throw new UncheckedIOException("The world of the page has closed its connection.", impossible);
         }
         link.stopWaiting();
-        add(new Player(driver::goOn));
+        add(new Player(driver::resume));
         return this;
     }
 
@@ -118,7 +118,7 @@ final class FreePitch implements EditableWorld {
         cycleUntil(() -> seats().equals(seats) || !run.isRunning());
         if (seats().equals(seats)) {
             simulator.isReady();
-            simulator.goOnFrom(moment);
+            simulator.resumeFrom(moment);
         }
     }
 
@@ -144,7 +144,7 @@ final class FreePitch implements EditableWorld {
     @Override
     public OptionalInt restore(WorldState state) {
         try {
-            return simulator.isReady() ? OptionalInt.of(simulator.goOnFrom(state)) : OptionalInt.empty();
+            return simulator.isReady() ? OptionalInt.of(simulator.resumeFrom(state)) : OptionalInt.empty();
         } catch (IllegalArgumentException ofAnotherWorld) {
             return OptionalInt.empty();
         }
@@ -152,7 +152,7 @@ final class FreePitch implements EditableWorld {
 
     @Override
     public void restore(WorldSnapshot before, WorldSnapshot moment) {
-        simulator.goOnFrom(before, moment);
+        simulator.resumeFrom(before, moment);
     }
 
     @Override

@@ -34,7 +34,7 @@ import org.robonewbie.team.skill.PathPlanner;
 import org.robonewbie.team.tactics.Assignment;
 import org.robonewbie.team.tactics.Formation;
 import org.robonewbie.team.tactics.KickChoice;
-import org.robonewbie.team.tactics.KickOffPlaces;
+import org.robonewbie.team.tactics.KickOffPositions;
 import org.robonewbie.team.tactics.Plan;
 import org.robonewbie.team.tactics.Roles;
 import org.robonewbie.team.tactics.SetPlay;
@@ -86,7 +86,7 @@ final class LibraryRoots {
             Assignment.class,
             Formation.class,
             KickChoice.class,
-            KickOffPlaces.class,
+            KickOffPositions.class,
             Plan.class,
             Roles.class,
             SetPlay.class,

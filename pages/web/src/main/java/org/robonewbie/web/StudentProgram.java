@@ -78,7 +78,7 @@ final class StudentProgram {
      */
     boolean resume() {
         if (machine.resume()) {
-            drivers.forEach(AgentDriver::goOn);
+            drivers.forEach(AgentDriver::resume);
             return drivers.isEmpty();
         }
         return false;
@@ -98,7 +98,7 @@ final class StudentProgram {
     /** Lets the robots that have already joined answer while another one joins. */
     private void turn() {
         nextCycle.run();
-        drivers.forEach(AgentDriver::goOn);
+        drivers.forEach(AgentDriver::resume);
     }
 
     /** {@return whether a step of an agent has thrown an exception} */
@@ -144,7 +144,7 @@ final class StudentProgram {
         drivers.clear();
         return new Later(
                 () -> {
-                    own.forEach(AgentDriver::goOn);
+                    own.forEach(AgentDriver::resume);
                     return false;
                 },
                 () -> null,

@@ -280,7 +280,7 @@ public final class WebEdition {
     public static String beginExercise(String exercise, int trials) {
         try {
             List<byte[]> taken = takenClasses();
-            StudentPerformer.agentOf(loaded(taken));
+            StudentController.agentOf(loaded(taken));
             leave();
             attempts++;
             attempt = new ExerciseAttempt(find(exercise), taken, attempts, trials, PageContext.PAGE);

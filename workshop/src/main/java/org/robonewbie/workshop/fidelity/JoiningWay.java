@@ -8,7 +8,7 @@ import java.util.List;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.simulator.soccer.SoccerParameters;
-import org.robonewbie.simulator.soccer.StartPlaces;
+import org.robonewbie.simulator.soccer.StartPositions;
 
 /**
  * How a robot came to where its recording begins: it appeared in the air, joined a team some cycles later, was beamed some
@@ -22,9 +22,9 @@ import org.robonewbie.simulator.soccer.StartPlaces;
  */
 record JoiningWay(int cyclesToInit, Vector3 place, int cyclesToBeam, int cyclesToFirstRow) {
 
-    private static final Vector3 FIRST_PLACE = new StartPlaces(TeamSide.LEFT, SoccerParameters.league()).next();
+    private static final Vector3 FIRST_PLACE = new StartPositions(TeamSide.LEFT, SoccerParameters.league()).next();
     private static final Vector3 FIRST_PLACE_OF_THE_RIGHT_TEAM =
-            new StartPlaces(TeamSide.RIGHT, SoccerParameters.league()).next();
+            new StartPositions(TeamSide.RIGHT, SoccerParameters.league()).next();
     private static final JoiningWay SETTLED = new JoiningWay(3, FIRST_PLACE, 60, 0);
     private static final JoiningWay AT_ONCE = new JoiningWay(3, FIRST_PLACE, 2, 0);
     private static final int MOST_CYCLES = 3000;
@@ -76,7 +76,7 @@ record JoiningWay(int cyclesToInit, Vector3 place, int cyclesToBeam, int cyclesT
 
     /** {@return how many places the team had given to others before; 0 if its row does not pass here} */
     int placesBefore() {
-        StartPlaces places = new StartPlaces(side(), SoccerParameters.league());
+        StartPositions places = new StartPositions(side(), SoccerParameters.league());
         for (int i = 0; i < MOST_PLACES; i++) {
             if (places.next().distanceTo(place) < SAME_METRES) {
                 return i;
@@ -118,7 +118,7 @@ record JoiningWay(int cyclesToInit, Vector3 place, int cyclesToBeam, int cyclesT
     /** The place of the league's pitch that is meant, to the last bit. */
     private static Vector3 placeNear(Vector3 printed) {
         for (TeamSide side : TeamSide.values()) {
-            StartPlaces places = new StartPlaces(side, SoccerParameters.league());
+            StartPositions places = new StartPositions(side, SoccerParameters.league());
             for (int i = 0; i < MOST_PLACES; i++) {
                 Vector3 place = places.next();
                 if (place.distanceTo(printed) < SAME_METRES) {

@@ -77,7 +77,7 @@ public final class SensorState {
     private void push(Vector3 raw) {
         if (isFinite(raw)) {
             torso = torso.withAcceleration(SimSparkFrame.toBody(raw));
-            falls.feel(torso);
+            falls.update(torso);
         }
     }
 

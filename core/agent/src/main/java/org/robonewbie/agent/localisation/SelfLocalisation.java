@@ -37,7 +37,7 @@ import org.robonewbie.nao.model.RobotType;
  * private final SelfLocalisation self = new SelfLocalisation();
  * // at the beginning of think():
  * self.update(nao, fieldView);
- * nao.tellPose(self.pose().x(), self.pose().y(), self.pose().headingDegrees());   // for the studio
+ * nao.publishPose(self.pose().x(), self.pose().y(), self.pose().headingDegrees());   // for the studio
  * }</pre>
  */
 public final class SelfLocalisation {

@@ -29,7 +29,7 @@ public final class FallDetector {
      *
      * @param torso what the accelerometer feels; what is no number is ignored
      */
-    public void feel(TorsoMotion torso) {
+    public void update(TorsoMotion torso) {
         double strength = torso.acceleration().length();
         if (!Double.isFinite(strength)) {
             return;

@@ -28,7 +28,7 @@ public final class Watchdog implements CycleWatch, AutoCloseable {
     private final Consumer<Slowness> listener;
     private final LongSupplier nanoseconds;
     private final Thread thread = new Thread(this::watch, "watchdog");
-    private final SlowThoughts slowThoughts = new SlowThoughts();
+    private final SlowCycles slowThoughts = new SlowCycles();
     private final AtomicLong thought = new AtomicLong();
     private volatile Thread watched = Thread.currentThread();
     private volatile boolean thinking;

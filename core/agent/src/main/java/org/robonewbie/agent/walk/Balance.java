@@ -24,7 +24,7 @@ final class Balance {
     private double turnRate;
 
     /** Takes in the readings of a cycle. */
-    void feel(TorsoMotion torso) {
+    void update(TorsoMotion torso) {
         pitchDegrees += torso.gyro().y() * Cycle.SECONDS;
         rollDegrees += torso.gyro().x() * Cycle.SECONDS;
         pitchRate += RATE_SMOOTHING * (torso.gyro().y() - pitchRate);

@@ -114,8 +114,8 @@ public final class WalkController implements Walk {
      * @param rightFoot what the right sole feels
      */
     public void update(TorsoMotion torso, FootPressure leftFoot, FootPressure rightFoot) {
-        engine.feel(torso);
-        engine.feel(leftFoot, rightFoot);
+        engine.update(torso);
+        engine.update(leftFoot, rightFoot);
         if (!motions.isFinished() && !preparing) {
             wanted = WalkVelocity.ZERO;
         }

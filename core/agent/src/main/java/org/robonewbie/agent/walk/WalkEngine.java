@@ -122,8 +122,8 @@ public final class WalkEngine {
      *
      * @param motion the readings of gyroscope and accelerometer
      */
-    public void feel(TorsoMotion motion) {
-        balance.feel(motion);
+    public void update(TorsoMotion motion) {
+        balance.update(motion);
     }
 
     /**
@@ -132,7 +132,7 @@ public final class WalkEngine {
      * @param left what the left sole feels
      * @param right what the right sole feels
      */
-    public void feel(FootPressure left, FootPressure right) {
+    public void update(FootPressure left, FootPressure right) {
         leftSole = left;
         rightSole = right;
     }

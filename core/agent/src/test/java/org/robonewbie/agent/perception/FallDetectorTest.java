@@ -60,6 +60,6 @@ class FallDetectorTest {
     }
 
     private void feel(double forward, double left, double up) {
-        detector.feel(TorsoMotion.AT_REST.withAcceleration(new Vector3(forward, left, up)));
+        detector.update(TorsoMotion.AT_REST.withAcceleration(new Vector3(forward, left, up)));
     }
 }

@@ -93,7 +93,7 @@ class WalkEngineTest {
         Balance balance = new Balance();
         TorsoMotion torso = TorsoMotion.AT_REST.withGyro(new Vector3(0, 20, 0));
         for (int i = 0; i < 25; i++) {
-            balance.feel(torso);
+            balance.update(torso);
         }
 
         assertThat(balance.pitchDegrees()).isBetween(5.0, 10.0);
@@ -106,7 +106,7 @@ class WalkEngineTest {
         TorsoMotion torso =
                 TorsoMotion.AT_REST.withAcceleration(new Vector3(0, 9.81 * Math.sin(0.1), 9.81 * Math.cos(0.1)));
         for (int i = 0; i < 400; i++) {
-            balance.feel(torso);
+            balance.update(torso);
         }
 
         assertThat(balance.rollDegrees()).isCloseTo(Math.toDegrees(0.1), within(0.1));
@@ -123,7 +123,7 @@ class WalkEngineTest {
     private static List<Posture> postures(WalkEngine engine, int cycles) {
         List<Posture> postures = new ArrayList<>();
         for (int i = 0; i < cycles; i++) {
-            engine.feel(TorsoMotion.AT_REST);
+            engine.update(TorsoMotion.AT_REST);
             postures.add(engine.next());
         }
         return postures;

@@ -24,7 +24,7 @@ record AgentSlot(int id, String team, int number) {
      * Rules that match agents to slots, the strictest first: the same player, the same robot as long as one of the two has not
      * joined, an agent without a robot, and any agent for a slot without a robot.
      */
-    private static final List<BiPredicate<AgentSlot, ConnectedAgent>> RULES = List.of(
+    private static final List<BiPredicate<AgentSlot, AgentSession>> RULES = List.of(
             (slot, agent) -> slot.isPlayer() && of(agent).isSamePlayer(slot),
             (slot, agent) -> slot.id > 0
                     && slot.id == agent.id()
@@ -32,14 +32,14 @@ record AgentSlot(int id, String team, int number) {
             (slot, agent) -> agent.robot().isEmpty(),
             (slot, agent) -> slot.id == 0);
 
-    static AgentSlot of(ConnectedAgent agent) {
+    static AgentSlot of(AgentSession agent) {
         return new AgentSlot(
                 agent.id(),
                 agent.player().map(player -> player.team().name()).orElse(""),
                 agent.player().map(Player::number).orElse(0));
     }
 
-    static void saveAll(List<ConnectedAgent> agents, List<Robot> robots, Match match, StateWriter out) {
+    static void saveAll(List<AgentSession> agents, List<Robot> robots, Match match, StateWriter out) {
         out.putAll(agents, agent -> of(agent).save(out));
         agents.forEach(agent -> agent.save(out, robots, match.teams().players()));
     }
@@ -55,18 +55,18 @@ record AgentSlot(int id, String team, int number) {
      * @param in holds the state of the agents
      */
     static void restoreAll(
-            List<ConnectedAgent> agents,
+            List<AgentSession> agents,
             List<Robot> robots,
             Match match,
             Supplier<Camera> newCamera,
-            Supplier<ConnectedAgent> absent,
+            Supplier<AgentSession> absent,
             StateReader in) {
         List<AgentSlot> slots = in.getAll(() -> restore(in));
-        List<ConnectedAgent> present = new ArrayList<>(agents);
+        List<AgentSession> present = new ArrayList<>(agents);
         agents.clear();
         agents.addAll(List.of(fill(slots, present, absent)));
         agents.forEach(agent -> agent.restore(in, robots, match.teams().players(), newCamera));
-        present.forEach(ConnectedAgent::loseRobot);
+        present.forEach(AgentSession::loseRobot);
         agents.addAll(present);
     }
 
@@ -88,10 +88,10 @@ record AgentSlot(int id, String team, int number) {
      * @param absent stands in for an agent that is not connected
      * @return the agents of the slots, in their order
      */
-    private static ConnectedAgent[] fill(
-            List<AgentSlot> slots, List<ConnectedAgent> agents, Supplier<ConnectedAgent> absent) {
-        ConnectedAgent[] found = new ConnectedAgent[slots.size()];
-        for (BiPredicate<AgentSlot, ConnectedAgent> rule : RULES) {
+    private static AgentSession[] fill(
+            List<AgentSlot> slots, List<AgentSession> agents, Supplier<AgentSession> absent) {
+        AgentSession[] found = new AgentSession[slots.size()];
+        for (BiPredicate<AgentSlot, AgentSession> rule : RULES) {
             for (int i = 0; i < found.length; i++) {
                 AgentSlot slot = slots.get(i);
                 if (found[i] == null) {

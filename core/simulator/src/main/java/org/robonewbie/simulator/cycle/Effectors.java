@@ -58,7 +58,7 @@ final class Effectors implements Restorable {
     }
 
     /** Does what acts at once and keeps the rest for {@link #prepareStep}. */
-    void execute(ConnectedAgent agent, List<ConnectedAgent> everybody) {
+    void execute(AgentSession agent, List<AgentSession> everybody) {
         for (EffectorCommand command : agent.connection().takeCommands()) {
             if (command instanceof CreateRobot create) {
                 wantRobot(agent, create);
@@ -75,7 +75,7 @@ final class Effectors implements Restorable {
     }
 
     /** Creates robots, lets them join and beams them, as agents asked for in this cycle. */
-    void prepareStep(ConnectedAgent agent) {
+    void prepareStep(AgentSession agent) {
         Optional<CreateRobot> body = agent.takeWantedRobot();
         if (body.isPresent()) {
             create(agent, body.get());
@@ -91,7 +91,7 @@ final class Effectors implements Restorable {
     }
 
     /** Replaces a player's body by a new one with its joints at 0, where the old one was last beamed. */
-    void renew(ConnectedAgent agent, Player player) {
+    void renew(AgentSession agent, Player player) {
         Robot robot = world.addRobot(player.robot().model().type());
         world.removeRobot(player.robot());
         agent.replacePlayer(match.replaceRobot(player, robot));
@@ -100,7 +100,7 @@ final class Effectors implements Restorable {
     }
 
     /** Moves a robot to where it was last beamed or, if it never was, to where new robots appear. */
-    private void putToStart(ConnectedAgent agent) {
+    private void putToStart(AgentSession agent) {
         agent.player()
                 .ifPresent(player -> agent.lastBeam()
                         .ifPresentOrElse(
@@ -108,7 +108,7 @@ final class Effectors implements Restorable {
                                 () -> match.teams().putToStart(player)));
     }
 
-    private void execute(ConnectedAgent agent, Robot robot, EffectorCommand command, List<ConnectedAgent> everybody) {
+    private void execute(AgentSession agent, Robot robot, EffectorCommand command, List<AgentSession> everybody) {
         if (command instanceof SetHingeSpeed speed) {
             setSpeed(agent, robot, speed);
         } else if (command instanceof JoinTeam join) {
@@ -122,7 +122,7 @@ final class Effectors implements Restorable {
         }
     }
 
-    private static JoinTeam ownTeam(ConnectedAgent agent, JoinTeam join) {
+    private static JoinTeam ownTeam(AgentSession agent, JoinTeam join) {
         return agent.connection()
                 .link()
                 .team()
@@ -130,7 +130,7 @@ final class Effectors implements Restorable {
                 .orElse(join);
     }
 
-    private static void wantRobot(ConnectedAgent agent, CreateRobot create) {
+    private static void wantRobot(AgentSession agent, CreateRobot create) {
         if (agent.robot().isEmpty()) {
             agent.want(create);
         } else {
@@ -138,7 +138,7 @@ final class Effectors implements Restorable {
         }
     }
 
-    private void setSpeed(ConnectedAgent agent, Robot robot, SetHingeSpeed command) {
+    private void setSpeed(AgentSession agent, Robot robot, SetHingeSpeed command) {
         String name = command.effectorName();
         double speed = command.radiansPerSecond();
         OptionalInt hinge = robot.model().hingeIndex(name);
@@ -155,14 +155,14 @@ final class Effectors implements Restorable {
         robot.setMotorSpeed(hinge.getAsInt(), isFrozen(agent, hinge.getAsInt()) ? 0 : speed);
     }
 
-    private boolean isFrozen(ConnectedAgent agent, int hinge) {
+    private boolean isFrozen(AgentSession agent, int hinge) {
         return agent.player().isPresent() && match.isFrozen(agent.player().get(), hinge);
     }
 
-    private static void say(ConnectedAgent agent, Player speaker, String text, List<ConnectedAgent> everybody) {
+    private static void say(AgentSession agent, Player speaker, String text, List<AgentSession> everybody) {
         String team = speaker.team().name();
         agent.hearing().hearOwn(team, text);
-        for (ConnectedAgent other : everybody) {
+        for (AgentSession other : everybody) {
             if (other != agent && other.player().isPresent()) {
                 Player listener = other.player().get();
                 Vector3 way = speaker.position().minus(listener.position());
@@ -175,7 +175,7 @@ final class Effectors implements Restorable {
         }
     }
 
-    private void create(ConnectedAgent agent, CreateRobot create) {
+    private void create(AgentSession agent, CreateRobot create) {
         int type = robotType(create);
         if (type < 0) {
             agent.connection()
@@ -225,7 +225,7 @@ final class Effectors implements Restorable {
         return type.matches("[0-4]") ? type.charAt(0) - '0' : -1;
     }
 
-    private void join(ConnectedAgent agent, JoinTeam join) {
+    private void join(AgentSession agent, JoinTeam join) {
         if (agent.player().isPresent()) {
             agent.connection()
                     .warn(
@@ -243,7 +243,7 @@ final class Effectors implements Restorable {
         }
     }
 
-    private void beam(ConnectedAgent agent, Beam beam) {
+    private void beam(AgentSession agent, Beam beam) {
         if (agent.player().isEmpty() || !mayBeam(agent)) {
             return;
         }
@@ -276,7 +276,7 @@ final class Effectors implements Restorable {
         move.accept(position, wanted.degrees() + (left ? -90 : 90));
     }
 
-    private boolean mayBeam(ConnectedAgent agent) {
+    private boolean mayBeam(AgentSession agent) {
         return match.mayBeam() || agent.secondsInTeam() < match.parameters().get(SoccerParameter.BEAM_GRACE_TIME);
     }
 

@@ -34,15 +34,15 @@ final class PerceptorGenerator {
      * Takes the pictures of all cameras. As in SimSpark they see the world as its step has left it, before the referee moves
      * anything.
      */
-    void takePictures(List<ConnectedAgent> agents) {
+    void takePictures(List<AgentSession> agents) {
         List<VisiblePlayer> players = isAnybodyLooking(agents) ? visiblePlayers() : List.of();
-        for (ConnectedAgent agent : agents) {
+        for (AgentSession agent : agents) {
             agent.setPicture(picture(agent, players));
         }
     }
 
-    private static boolean isAnybodyLooking(List<ConnectedAgent> agents) {
-        for (ConnectedAgent agent : agents) {
+    private static boolean isAnybodyLooking(List<AgentSession> agents) {
+        for (AgentSession agent : agents) {
             if (agent.seesInThisCycle()) {
                 return true;
             }
@@ -58,7 +58,7 @@ final class PerceptorGenerator {
         return players;
     }
 
-    private Optional<Vision> picture(ConnectedAgent agent, List<VisiblePlayer> players) {
+    private Optional<Vision> picture(AgentSession agent, List<VisiblePlayer> players) {
         if (!agent.seesInThisCycle()
                 || agent.robot().isEmpty()
                 || agent.camera().isEmpty()
@@ -70,11 +70,11 @@ final class PerceptorGenerator {
     }
 
     /** What an awaited agent sees from where its robot happened to appear would depend on who came first. */
-    private static boolean isStillNobody(ConnectedAgent agent) {
+    private static boolean isStillNobody(AgentSession agent) {
         return agent.connection().isAwaited() && agent.player().isEmpty();
     }
 
-    PerceptorMessage of(ConnectedAgent agent, Robot robot, double seconds) {
+    PerceptorMessage of(AgentSession agent, Robot robot, double seconds) {
         double playSeconds = match.state().playSeconds();
         boolean labelled = match.parameters().isOn(SoccerParameter.LABEL_MESSAGES);
         return new PerceptorMessage(
@@ -88,7 +88,7 @@ final class PerceptorGenerator {
                 agent.picture());
     }
 
-    private GameState gameState(ConnectedAgent agent, double playSeconds) {
+    private GameState gameState(AgentSession agent, double playSeconds) {
         boolean tellTeam = agent.takeTeamToBeTold();
         boolean tellScore = match.parameters().isOn(SoccerParameter.REPORT_SCORE);
         Optional<Player> told = tellTeam ? agent.player() : Optional.empty();

@@ -50,12 +50,12 @@ public final class SimulationCycle implements Restorable {
     private final Effectors effectors;
     private final PerceptorGenerator perceptors;
     private final Console console;
-    private final List<ConnectedAgent> agents = new ArrayList<>();
+    private final List<AgentSession> agents = new ArrayList<>();
     private final List<String> description;
     private final String settings;
     private RunRecorder recorder;
     private final boolean synchronous;
-    private final WarningLog refusals;
+    private final RateLimitedLogger refusals;
     private Consumer<MatchEvent> reporter = event -> {};
     private long cycle;
 
@@ -73,7 +73,7 @@ public final class SimulationCycle implements Restorable {
         this.effectors = new Effectors(world, match, settings.camera(), seeds.nextLong());
         this.perceptors = new PerceptorGenerator(world, match);
         this.console = console;
-        this.refusals = new WarningLog(console, "The simulator");
+        this.refusals = new RateLimitedLogger(console, "The simulator");
         this.synchronous = settings.synchronous();
         this.description = settings.description();
         this.settings =
@@ -109,7 +109,7 @@ public final class SimulationCycle implements Restorable {
     }
 
     /** {@return the agents in the order in which they are served} */
-    public List<ConnectedAgent> agents() {
+    public List<AgentSession> agents() {
         return Collections.unmodifiableList(agents);
     }
 
@@ -120,7 +120,7 @@ public final class SimulationCycle implements Restorable {
      * @param strict whether in sync mode it is waited for from its first message on
      */
     public void connect(ServerLink link, boolean strict) {
-        agents.add(new ConnectedAgent(new AgentConnection(link, synchronous, strict, console)));
+        agents.add(new AgentSession(new AgentChannel(link, synchronous, strict, console)));
     }
 
     /**
@@ -153,7 +153,7 @@ public final class SimulationCycle implements Restorable {
     public void reset() {
         match.restart();
         world.things().reset();
-        for (ConnectedAgent agent : agents) {
+        for (AgentSession agent : agents) {
             agent.player().ifPresent(player -> effectors.renew(agent, player));
         }
     }
@@ -164,7 +164,7 @@ public final class SimulationCycle implements Restorable {
      * @param player the player
      */
     public void removeRobot(Player player) {
-        for (ConnectedAgent agent : agents) {
+        for (AgentSession agent : agents) {
             if (agent.player().filter(player::equals).isPresent()) {
                 match.teams().leave(player);
                 world.removeRobot(player.robot());
@@ -179,18 +179,18 @@ public final class SimulationCycle implements Restorable {
      */
     public void readMessages() {
         for (int i = 0; i < agents.size(); ) {
-            ConnectedAgent agent = agents.get(i);
+            AgentSession agent = agents.get(i);
             agent.connection().read();
             if (agent.connection().hasLeft()) {
                 agents.remove(i);
-                takeLeaveOf(agent);
+                disconnect(agent);
             } else {
                 i++;
             }
         }
     }
 
-    private void takeLeaveOf(ConnectedAgent agent) {
+    private void disconnect(AgentSession agent) {
         ServerLink link = agent.connection().link();
         boolean unnoticed = agent.robot().isEmpty() && !agent.connection().isHeardOf();
         if (!unnoticed || !link.closingReason().equals(ServerLink.HAS_LEFT)) {
@@ -201,17 +201,17 @@ public final class SimulationCycle implements Restorable {
     }
 
     /** {@return the first agent for whose answer a synchronous world waits} */
-    public Optional<ConnectedAgent> unsynchronisedAgent() {
+    public Optional<AgentSession> unsynchronisedAgent() {
         return first(agent -> !agent.connection().isSynchronised());
     }
 
     /** {@return the first agent that is still there and has not yet answered, or has not said anything at all} */
-    public Optional<ConnectedAgent> unansweredAgent() {
+    public Optional<AgentSession> unansweredAgent() {
         return first(agent -> agent.connection().link().isOpen()
                 && !(agent.connection().isHeardOf() && agent.connection().isSynchronised()));
     }
 
-    private Optional<ConnectedAgent> first(Predicate<ConnectedAgent> wanted) {
+    private Optional<AgentSession> first(Predicate<AgentSession> wanted) {
         for (int i = 0; i < agents.size(); i++) {
             if (wanted.test(agents.get(i))) {
                 return Optional.of(agents.get(i));
@@ -275,12 +275,12 @@ public final class SimulationCycle implements Restorable {
 
     /** Does all that belongs to one cycle, with the messages that have been read. */
     public void run() {
-        for (ConnectedAgent agent : agents) {
+        for (AgentSession agent : agents) {
             effectors.execute(agent, agents);
         }
         TurnOrder.arrange(agents);
         agents.forEach(agent -> agent.connection().send());
-        for (ConnectedAgent agent : agents) {
+        for (AgentSession agent : agents) {
             agent.cycleBegins();
             effectors.prepareStep(agent);
         }
@@ -291,13 +291,13 @@ public final class SimulationCycle implements Restorable {
         perceptors.takePictures(agents);
         match.tick();
         recorder.cycleEnded(cycle, match, participants());
-        tellSelfCollisions();
+        reportSelfCollisions();
         match.events().forEach(reporter);
         match.clearEvents();
         generateMessages();
     }
 
-    private void tellSelfCollisions() {
+    private void reportSelfCollisions() {
         if (match.parameters().isOn(SoccerParameter.PRINT_SELF_COLLISIONS)) {
             for (MatchEvent event : match.events()) {
                 if (event instanceof MatchEvent.FoulCalled called && called.foul() == FoulType.SELF_COLLISION) {
@@ -315,14 +315,14 @@ public final class SimulationCycle implements Restorable {
     }
 
     private void generateMessages() {
-        for (ConnectedAgent agent : agents) {
+        for (AgentSession agent : agents) {
             if (agent.robot().isPresent() && !agent.isNewborn()) {
                 generateMessage(agent, agent.robot().get());
             }
         }
     }
 
-    private void generateMessage(ConnectedAgent agent, Robot robot) {
+    private void generateMessage(AgentSession agent, Robot robot) {
         MessageBuffer message = agent.connection().emptyMessage();
         new PerceptorMessageWriter(message).write(perceptors.of(agent, robot, cycle * Cycle.SECONDS));
         agent.connection().messageGenerated();
@@ -361,7 +361,7 @@ public final class SimulationCycle implements Restorable {
 
     @Override
     public void restore(StateReader in) {
-        agents.removeIf(ConnectedAgent::isAbsent);
+        agents.removeIf(AgentSession::isAbsent);
         world.restore(in);
         match.restore(in);
         effectors.restore(in);
@@ -377,15 +377,15 @@ public final class SimulationCycle implements Restorable {
      * @return how many agents have taken on their own states as well
      * @throws IllegalArgumentException if the settings differ or the state is damaged
      */
-    public int goOnFrom(WorldState state) {
+    public int resumeFrom(WorldState state) {
         long now = cycle;
         int robots = effectors.createdRobots();
-        Map<ConnectedAgent, Integer> ids = new HashMap<>();
+        Map<AgentSession, Integer> ids = new HashMap<>();
         agents.forEach(agent -> ids.put(agent, agent.id()));
         state.restore(settings, this);
         cycle = now;
         effectors.countOnFrom(robots);
-        for (ConnectedAgent agent : agents) {
+        for (AgentSession agent : agents) {
             agent.connection().emptyMessage();
             int id = ids.getOrDefault(agent, 0);
             agent.setId(id > 0 || agent.robot().isEmpty() ? id : effectors.nextId());
@@ -394,7 +394,7 @@ public final class SimulationCycle implements Restorable {
                 agents.stream().filter(agent -> agent.connection().isRestored()).count();
     }
 
-    private ConnectedAgent absentAgent() {
-        return new ConnectedAgent(new AgentConnection(new AbsentLink(), synchronous, true, console));
+    private AgentSession absentAgent() {
+        return new AgentSession(new AgentChannel(new AbsentLink(), synchronous, true, console));
     }
 }

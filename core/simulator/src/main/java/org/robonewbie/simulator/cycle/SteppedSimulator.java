@@ -112,7 +112,7 @@ public final class SteppedSimulator implements AutoCloseable {
         return missingAgent().isEmpty();
     }
 
-    private Optional<ConnectedAgent> missingAgent() {
+    private Optional<AgentSession> missingAgent() {
         cycle.readMessages();
         return cycle.unansweredAgent();
     }
@@ -123,7 +123,7 @@ public final class SteppedSimulator implements AutoCloseable {
      * @throws IllegalStateException if an agent has not answered
      */
     public void cycle() {
-        Optional<ConnectedAgent> missing = missingAgent();
+        Optional<AgentSession> missing = missingAgent();
         if (missing.isPresent()) {
             throw new IllegalStateException("The world cannot go on: " + missing.get()
                     + " has not answered its last message. Agents of one thread take turns.");
@@ -176,7 +176,7 @@ public final class SteppedSimulator implements AutoCloseable {
      * @param order the order; orders to the clock are those of its owner
      */
     public void order(Order order) {
-        trainer.carryOut(order);
+        trainer.execute(order);
     }
 
     /**
@@ -217,8 +217,8 @@ public final class SteppedSimulator implements AutoCloseable {
      * @return how many agents have taken on their own states as well
      * @throws IllegalArgumentException if the settings differ or the state is damaged
      */
-    public int goOnFrom(WorldState state) {
-        return cycle.goOnFrom(state);
+    public int resumeFrom(WorldState state) {
+        return cycle.resumeFrom(state);
     }
 
     /**
@@ -227,7 +227,7 @@ public final class SteppedSimulator implements AutoCloseable {
      * @param before an earlier state, from which the velocities are taken; the same state for a world at rest
      * @param moment the state to go on from
      */
-    public void goOnFrom(WorldSnapshot before, WorldSnapshot moment) {
+    public void resumeFrom(WorldSnapshot before, WorldSnapshot moment) {
         cycle.restore(before, moment);
     }
 

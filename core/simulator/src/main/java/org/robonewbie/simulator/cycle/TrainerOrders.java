@@ -49,7 +49,7 @@ public final class TrainerOrders {
      *
      * @param order the order; orders to the clock are those of its owner
      */
-    public void carryOut(Order order) {
+    public void execute(Order order) {
         if (order instanceof Order.EndSimulation) {
             end.run();
         } else if (order instanceof Order.Reset) {

@@ -29,7 +29,7 @@ final class TurnOrder {
      *
      * @param agents all agents; changed
      */
-    static void arrange(List<ConnectedAgent> agents) {
+    static void arrange(List<AgentSession> agents) {
         if (isNobodyAwaited(agents)) {
             return;
         }
@@ -37,14 +37,14 @@ final class TurnOrder {
                 agents,
                 agent -> agent.wantedRobot().isPresent(),
                 Comparator.comparing(agent -> agent.wantedRobot().orElseThrow(), BY_BUILD));
-        List<ConnectedAgent> joining = sort(
+        List<AgentSession> joining = sort(
                 agents,
                 agent -> agent.wantedTeam().isPresent() && agent.player().isEmpty(),
                 Comparator.comparing(agent -> agent.wantedTeam().orElseThrow(), BY_NAME));
         distributeBodies(joining);
     }
 
-    private static boolean isNobodyAwaited(List<ConnectedAgent> agents) {
+    private static boolean isNobodyAwaited(List<AgentSession> agents) {
         for (int i = 0; i < agents.size(); i++) {
             if (agents.get(i).connection().isAwaited()) {
                 return false;
@@ -54,10 +54,10 @@ final class TurnOrder {
     }
 
     /** Sorts those of interest among themselves; they keep their places in the list as a group. */
-    private static List<ConnectedAgent> sort(
-            List<ConnectedAgent> agents, Predicate<ConnectedAgent> interest, Comparator<ConnectedAgent> order) {
+    private static List<AgentSession> sort(
+            List<AgentSession> agents, Predicate<AgentSession> interest, Comparator<AgentSession> order) {
         List<Integer> places = new ArrayList<>();
-        List<ConnectedAgent> sorted = new ArrayList<>();
+        List<AgentSession> sorted = new ArrayList<>();
         for (int i = 0; i < agents.size(); i++) {
             if (agents.get(i).connection().isAwaited() && interest.test(agents.get(i))) {
                 places.add(i);
@@ -71,12 +71,12 @@ final class TurnOrder {
         return sorted;
     }
 
-    private static void distributeBodies(List<ConnectedAgent> joining) {
-        List<ConnectedAgent.Body> bodies =
-                new ArrayList<>(joining.stream().map(ConnectedAgent::body).toList());
-        bodies.sort(Comparator.comparingInt(ConnectedAgent.Body::id));
-        for (ConnectedAgent agent : joining) {
-            ConnectedAgent.Body first = bodies.stream()
+    private static void distributeBodies(List<AgentSession> joining) {
+        List<AgentSession.Body> bodies =
+                new ArrayList<>(joining.stream().map(AgentSession::body).toList());
+        bodies.sort(Comparator.comparingInt(AgentSession.Body::id));
+        for (AgentSession agent : joining) {
+            AgentSession.Body first = bodies.stream()
                     .filter(body -> body.type() == agent.body().type())
                     .findFirst()
                     .orElseThrow();

@@ -12,10 +12,10 @@ import org.robonewbie.protocol.monitor.MonitoredGame;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.simulator.Console;
-import org.robonewbie.simulator.cycle.ConnectedAgent;
+import org.robonewbie.simulator.cycle.AgentSession;
+import org.robonewbie.simulator.cycle.RateLimitedLogger;
 import org.robonewbie.simulator.cycle.SimulationCycle;
 import org.robonewbie.simulator.cycle.TrainerOrders;
-import org.robonewbie.simulator.cycle.WarningLog;
 import org.robonewbie.simulator.monitor.MatchEnvironment;
 import org.robonewbie.simulator.monitor.MonitorLog;
 import org.robonewbie.simulator.monitor.MonitorPort;
@@ -37,7 +37,7 @@ final class MonitorService {
     private final Consumer<Runnable> betweenCycles;
     private final TrainerOrders orders;
     private final AtomicInteger waitingOrders = new AtomicInteger();
-    private final WarningLog warnings;
+    private final RateLimitedLogger warnings;
     private Optional<MonitorPort> port = Optional.empty();
     private Optional<MonitorLog> log = Optional.empty();
 
@@ -50,7 +50,7 @@ final class MonitorService {
      * @param console reports problems
      */
     MonitorService(SimulationCycle cycle, Consumer<Runnable> betweenCycles, Runnable end, Console console) {
-        this.warnings = new WarningLog(console, "A trainer");
+        this.warnings = new RateLimitedLogger(console, "A trainer");
         this.cycle = cycle;
         this.betweenCycles = betweenCycles;
         this.orders = new TrainerOrders(cycle, () -> port.ifPresent(MonitorPort::requestFullState), end);
@@ -88,8 +88,8 @@ final class MonitorService {
     }
 
     /** Carries out an order, on the simulation's thread. */
-    void carryOut(Order order) {
-        orders.carryOut(order);
+    void execute(Order order) {
+        orders.execute(order);
     }
 
     /** Whoever only watches may ask for the whole scene; all else that changes the world is refused. */
@@ -115,14 +115,14 @@ final class MonitorService {
         }
         betweenCycles.accept(() -> {
             waitingOrders.decrementAndGet();
-            carryOut(order);
+            execute(order);
         });
     }
 
     private MonitorSnapshot snapshot() {
         Optional<Player> selected = orders.selected();
         List<MonitoredRobotState> robots = new ArrayList<>();
-        for (ConnectedAgent agent : cycle.agents()) {
+        for (AgentSession agent : cycle.agents()) {
             boolean isSelected = agent.player().isPresent() && agent.player().equals(selected);
             agent.robot()
                     .ifPresent(robot -> robots.add(MonitoredRobotState.of(

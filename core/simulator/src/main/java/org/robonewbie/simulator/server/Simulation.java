@@ -198,7 +198,7 @@ final class Simulation implements SimulationControl, Runnable {
     }
 
     private void turn() {
-        carryOutCommands();
+        executeCommands();
         acceptor.receive();
         if (paused && stepsLeft == 0) {
             silenceWatch.everybodyAnswered();
@@ -213,7 +213,7 @@ final class Simulation implements SimulationControl, Runnable {
     }
 
     /** Executes the commands that are there now; a client that keeps sending must not keep the world from continuing. */
-    private void carryOutCommands() {
+    private void executeCommands() {
         for (int count = commands.size(); count > 0; count--) {
             commands.remove().run();
         }
@@ -298,10 +298,10 @@ final class Simulation implements SimulationControl, Runnable {
 
     @Override
     public void order(Order order) {
-        command(() -> carryOut(order));
+        command(() -> execute(order));
     }
 
-    private void carryOut(Order order) {
+    private void execute(Order order) {
         if (order instanceof Order.Pause) {
             hold(0);
         } else if (order instanceof Order.Resume) {
@@ -311,7 +311,7 @@ final class Simulation implements SimulationControl, Runnable {
         } else if (order instanceof Order.SetSpeed set) {
             pacemaker.setSpeed(Math.max(SLOWEST, set.factor()));
         } else {
-            monitors.carryOut(order);
+            monitors.execute(order);
         }
     }
 
@@ -334,7 +334,7 @@ final class Simulation implements SimulationControl, Runnable {
     @Override
     public void restore(WorldState state, Consumer<OptionalInt> receiver) {
         actWhenAnswered(
-                () -> cycle.goOnFrom(state),
+                () -> cycle.resumeFrom(state),
                 restored -> receiver.accept(restored.map(OptionalInt::of).orElse(OptionalInt.empty())));
     }
 

@@ -6,8 +6,8 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.simulator.Console;
-import org.robonewbie.simulator.cycle.AgentConnection;
-import org.robonewbie.simulator.cycle.ConnectedAgent;
+import org.robonewbie.simulator.cycle.AgentChannel;
+import org.robonewbie.simulator.cycle.AgentSession;
 
 /**
  * Reports agents that keep the world waiting in sync mode, and drops those of other processes after some time. A stranger, who has
@@ -25,7 +25,7 @@ final class StalledAgentWatch {
 
     private final Console console;
     private final double secondsUntilDropped;
-    private final Set<AgentConnection> named = new HashSet<>();
+    private final Set<AgentChannel> named = new HashSet<>();
     private final Set<String> silentTeams = ConcurrentHashMap.newKeySet();
     private long waitingSince;
     private boolean waiting;
@@ -42,7 +42,7 @@ final class StalledAgentWatch {
         waiting = false;
     }
 
-    void isWaitingFor(ConnectedAgent agent) {
+    void isWaitingFor(AgentSession agent) {
         long now = System.nanoTime();
         if (!waiting) {
             waiting = true;
@@ -71,7 +71,7 @@ final class StalledAgentWatch {
     }
 
     /** Those who came through the door of a team are known. */
-    private static boolean isStranger(AgentConnection connection) {
+    private static boolean isStranger(AgentChannel connection) {
         return connection.link().team().isEmpty() && connection.answeredMessages() < ANSWERS_OF_A_STRANGER;
     }
 

@@ -51,7 +51,7 @@ final class Referee implements Memory {
         }
         rules.forEach(FoulRule::judge);
         for (Player player : List.copyOf(match.players())) {
-            player.fouls().punishedFor().ifPresent(foul -> carryOut(player, foul));
+            player.fouls().punishedFor().ifPresent(foul -> penalize(player, foul));
         }
     }
 
@@ -89,7 +89,7 @@ final class Referee implements Memory {
         }
     }
 
-    private void carryOut(Player player, FoulType foul) {
+    private void penalize(Player player, FoulType foul) {
         double holdSeconds = match.parameters().get(SoccerParameter.FOUL_HOLD_TIME);
         int ticks = player.fouls().countPenalty();
         player.fouls().moved(match.currentTick());

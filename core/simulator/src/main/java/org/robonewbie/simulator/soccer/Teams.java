@@ -19,13 +19,13 @@ public final class Teams {
     private final List<Team> teams = new ArrayList<>();
     private final List<Player> players = new ArrayList<>();
     private final List<Player> readOnly = Collections.unmodifiableList(players);
-    private final StartPlaces leftPlaces;
-    private final StartPlaces rightPlaces;
+    private final StartPositions leftPlaces;
+    private final StartPositions rightPlaces;
 
     Teams(SoccerParameters parameters) {
         this.parameters = parameters;
-        leftPlaces = new StartPlaces(TeamSide.LEFT, parameters);
-        rightPlaces = new StartPlaces(TeamSide.RIGHT, parameters);
+        leftPlaces = new StartPositions(TeamSide.LEFT, parameters);
+        rightPlaces = new StartPositions(TeamSide.RIGHT, parameters);
     }
 
     /** {@return all players of both teams in the order in which they joined, unmodifiable} */

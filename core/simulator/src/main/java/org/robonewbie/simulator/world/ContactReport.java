@@ -53,7 +53,7 @@ final class ContactReport {
             touchedBall(first);
         }
         if (first instanceof RobotPart part) {
-            part.robot().feel(part.link(), contact);
+            part.robot().addContact(part.link(), contact);
             if (second instanceof RobotPart other) {
                 robotContacts.add(new RobotContact(part, other, contact.position()));
             }

@@ -40,7 +40,7 @@ final class FootPlate implements Restorable {
         touching = false;
     }
 
-    void feel(int touchedLink, Contact contact) {
+    void addContact(int touchedLink, Contact contact) {
         if (touchedLink == link) {
             contacts.add(contact);
             touching = true;

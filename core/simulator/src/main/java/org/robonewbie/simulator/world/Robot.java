@@ -327,9 +327,9 @@ public final class Robot {
         DRAG.applyTo(bodies);
     }
 
-    void feel(int linkIndex, Contact contact) {
+    void addContact(int linkIndex, Contact contact) {
         for (int i = 0; i < allPlates.size(); i++) {
-            allPlates.get(i).feel(linkIndex, contact);
+            allPlates.get(i).addContact(linkIndex, contact);
         }
     }
 

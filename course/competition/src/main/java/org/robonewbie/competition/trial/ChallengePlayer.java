@@ -61,15 +61,15 @@ public final class ChallengePlayer implements TrialPlayer {
             return result(trial, 0, broken.ending(), Map.of(), OptionalInt.empty());
         }
         List<String> noticed = new CopyOnWriteArrayList<>();
-        try (Doorkeeper doorkeeper = new Doorkeeper(sandbox, programs, limits, files, noticed::add);
-                Guests guests = new Guests(trial, files, limits, doorkeeper)) {
+        try (AdmissionControl doorkeeper = new AdmissionControl(sandbox, programs, limits, files, noticed::add);
+                RemoteAgents guests = new RemoteAgents(trial, files, limits, doorkeeper)) {
             return play(trial, files, guests);
         } finally {
             files.tell(trial.id(), noticed);
         }
     }
 
-    private TrialResult play(ContestTrial trial, TrialFiles files, Guests guests) throws IOException {
+    private TrialResult play(ContestTrial trial, TrialFiles files, RemoteAgents guests) throws IOException {
         WatchedTrial watched = new WatchedTrial();
         Runnable leaving = spectators.watch(watched, trial);
         Challenge tried = challenge.get();

@@ -73,7 +73,7 @@ public final class TrialRunner implements TrialPlayer {
     public TrialResult run(ContestTrial trial, TrialFiles files) throws IOException, InterruptedException {
         Judge judge = contest.judge(trial);
         List<String> noticed = new CopyOnWriteArrayList<>();
-        try (Doorkeeper doorkeeper = new Doorkeeper(sandbox, programs, limits, files, noticed::add)) {
+        try (AdmissionControl doorkeeper = new AdmissionControl(sandbox, programs, limits, files, noticed::add)) {
             return play(trial, files, judge, doorkeeper);
         } finally {
             files.tell(trial.id(), noticed);
@@ -81,7 +81,7 @@ public final class TrialRunner implements TrialPlayer {
     }
 
     /** Plays until the umpire has decided or the time is over. */
-    private TrialResult play(ContestTrial trial, TrialFiles files, Judge judge, Doorkeeper doorkeeper)
+    private TrialResult play(ContestTrial trial, TrialFiles files, Judge judge, AdmissionControl doorkeeper)
             throws IOException, InterruptedException {
         Path log = files.logs().resolve(trial.id() + "-simulator.txt");
         AtomicReference<Simulator> running = new AtomicReference<>();
@@ -91,7 +91,8 @@ public final class TrialRunner implements TrialPlayer {
         try (PrintWriter console = new PrintWriter(Files.newBufferedWriter(log, StandardCharsets.UTF_8), true);
                 Simulator simulator = Simulator.start(settings(trial, files, doors), console::println)) {
             running.set(simulator);
-            Umpire umpire = new Umpire(trial, judge, simulator.control(), simulator::robotsOf, doorkeeper.intruders());
+            TrialSupervisor umpire =
+                    new TrialSupervisor(trial, judge, simulator.control(), simulator::robotsOf, doorkeeper.intruders());
             simulator.control().addObserver(umpire);
             Runnable leaving = spectators.watch(simulator.control(), trial);
             try {
@@ -105,7 +106,7 @@ public final class TrialRunner implements TrialPlayer {
     }
 
     /** Nobody knocks before the simulator runs, since the programs are started after it. */
-    private static TeamDoor door(Entrant entrant, Doorkeeper doorkeeper, AtomicReference<Simulator> running) {
+    private static TeamDoor door(Entrant entrant, AdmissionControl doorkeeper, AtomicReference<Simulator> running) {
         String team = entrant.team();
         return new TeamDoor(
                 team,
@@ -129,7 +130,7 @@ public final class TrialRunner implements TrialPlayer {
                 .build();
     }
 
-    private void startAll(ContestTrial trial, Simulator simulator, Doorkeeper doorkeeper) throws IOException {
+    private void startAll(ContestTrial trial, Simulator simulator, AdmissionControl doorkeeper) throws IOException {
         for (Entrant entrant : trial.entrants()) {
             String team = entrant.team();
             TeamProgram program = programs.get(team);
@@ -153,7 +154,7 @@ public final class TrialRunner implements TrialPlayer {
     }
 
     /** Waits for the decision, and ensures that no program keeps the world from reaching it. */
-    private void lead(ContestTrial trial, Simulator simulator, Umpire umpire, Doorkeeper doorkeeper)
+    private void lead(ContestTrial trial, Simulator simulator, TrialSupervisor umpire, AdmissionControl doorkeeper)
             throws InterruptedException {
         long beginning = System.nanoTime();
         boolean tooLate = false;
@@ -177,7 +178,7 @@ public final class TrialRunner implements TrialPlayer {
 
     /** The world does not wait for programs that have ended before it began. */
     private static void replaceTheGone(
-            ContestTrial trial, Simulator simulator, Doorkeeper doorkeeper, Set<ChildProcess> gone) {
+            ContestTrial trial, Simulator simulator, AdmissionControl doorkeeper, Set<ChildProcess> gone) {
         for (Entrant entrant : trial.entrants()) {
             List<ChildProcess> own = doorkeeper.processes(entrant.team());
             for (ChildProcess process : own) {
@@ -197,14 +198,14 @@ public final class TrialRunner implements TrialPlayer {
     }
 
     private TrialResult result(
-            ContestTrial trial, Judge judge, Umpire umpire, Simulator simulator, Doorkeeper doorkeeper) {
+            ContestTrial trial, Judge judge, TrialSupervisor umpire, Simulator simulator, AdmissionControl doorkeeper) {
         List<TeamResult> teams = new ArrayList<>();
         for (Entrant entrant : trial.entrants()) {
             String team = entrant.team();
             Ending ending = ending(team, umpire, simulator, doorkeeper);
             OptionalInt exitCode = doorkeeper.processes(team).stream()
                     .filter(process -> ending == Ending.STOPPED)
-                    .map(Doorkeeper::exitCode)
+                    .map(AdmissionControl::exitCode)
                     .findFirst()
                     .orElse(OptionalInt.empty());
             teams.add(TeamResult.of(team, ending, judge.figures(team)).withExitCode(exitCode));
@@ -212,7 +213,7 @@ public final class TrialRunner implements TrialPlayer {
         return new TrialResult(trial.id(), trial.seed(), rounded(umpire.seconds()), teams);
     }
 
-    private Ending ending(String team, Umpire umpire, Simulator simulator, Doorkeeper doorkeeper) {
+    private Ending ending(String team, TrialSupervisor umpire, Simulator simulator, AdmissionControl doorkeeper) {
         if (programs.get(team) instanceof TeamProgram.Broken broken) {
             return broken.ending();
         }
@@ -229,7 +230,7 @@ public final class TrialRunner implements TrialPlayer {
             return Ending.SILENT;
         }
         Ending reason = doorkeeper.processes(team).stream()
-                .map(process -> Doorkeeper.ending(process).orElse(Ending.SILENT))
+                .map(process -> AdmissionControl.ending(process).orElse(Ending.SILENT))
                 .findFirst()
                 .orElse(Ending.NOT_STARTED);
         boolean unclear = reason == Ending.SILENT || reason == Ending.STOPPED;

@@ -52,7 +52,7 @@ public final class Completion {
     /**
      * Returns completion proposals.
      *
-     * @param compiler the compiler, which has analysed the program with a {@link BegunWord}
+     * @param compiler the compiler, which has analysed the program with a {@link PartialWord}
      * @param unit the file that contains the cursor
      * @param begun the part of the identifier before the cursor
      * @param documentation documentation of classes outside the program
@@ -81,7 +81,7 @@ public final class Completion {
     private static boolean startsWith(Element element, String wanted) {
         String name = element.getSimpleName().toString();
         return !name.contains("<")
-                && !name.equals(BegunWord.STAND_IN)
+                && !name.equals(PartialWord.STAND_IN)
                 && !name.isEmpty()
                 && name.toLowerCase(Locale.ROOT).startsWith(wanted);
     }
@@ -155,14 +155,14 @@ public final class Completion {
 
         @Override
         public @Nullable TreePath visitMemberSelect(MemberSelectTree select, @Nullable Void nothing) {
-            return select.getIdentifier().contentEquals(BegunWord.STAND_IN)
+            return select.getIdentifier().contentEquals(PartialWord.STAND_IN)
                     ? getCurrentPath()
                     : super.visitMemberSelect(select, null);
         }
 
         @Override
         public @Nullable TreePath visitIdentifier(IdentifierTree identifier, @Nullable Void nothing) {
-            return identifier.getName().contentEquals(BegunWord.STAND_IN) ? getCurrentPath() : null;
+            return identifier.getName().contentEquals(PartialWord.STAND_IN) ? getCurrentPath() : null;
         }
 
         /** An incomplete statement. */

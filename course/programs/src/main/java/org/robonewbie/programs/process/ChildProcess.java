@@ -196,7 +196,7 @@ public final class ChildProcess implements AutoCloseable {
     public Optional<Excess> excess() {
         if (excess.isEmpty() && !isRunning()) {
             output.await();
-            return Optional.of(Excess.MEMORY).filter(full -> output.tellsLackOfMemory());
+            return Optional.of(Excess.MEMORY).filter(full -> output.isOutOfMemory());
         }
         return excess;
     }

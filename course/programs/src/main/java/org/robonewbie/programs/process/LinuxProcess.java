@@ -34,7 +34,7 @@ final class LinuxProcess {
     }
 
     /** Whether this system tells whose a connection is. */
-    static boolean knowsConnections() {
+    static boolean hasConnections() {
         return Files.isReadable(CONNECTIONS.get(0)) && Files.isDirectory(PROCESSES.resolve("self/fd"));
     }
 

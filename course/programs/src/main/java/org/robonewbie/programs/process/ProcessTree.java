@@ -53,8 +53,8 @@ public final class ProcessTree implements AutoCloseable {
     }
 
     /** {@return whether this system tells whose a connection is, so that {@link #holds} can be believed} */
-    public static boolean knowsConnections() {
-        return LinuxProcess.knowsConnections();
+    public static boolean hasConnections() {
+        return LinuxProcess.hasConnections();
     }
 
     /**

@@ -151,7 +151,7 @@ public final class ProgramOutput {
     }
 
     /** Whether the JVM ended the program with an {@link OutOfMemoryError}. */
-    boolean tellsLackOfMemory() {
+    boolean isOutOfMemory() {
         return lackOfMemory;
     }
 

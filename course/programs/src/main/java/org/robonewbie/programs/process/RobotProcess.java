@@ -221,7 +221,7 @@ public final class RobotProcess implements AutoCloseable {
         }
 
         private boolean isWelcome(InetSocketAddress guest) {
-            return !ProcessTree.knowsConnections() || process.holds(guest.getPort(), door.port());
+            return !ProcessTree.hasConnections() || process.holds(guest.getPort(), door.port());
         }
 
         /** {@return a robot, which is requested from the process as soon as its team and number are known} */

@@ -58,7 +58,7 @@ class FormationTest {
     void linesUpInTheOwnHalfOnBothPitches(boolean kicksOff, boolean small) {
         for (SoccerField field : List.of(SoccerField.LEAGUE, SoccerField.BEGINNER)) {
             for (int number = 1; number <= 11; number++) {
-                Pose2d place = KickOffPlaces.place(number, kicksOff, small, field);
+                Pose2d place = KickOffPositions.place(number, kicksOff, small, field);
                 assertThat(place.x()).isBetween(-field.length() / 2, -0.3);
                 assertThat(Math.abs(place.y())).isLessThan(field.width() / 2);
                 boolean atBall = kicksOff && (number == 2 || number == 3);

@@ -34,14 +34,14 @@ public final class CourseApi extends Handler.Abstract {
     private static final int MAX_TRIALS = 20;
     private static final Gson GSON = new Gson();
 
-    private final Optional<Course> course;
+    private final Optional<CourseService> course;
 
     /**
      * Creates the endpoint.
      *
      * @param course the exercises; empty for a studio without exercises
      */
-    public CourseApi(Optional<Course> course) {
+    public CourseApi(Optional<CourseService> course) {
         this.course = course;
     }
 
@@ -62,7 +62,7 @@ public final class CourseApi extends Handler.Abstract {
         return true;
     }
 
-    private static String answer(Course course, Request request, String path) throws IOException {
+    private static String answer(CourseService course, Request request, String path) throws IOException {
         if (path.equals(ATTEMPT)) {
             if (request.getMethod().equals("DELETE")) {
                 course.leave();
@@ -78,7 +78,7 @@ public final class CourseApi extends Handler.Abstract {
         return ofExercise(course, request, path);
     }
 
-    private static String overview(Course course) {
+    private static String overview(CourseService course) {
         JsonObject json = new JsonObject();
         json.addProperty("language", course.language());
         json.add("lessons", GSON.toJsonTree(course.lessons()));
@@ -87,7 +87,7 @@ public final class CourseApi extends Handler.Abstract {
         return GSON.toJson(json);
     }
 
-    private static String ofExercise(Course course, Request request, String path) throws IOException {
+    private static String ofExercise(CourseService course, Request request, String path) throws IOException {
         String[] words = path.substring(COURSE.length() + 1).split("/", 2);
         String name = PathPart.decode(words[0]);
         if (words.length > 1) {
@@ -102,7 +102,7 @@ public final class CourseApi extends Handler.Abstract {
         return GSON.toJson(course.attempt());
     }
 
-    private static Object help(Course course, String exercise, String wish, boolean opens) {
+    private static Object help(CourseService course, String exercise, String wish, boolean opens) {
         if (wish.equals("hint") && opens) {
             return course.nextHint(exercise);
         }

@@ -64,7 +64,7 @@ class SceneRepositoryTest {
 
         @Override
         public Restored restore(Checkpoint moment) {
-            moment.exact().ifPresent(world::goOnFrom);
+            moment.exact().ifPresent(world::resumeFrom);
             return new Restored(moment.exact().isPresent(), 0);
         }
     }

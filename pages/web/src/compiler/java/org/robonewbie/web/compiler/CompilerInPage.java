@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import javax.tools.Diagnostic;
 import javax.tools.JavaFileObject;
-import org.robonewbie.programs.completion.BegunWord;
+import org.robonewbie.programs.completion.PartialWord;
 import org.robonewbie.programs.completion.Proposal;
 import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
@@ -112,7 +112,7 @@ public final class CompilerInPage {
         String begun = "";
         for (MemoryFile source : SOURCES) {
             if (source.path().equals(path)) {
-                BegunWord word = BegunWord.at(source.text(), at);
+                PartialWord word = PartialWord.at(source.text(), at);
                 begun = word.begun();
                 sources.add(0, new MemoryFile(path, word.text().getBytes(StandardCharsets.UTF_8)));
             } else {

@@ -69,8 +69,8 @@ final class WalkGuide {
     /** Plans the next cycle by what a robot perceives that is asked for a velocity. */
     void plan(WalkVelocity wanted, double... perceived) {
         engine.towards(wanted);
-        engine.feel(Perception.torso(perceived));
-        engine.feel(Perception.leftFoot(perceived), Perception.rightFoot(perceived));
+        engine.update(Perception.torso(perceived));
+        engine.update(Perception.leftFoot(perceived), Perception.rightFoot(perceived));
         moment = AT_REST;
         resting = engine.isStanding();
         planned = engine.next();

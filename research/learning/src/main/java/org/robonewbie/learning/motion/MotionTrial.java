@@ -223,13 +223,13 @@ public final class MotionTrial implements AutoCloseable {
      * Walks for a while; the robot goes on walking until {@link #stopWalking}.
      *
      * @param velocity asked in each cycle for where to
-     * @param goOn asked in each cycle whether to go on
+     * @param condition asked in each cycle whether to go on
      * @return whether no fall broke it off
      */
-    public boolean walk(Supplier<WalkVelocity> velocity, BooleanSupplier goOn) {
+    public boolean walk(Supplier<WalkVelocity> velocity, BooleanSupplier condition) {
         return runWhile(() -> {
             robot.walk(velocity.get());
-            return goOn.getAsBoolean();
+            return condition.getAsBoolean();
         });
     }
 
@@ -244,9 +244,9 @@ public final class MotionTrial implements AutoCloseable {
         return runWhile(() -> robot.isBusy() && trial.seconds() < latest);
     }
 
-    private boolean runWhile(BooleanSupplier goOn) {
+    private boolean runWhile(BooleanSupplier condition) {
         double latest = trial.seconds() + MAX_SECONDS;
-        while (!isOver() && trial.seconds() < latest && goOn.getAsBoolean()) {
+        while (!isOver() && trial.seconds() < latest && condition.getAsBoolean()) {
             WorldState moment = trial.step();
             measures.forEach(measure -> measure.see(moment));
         }

@@ -59,9 +59,9 @@ public final class ScriptedMotors implements ScriptedRobot {
 
     private double[] degreesPerSecond(SensorReadings readings) {
         readings.sense(joints);
-        engine.feel(
+        engine.update(
                 new TorsoMotion(SimSparkFrame.toBody(readings.gyro()), SimSparkFrame.toBody(readings.acceleration())));
-        engine.feel(pressure(readings.feet().left()), pressure(readings.feet().right()));
+        engine.update(pressure(readings.feet().left()), pressure(readings.feet().right()));
         if (engine.isStanding()) {
             walking = false;
             player.step(motors);

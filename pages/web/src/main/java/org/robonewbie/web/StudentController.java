@@ -15,7 +15,7 @@ import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.SensorReadings;
 
 /** A robot of a trial that runs a student's agent, with separate static fields. */
-final class StudentPerformer implements Controller {
+final class StudentController implements Controller {
 
     private final Machine machine;
     private final AgentDriver agent;
@@ -28,8 +28,8 @@ final class StudentPerformer implements Controller {
      * @param viewer receives its telemetry
      * @throws IllegalArgumentException if the program has no agent; the message is shown to the user
      */
-    StudentPerformer(Program program, PrintStream output, TelemetrySink viewer) {
-        machine = new Machine(program, output, StudentPerformer::special);
+    StudentController(Program program, PrintStream output, TelemetrySink viewer) {
+        machine = new Machine(program, output, StudentController::special);
         PageMemory.setProgram(machine::trace);
         agent = new AgentDriver((Agent) machine.create(agentOf(program)));
         agent.publishTo(viewer);

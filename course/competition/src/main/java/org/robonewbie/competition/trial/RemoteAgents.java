@@ -26,18 +26,18 @@ import org.robonewbie.trial.SensorReadings;
  * The processes of a team's program in one trial, one for each of its robots. Whoever comes through their door when no robot is
  * expected waits there until the trial is over.
  */
-final class Guests implements AutoCloseable {
+final class RemoteAgents implements AutoCloseable {
 
     private final ContestTrial trial;
     private final TrialFiles files;
     private final Limits limits;
     private final GuestDoor door;
-    private final Doorkeeper doorkeeper;
+    private final AdmissionControl doorkeeper;
     private final String team;
     private OptionalInt exitCode = OptionalInt.empty();
 
     /** Opens the door; nobody is there yet. */
-    Guests(ContestTrial trial, TrialFiles files, Limits limits, Doorkeeper doorkeeper) throws IOException {
+    RemoteAgents(ContestTrial trial, TrialFiles files, Limits limits, AdmissionControl doorkeeper) throws IOException {
         this.trial = trial;
         this.doorkeeper = doorkeeper;
         this.team = trial.entrants().get(0).team();
@@ -115,7 +115,7 @@ final class Guests implements AutoCloseable {
     /** Sends the rest away when one is absent, tells in the log what was noticed, and returns why it is so. */
     Ending end(AbsentProgramException absent) throws IOException {
         Ending reason = processes().stream()
-                .flatMap(process -> Doorkeeper.ending(process).stream())
+                .flatMap(process -> AdmissionControl.ending(process).stream())
                 .findFirst()
                 .orElse(Ending.STOPPED);
         boolean came = !processes().isEmpty() && processes().stream().allMatch(ChildProcess::hasJoined);
@@ -123,7 +123,7 @@ final class Guests implements AutoCloseable {
         exitCode = reason != Ending.STOPPED
                 ? OptionalInt.empty()
                 : processes().stream()
-                        .map(Doorkeeper::exitCode)
+                        .map(AdmissionControl::exitCode)
                         .filter(OptionalInt::isPresent)
                         .findFirst()
                         .orElse(OptionalInt.empty());

@@ -18,11 +18,11 @@ import org.robonewbie.nao.text.Spelling;
  * @param quantity its name and unit
  * @param reading reads it
  */
-record FeltQuantity(Quantity quantity, ToDoubleFunction<Robot> reading) {
+record SensedQuantity(Quantity quantity, ToDoubleFunction<Robot> reading) {
 
     private static final String METRES = "m";
     private static final String NEWTONS = "N";
-    private static final Map<String, FeltQuantity> ALL =
+    private static final Map<String, SensedQuantity> ALL =
             all().collect(Collectors.toMap(felt -> felt.quantity().name(), felt -> felt));
 
     /**
@@ -30,7 +30,7 @@ record FeltQuantity(Quantity quantity, ToDoubleFunction<Robot> reading) {
      *
      * @throws IllegalArgumentException if robots feel nothing of this name, or in another unit
      */
-    static FeltQuantity of(Quantity wanted) {
+    static SensedQuantity of(Quantity wanted) {
         return named(wanted.name())
                 .filter(felt -> felt.quantity().equals(wanted))
                 .orElseThrow(() -> new IllegalArgumentException("A robot does not feel " + wanted.name() + " in "
@@ -40,20 +40,20 @@ record FeltQuantity(Quantity quantity, ToDoubleFunction<Robot> reading) {
     private static String advice(String name) {
         return named(name)
                 .map(felt -> " It is felt in " + felt.quantity().unit() + ".")
-                .orElseGet(() -> Spelling.question(name, ALL.keySet(), FeltQuantity::withUnit));
+                .orElseGet(() -> Spelling.question(name, ALL.keySet(), SensedQuantity::withUnit));
     }
 
     private static String withUnit(String name) {
         return name + named(name).map(felt -> " in " + felt.quantity().unit()).orElse("");
     }
 
-    private static Optional<FeltQuantity> named(String name) {
+    private static Optional<SensedQuantity> named(String name) {
         return Optional.ofNullable(ALL.get(name));
     }
 
-    private static Stream<FeltQuantity> all() {
+    private static Stream<SensedQuantity> all() {
         return Stream.of(
-                        Stream.of(Joint.values()).map(FeltQuantity::angle),
+                        Stream.of(Joint.values()).map(SensedQuantity::angle),
                         vector("gyro", "degrees/s", Robot::getGyro),
                         vector("accelerometer", "m/s²", Robot::getAcceleration),
                         vector(
@@ -75,15 +75,15 @@ record FeltQuantity(Quantity quantity, ToDoubleFunction<Robot> reading) {
                 .flatMap(quantities -> quantities);
     }
 
-    private static FeltQuantity angle(Joint joint) {
-        return new FeltQuantity(new Quantity("joint." + joint, "degrees"), robot -> robot.getJointAngle(joint));
+    private static SensedQuantity angle(Joint joint) {
+        return new SensedQuantity(new Quantity("joint." + joint, "degrees"), robot -> robot.getJointAngle(joint));
     }
 
-    private static Stream<FeltQuantity> vector(String name, String unit, Function<Robot, Vector3> vector) {
+    private static Stream<SensedQuantity> vector(String name, String unit, Function<Robot, Vector3> vector) {
         return List.<Map.Entry<String, ToDoubleFunction<Vector3>>>of(
                         Map.entry("forward", Vector3::x), Map.entry("left", Vector3::y), Map.entry("up", Vector3::z))
                 .stream()
-                .map(axis -> new FeltQuantity(
+                .map(axis -> new SensedQuantity(
                         new Quantity(name + "." + axis.getKey(), unit),
                         robot -> axis.getValue().applyAsDouble(vector.apply(robot))));
     }

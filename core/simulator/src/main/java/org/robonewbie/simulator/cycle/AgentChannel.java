@@ -12,7 +12,7 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.simulator.Console;
 
 /** The conversation with one agent: which commands have come, which message goes out, and whether it keeps in step. */
-public final class AgentConnection implements Restorable {
+public final class AgentChannel implements Restorable {
 
     /** Messages after which an agent must answer each one in sync mode, so that it can join without. */
     private static final int FREE_MESSAGES = 5;
@@ -26,7 +26,7 @@ public final class AgentConnection implements Restorable {
     private final ServerLink link;
     private final boolean synchronous;
     private final boolean strict;
-    private final WarningLog warnings;
+    private final RateLimitedLogger warnings;
     private final EffectorMessageReader reader = new EffectorMessageReader();
     private final MessageBuffer incoming = new MessageBuffer();
     private final MessageBuffer outgoing = new MessageBuffer();
@@ -51,11 +51,11 @@ public final class AgentConnection implements Restorable {
      *     before it begins and those within this process
      * @param console where to tell the agent's mistakes
      */
-    AgentConnection(ServerLink link, boolean synchronous, boolean strict, Console console) {
+    AgentChannel(ServerLink link, boolean synchronous, boolean strict, Console console) {
         this.link = link;
         this.synchronous = synchronous;
         this.strict = strict;
-        this.warnings = new WarningLog(console, "The agent " + link.address());
+        this.warnings = new RateLimitedLogger(console, "The agent " + link.address());
     }
 
     /** {@return the simulator's end of the connection} */

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.List;
 
 /** The exercises of the studio and the current attempt. Thread-safe. */
-public interface Course {
+public interface CourseService {
 
     /** {@return all exercises in course order} */
     List<Lesson> lessons();

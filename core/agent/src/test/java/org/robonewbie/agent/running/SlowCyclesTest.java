@@ -7,11 +7,11 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.agent.running.StackSample.Kind;
 
-class SlowThoughtsTest {
+class SlowCyclesTest {
 
     private static final StackSample SLEEP = new StackSample(Kind.SLEEPS, "Thread.sleep()", "A.java:9");
 
-    private final SlowThoughts thoughts = new SlowThoughts();
+    private final SlowCycles thoughts = new SlowCycles();
     private final List<Slowness> found = new ArrayList<>();
 
     @Test

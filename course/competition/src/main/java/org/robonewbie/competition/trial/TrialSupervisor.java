@@ -27,7 +27,7 @@ import org.robonewbie.simulator.WorldSnapshot;
  * Leads a trial on the simulation's thread: waits for the robots, lets them begin from their places, asks the judge in each
  * cycle, and stops the world when the trial is decided, always in the same cycle.
  */
-final class Umpire implements SimulationObserver {
+final class TrialSupervisor implements SimulationObserver {
 
     private static final long CYCLES_TO_TAKE_PLACES = 25;
     private static final long CYCLES_TO_JOIN = 150;
@@ -57,7 +57,7 @@ final class Umpire implements SimulationObserver {
      * @param robotsThroughDoor how many robots came through a team's door, playing or not
      * @param intruders teams whose programs tried the doors of others
      */
-    Umpire(
+    TrialSupervisor(
             ContestTrial trial,
             Judge judge,
             SimulationControl control,

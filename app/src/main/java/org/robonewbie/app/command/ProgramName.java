@@ -13,12 +13,12 @@ import java.util.regex.Matcher;
  *
  * @param text the word
  */
-public record CommandWord(String text) {
+public record ProgramName(String text) {
 
     private static final String NAME = "robonewbie";
 
     /** {@return the word for this terminal} */
-    public static CommandWord here() {
+    public static ProgramName here() {
         return of(
                 Optional.ofNullable(System.getProperty("robonewbie.home")).map(Path::of),
                 Path.of("").toAbsolutePath(),
@@ -27,21 +27,21 @@ public record CommandWord(String text) {
     }
 
     /** Windows looks for programs in the current folder too, so that the bare name is right there. */
-    static CommandWord of(Optional<Path> home, Path folder, String searchPath, char separator) {
+    static ProgramName of(Optional<Path> home, Path folder, String searchPath, char separator) {
         boolean known = Arrays.stream(searchPath.split(File.pathSeparator))
                 .filter(entry -> !entry.isEmpty())
                 .anyMatch(entry -> Files.isExecutable(Path.of(entry, NAME)));
         if (home.isEmpty() || known || separator != '/') {
-            return new CommandWord(NAME);
+            return new ProgramName(NAME);
         }
         Path program = home.get().resolve(NAME);
         if (folder.equals(home.get())) {
-            return new CommandWord("./" + NAME);
+            return new ProgramName("./" + NAME);
         }
         String near = folder.relativize(program).toString();
         String shown = near.length() < program.toString().length() ? near : program.toString();
         boolean plain = shown.matches("[\\p{L}\\p{N}/._+@%,:=-]+");
-        return new CommandWord(plain ? shown : "'" + shown.replace("'", "'\\''") + "'");
+        return new ProgramName(plain ? shown : "'" + shown.replace("'", "'\\''") + "'");
     }
 
     /**

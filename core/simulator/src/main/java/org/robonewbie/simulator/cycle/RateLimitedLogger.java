@@ -5,7 +5,7 @@ import java.util.Set;
 import org.robonewbie.simulator.Console;
 
 /** Reports the problems of one connection, each kind once, so that a noisy client cannot flood the console. */
-public final class WarningLog {
+public final class RateLimitedLogger {
 
     private static final int LIMIT = 20;
 
@@ -19,7 +19,7 @@ public final class WarningLog {
      * @param console where to tell the problems
      * @param subject of the sentences, such as {@code The agent at 127.0.0.1:4711}
      */
-    public WarningLog(Console console, String subject) {
+    public RateLimitedLogger(Console console, String subject) {
         this.console = console;
         this.subject = subject;
     }

@@ -12,13 +12,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** What the program proposes can be copied into the terminal. */
-class CommandWordTest {
+class ProgramNameTest {
 
     @TempDir
     private Path folder;
 
     private String here(Path home, Path current, String searchPath, char separator) {
-        return CommandWord.of(Optional.of(home), current, searchPath, separator)
+        return ProgramName.of(Optional.of(home), current, searchPath, separator)
                 .in("Try: robonewbie grade kick --hint");
     }
 
@@ -37,13 +37,13 @@ class CommandWordTest {
     @Test
     void windowsAndProgramsWithoutAHomeKeepTheBareName() {
         assertThat(here(folder, folder, "", '\\')).isEqualTo("Try: robonewbie grade kick --hint");
-        assertThat(CommandWord.of(Optional.empty(), folder, "", '/').in("robonewbie run X"))
+        assertThat(ProgramName.of(Optional.empty(), folder, "", '/').in("robonewbie run X"))
                 .isEqualTo("robonewbie run X");
     }
 
     @Test
     void onlyCommandsAreChanged() {
-        CommandWord word = new CommandWord("./robonewbie");
+        ProgramName word = new ProgramName("./robonewbie");
 
         assertThat(word.in("RoboNewbie, the folder .robonewbie and ./robonewbie run; robonewbie doctor"))
                 .isEqualTo("RoboNewbie, the folder .robonewbie and ./robonewbie run; ./robonewbie doctor");

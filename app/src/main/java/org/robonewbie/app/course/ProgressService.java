@@ -21,7 +21,7 @@ import org.robonewbie.exercises.progress.Worksheet;
  * Accompanies a student through the exercises: keeps the progress, opens hints one after the other, and shows a solution after three
  * tries. Without a file, or with one that cannot be written, the progress lasts as long as the program.
  */
-public final class Coach {
+public final class ProgressService {
 
     private final Optional<ProgressFile> file;
     private final SolutionRepository solutions;
@@ -37,17 +37,17 @@ public final class Coach {
      * @param solutions the solutions
      * @param clock says when something happens
      */
-    public Coach(Optional<ProgressFile> file, SolutionRepository solutions, Clock clock) {
+    public ProgressService(Optional<ProgressFile> file, SolutionRepository solutions, Clock clock) {
         this.file = file;
         this.solutions = solutions;
         this.clock = clock;
     }
 
     /** {@return the coach of this user, with the solutions of this installation} */
-    public static Coach ofUser() {
+    public static ProgressService ofUser() {
         Optional<Path> home =
                 Optional.ofNullable(System.getProperty("robonewbie.home")).map(Path::of);
-        return new Coach(ProgressFile.ofUser(), SolutionRepository.ofUser(home), Clock.systemUTC());
+        return new ProgressService(ProgressFile.ofUser(), SolutionRepository.ofUser(home), Clock.systemUTC());
     }
 
     /**

@@ -28,7 +28,7 @@ import org.robonewbie.programs.process.Sandbox;
  * Starts the programs of one trial, and knows which may come through which door. In a sandbox a door is a file that only its team sees. Without,
  * it is a TCP port; on Linux the owner of a connection is known.
  */
-final class Doorkeeper implements AutoCloseable {
+final class AdmissionControl implements AutoCloseable {
 
     private static final double SECONDS_TO_END = 4;
 
@@ -51,7 +51,7 @@ final class Doorkeeper implements AutoCloseable {
      * @param files where the trial puts what it writes
      * @param log takes what is noticed
      */
-    Doorkeeper(
+    AdmissionControl(
             Sandbox sandbox, Map<String, TeamProgram> programs, Limits limits, TrialFiles files, Consumer<String> log)
             throws IOException {
         this.sandbox = sandbox;
@@ -112,7 +112,7 @@ final class Doorkeeper implements AutoCloseable {
     static Optional<Ending> ending(ChildProcess process) {
         boolean hasEnded = process.excess().isPresent() || process.awaitEnd(SECONDS_TO_END);
         return hasEnded
-                ? Optional.of(process.excess().map(Doorkeeper::ending).orElse(Ending.STOPPED))
+                ? Optional.of(process.excess().map(AdmissionControl::ending).orElse(Ending.STOPPED))
                 : Optional.empty();
     }
 
@@ -138,7 +138,7 @@ final class Doorkeeper implements AutoCloseable {
 
     /** Whether a connection may pass. Who tries another team's door is remembered. */
     boolean isWelcome(String team, int port, InetSocketAddress guest) {
-        if (!ProcessTree.knowsConnections() || isOf(team, port, guest)) {
+        if (!ProcessTree.hasConnections() || isOf(team, port, guest)) {
             return true;
         }
         Optional<String> intruder = processes.keySet().stream()

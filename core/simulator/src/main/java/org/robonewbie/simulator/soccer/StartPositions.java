@@ -7,7 +7,7 @@ import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
 /** The row of places at the side line where new players of a team appear; as in SimSpark a place is never reused. */
-public final class StartPlaces {
+public final class StartPositions {
 
     private final double radius;
     private final double halfWidth;
@@ -20,7 +20,7 @@ public final class StartPlaces {
      * @param side the team's side
      * @param parameters tell the size of the pitch and the distance between players
      */
-    public StartPlaces(TeamSide side, SoccerParameters parameters) {
+    public StartPositions(TeamSide side, SoccerParameters parameters) {
         SoccerField field = parameters.field();
         radius = parameters.get(SoccerParameter.AGENT_RADIUS);
         halfWidth = field.width() / 2;

@@ -8,7 +8,7 @@ import org.robonewbie.nao.geometry.Pose2d;
  * too; all places are in its half, and all but those of the player who kicks off and of the one who
  * plays the ball next outside the centre circle.
  */
-public final class KickOffPlaces {
+public final class KickOffPositions {
 
     private static final double[][] LEAGUE = {
         {-14.5, 0},
@@ -28,7 +28,7 @@ public final class KickOffPlaces {
     private static final double NEXT_METRES = 1.4;
     private static final double BEHIND_CIRCLE_METRES = 0.4;
 
-    private KickOffPlaces() {}
+    private KickOffPositions() {}
 
     /**
      * Returns the place of a number.

@@ -6,7 +6,7 @@ package org.robonewbie.programs.completion;
  * @param text the program with {@link #STAND_IN} in place of the identifier
  * @param begun the part before the cursor
  */
-public record BegunWord(String text, String begun) {
+public record PartialWord(String text, String begun) {
 
     /** Placeholder by which the cursor is found in the syntax tree. */
     static final String STAND_IN = "__here__";
@@ -18,7 +18,7 @@ public record BegunWord(String text, String begun) {
      * @param at index of the cursor
      * @return the identifier, which may be empty
      */
-    public static BegunWord at(String text, int at) {
+    public static PartialWord at(String text, int at) {
         int start = at;
         while (start > 0 && Character.isJavaIdentifierPart(text.charAt(start - 1))) {
             start--;
@@ -27,6 +27,6 @@ public record BegunWord(String text, String begun) {
         while (end < text.length() && Character.isJavaIdentifierPart(text.charAt(end))) {
             end++;
         }
-        return new BegunWord(text.substring(0, start) + STAND_IN + text.substring(end), text.substring(start, at));
+        return new PartialWord(text.substring(0, start) + STAND_IN + text.substring(end), text.substring(start, at));
     }
 }

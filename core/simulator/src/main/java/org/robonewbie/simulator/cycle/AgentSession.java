@@ -20,9 +20,9 @@ import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.world.Robot;
 
 /** An agent with its connection, its robot and what it asked for in this cycle. */
-public final class ConnectedAgent {
+public final class AgentSession {
 
-    private final AgentConnection connection;
+    private final AgentChannel connection;
     private final Hearing hearing = new Hearing();
     private int id;
     private Optional<Robot> robot = Optional.empty();
@@ -39,12 +39,12 @@ public final class ConnectedAgent {
     private long cycles;
     private long cyclesInTeam;
 
-    ConnectedAgent(AgentConnection connection) {
+    AgentSession(AgentChannel connection) {
         this.connection = connection;
     }
 
     /** {@return its connection} */
-    public AgentConnection connection() {
+    public AgentChannel connection() {
         return connection;
     }
 

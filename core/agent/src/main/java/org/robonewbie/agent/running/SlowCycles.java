@@ -11,7 +11,7 @@ import java.util.Optional;
  * Notices that many cycles of a robot's program take long, and what takes the time: a few samples of its stack in each of them. A single
  * pause, such as one in a debugger, the first cycle of Java or a collection of garbage, does not count.
  */
-final class SlowThoughts {
+final class SlowCycles {
 
     /** Slow thoughts count together if they are among this many that follow each other. */
     private static final int THOUGHTS = 50;
