@@ -202,7 +202,7 @@ final class SmallSimulation implements SimulationControl, AutoCloseable {
                 0,
                 1,
                 world.ball().position(),
-                world.ball().rotation().toTurn(),
+                world.ball().rotation().toQuaternion(),
                 robots(),
                 world.things().now(),
                 paused,

@@ -9,7 +9,7 @@ import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.PhysicsWorld;
 import org.robonewbie.simulator.physics.RotationMatrix;
 
-/** Builds what never moves: ground, the four outer walls and both goals (SimSpark: soccer.rsg, goal.rsg). */
+/** Builder of the static environment: ground, outer walls and goals (SimSpark: soccer.rsg, goal.rsg). */
 final class Pitch {
 
     /** Owner of the colliders of ground and walls. */
@@ -30,7 +30,7 @@ final class Pitch {
         this.ballRadius = ballRadius;
     }
 
-    /** What stands for the inside of a goal when a contact is reported. */
+    /** Owner of the trigger inside a goal. */
     record GoalMouth(TeamSide side) {}
 
     void build() {
@@ -81,7 +81,7 @@ final class Pitch {
         addGoalWall(parts, goal, new Vector3(0, 0, (height + thick) / 2), new Vector3(depth, width + 2 * thick, thick));
     }
 
-    /** The box in which the ball counts as inside: narrower than the goal by a ball radius on every side. */
+    /** The trigger is smaller than the goal by a ball radius on every side, so that only a ball that is inside touches it. */
     private void addTrigger(Assembly parts, BodyPose goal, TeamSide side) {
         Vector3 size =
                 new Vector3(field.goalDepth() - 2 * ballRadius, field.goalWidth() - 2 * ballRadius, field.goalHeight());

@@ -12,7 +12,7 @@ import org.robonewbie.simulator.physics.MassDistribution;
 import org.robonewbie.simulator.physics.MotorHinge;
 import org.robonewbie.simulator.physics.RigidBody;
 
-/** Creates a robot's bodies and hinges in an engine, in construction pose (SimSpark: hingejoint.rsg and the NAO's files). */
+/** Creates the bodies and hinges of a robot in its initial pose (SimSpark: hingejoint.rsg and the NAO's scene files). */
 final class RobotBuilder {
 
     private static final double MAX_TORQUE = 10;

@@ -218,7 +218,7 @@ final class Body implements RigidBody, Restorable {
     }
 
     @Override
-    public Vector3 ownAngularVelocity() {
+    public Vector3 localAngularVelocity() {
         return directionToLocal(velocity[3], velocity[4], velocity[5]);
     }
 
@@ -290,7 +290,7 @@ final class Body implements RigidBody, Restorable {
     }
 
     @Override
-    public void resist(double linear, double angular) {
+    public void addDamping(double linear, double angular) {
         for (int axis = 0; axis < 3; axis++) {
             force[axis] += -linear * velocity[axis];
             force[3 + axis] += -angular * velocity[3 + axis];

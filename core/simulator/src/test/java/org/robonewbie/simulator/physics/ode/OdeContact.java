@@ -43,4 +43,22 @@ final class OdeContact implements Contact {
     public Vector3 forceOnFirst() {
         return OdeVectors.from(feedback.f1);
     }
+
+    @Override
+    public void addTo(double[] sums) {
+        Vector3 force = forceOnFirst();
+        double magnitude = force.length();
+        double[] terms = {
+            force.x(),
+            force.y(),
+            force.z(),
+            magnitude * position.x(),
+            magnitude * position.y(),
+            magnitude * position.z(),
+            magnitude
+        };
+        for (int i = 0; i < terms.length; i++) {
+            sums[i] += terms[i];
+        }
+    }
 }

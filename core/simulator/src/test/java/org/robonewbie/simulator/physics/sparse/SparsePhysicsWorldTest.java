@@ -18,6 +18,7 @@ import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.model.Shape;
+import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.physics.Assembly;
 import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.Contact;
@@ -143,7 +144,8 @@ class SparsePhysicsWorldTest {
     }
 
     private static List<BodyPose> thrash(PhysicsEngine engine, int robots, int cycles, Crew crew) {
-        SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE, BallProperties.STANDARD, engine.newWorld());
+        SoccerWorld world =
+                new SoccerWorld(SoccerField.LEAGUE, BallProperties.STANDARD, engine.newWorld(), Landscape.SOCCER);
         world.setCrew(crew);
         Random random = new Random(5);
         for (int i = 0; i < robots; i++) {
@@ -186,7 +188,8 @@ class SparsePhysicsWorldTest {
     }
 
     private static SoccerWorld standing(PhysicsEngine engine) {
-        SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE, BallProperties.STANDARD, engine.newWorld());
+        SoccerWorld world =
+                new SoccerWorld(SoccerField.LEAGUE, BallProperties.STANDARD, engine.newWorld(), Landscape.SOCCER);
         world.addRobot(RobotType.TYPE_0).moveUpright(new Vector3(0, 1, 0.39), 0);
         return world;
     }
