@@ -8,8 +8,8 @@ import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.landscape.Thing;
 import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.RotationMatrix;
+import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.soccer.Player;
-import org.robonewbie.simulator.soccer.TrainerActions;
 import org.robonewbie.simulator.world.LinkMotion;
 
 /** Restores a world to a state that was seen before; velocities are those between two states. */
@@ -51,13 +51,13 @@ final class Restoration {
     }
 
     private void restoreGame(WorldSnapshot moment) {
-        TrainerActions trainer = new TrainerActions(cycle.match());
-        if (moment.playMode() != cycle.match().state().playMode()) {
-            cycle.match().setPlayMode(moment.playMode());
+        Match match = cycle.match();
+        if (moment.playMode() != match.state().playMode()) {
+            match.setPlayMode(moment.playMode());
         }
-        trainer.setHalf(moment.half());
-        trainer.setPlaySeconds(moment.gameTime());
-        trainer.setScore(moment.scoreLeft(), moment.scoreRight());
+        match.state().setHalf(moment.half());
+        match.state().setPlaySeconds(moment.gameTime());
+        match.state().setScore(moment.scoreLeft(), moment.scoreRight());
     }
 
     private Optional<Player> player(RobotSnapshot robot) {
