@@ -15,15 +15,10 @@ public interface Contact {
     Vector3 position();
 
     /**
-     * {@return the contact force on the body of the first collider in newtons, including friction; zero before the step, for a
-     * trigger and between sleeping bodies}
-     */
-    Vector3 forceOnFirst();
-
-    /**
-     * Adds this contact to weighted sums.
+     * Adds the contact force to weighted sums. The force acts on the body of the first collider and includes friction. It is zero
+     * before the step, for a trigger, and between sleeping bodies.
      *
-     * @param sums seven elements, to which force, position times magnitude of the force, and magnitude are added
+     * @param sums seven elements, to which force, position times magnitude of the force, and magnitude are added, in newtons
      */
     void addTo(double[] sums);
 }

@@ -10,18 +10,17 @@ import org.robonewbie.nao.Vector3;
  * @param minRadians lower stop
  * @param maxRadians upper stop
  * @param maxTorque maximum motor torque in newton metres
- * @param softness constraint force mixing of hinge and stops (ODE: CFM)
- * @param stopErrorReduction fraction of an overshoot at a stop that is corrected per step (ODE: stop ERP)
  * @param stopBounce coefficient of restitution of the stops
- * @param fudgeFactor ODE's factor that reduces the motor torque away from a stop
  */
 public record HingeDefinition(
-        Vector3 anchor,
-        Vector3 axis,
-        double minRadians,
-        double maxRadians,
-        double maxTorque,
-        double softness,
-        double stopErrorReduction,
-        double stopBounce,
-        double fudgeFactor) {}
+        Vector3 anchor, Vector3 axis, double minRadians, double maxRadians, double maxTorque, double stopBounce) {
+
+    /** Constraint force mixing of hinge and stops (ODE: CFM). */
+    public static final double SOFTNESS = 1e-8;
+
+    /** Fraction of an overshoot at a stop that is corrected per step (ODE: stop ERP). */
+    public static final double STOP_ERROR_REDUCTION = 0.8;
+
+    /** Factor that reduces the motor torque away from a stop (ODE: fudge factor). */
+    public static final double FUDGE_FACTOR = 1e-5;
+}

@@ -15,7 +15,7 @@ import org.robonewbie.nao.state.Restorable;
  * <pre>{@code
  * world.findContacts();
  * world.step(0.02);
- * world.contacts().forEach(contact -> System.out.println(contact.forceOnFirst()));
+ * world.contacts().forEach(contact -> System.out.println(contact.position()));
  * }</pre>
  */
 public interface PhysicsWorld extends Restorable {

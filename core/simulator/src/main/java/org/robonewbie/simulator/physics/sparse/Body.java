@@ -270,9 +270,7 @@ final class Body implements RigidBody, Restorable {
 
     @Override
     public void setAngularVelocity(Vector3 radiansPerSecond) {
-        velocity[3] = radiansPerSecond.x();
-        velocity[4] = radiansPerSecond.y();
-        velocity[5] = radiansPerSecond.z();
+        Rotations.set(velocity, 3, radiansPerSecond.x(), radiansPerSecond.y(), radiansPerSecond.z());
     }
 
     @Override
@@ -309,9 +307,7 @@ final class Body implements RigidBody, Restorable {
     }
 
     private static void set(double[] array, Vector3 vector) {
-        array[0] = vector.x();
-        array[1] = vector.y();
-        array[2] = vector.z();
+        Rotations.set(array, 0, vector.x(), vector.y(), vector.z());
     }
 
     @Override

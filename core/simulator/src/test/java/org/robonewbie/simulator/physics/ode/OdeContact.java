@@ -40,13 +40,8 @@ final class OdeContact implements Contact {
     }
 
     @Override
-    public Vector3 forceOnFirst() {
-        return OdeVectors.from(feedback.f1);
-    }
-
-    @Override
     public void addTo(double[] sums) {
-        Vector3 force = forceOnFirst();
+        Vector3 force = OdeVectors.from(feedback.f1);
         double magnitude = force.length();
         double[] terms = {
             force.x(),
