@@ -11,13 +11,15 @@ import java.util.OptionalInt;
 import java.util.Random;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
-import org.robonewbie.app.script.StartScript;
 import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.monitor.MonitorSettings;
+import org.robonewbie.simulator.script.SoccerParameterFile;
+import org.robonewbie.simulator.script.StartScript;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.server.WarmUp;
@@ -217,11 +219,11 @@ final class SimulatorCommand implements Callable<Integer> {
     }
 
     /** Translates the options; what is given on the command line is stronger than the script. */
-    SimulatorSettings settings(Console console) {
+    SimulatorSettings settings(Console console) throws UnreadableFileException {
         if (league && beginner) {
             throw new CalledWronglyException("--league and --beginner exclude each other. Leave one of them out.");
         }
-        StartScript start = script.map(file -> StartScript.read(file, console)).orElse(StartScript.EMPTY);
+        StartScript start = script.isPresent() ? StartScript.read(script.get(), console) : StartScript.EMPTY;
         boolean isFast = fast || start.isFast();
         return (beginner ? SimulatorSettings.beginner() : SimulatorSettings.league())
                 .parameters(parameters(start))
@@ -281,10 +283,12 @@ final class SimulatorCommand implements Callable<Integer> {
         return number;
     }
 
-    private SoccerParameters parameters(StartScript start) {
+    private SoccerParameters parameters(StartScript start) throws UnreadableFileException {
         SoccerParameters parameters = beginner ? SoccerParameters.beginner() : SoccerParameters.league();
         List<String> all = new ArrayList<>(start.parameters());
-        all.addAll(parameterFile.map(ParameterFile::read).orElse(List.of()));
+        if (parameterFile.isPresent()) {
+            all.addAll(SoccerParameterFile.read(parameterFile.get()));
+        }
         all.addAll(assignments);
         try {
             for (String assignment : all) {
