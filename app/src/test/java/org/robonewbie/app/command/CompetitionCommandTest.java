@@ -34,12 +34,12 @@ class CompetitionCommandTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-            running                            | There is no contest "running". There are: scoring, penalties
-            running Red=Agent_Wave             | There is no contest "running". There are: scoring, penalties
+            running                            | Unknown contest "running". Choose one of: scoring, penalties
+            running Red=Agent_Wave             | Unknown contest "running". Choose one of: scoring, penalties
             penalties Red=Agent_Wave           | needs at least 2 teams
             league Red=Agent_Team              | needs at least 2 teams
             scoring                            | needs at least 1 team.
-            matches A=Agent_Wave B=Agent_Wave --players 12 | --players is 1 to 11
+            matches A=Agent_Wave B=Agent_Wave --players 12 | --players must be 1 to 11
             exercise:kickk Red=Agent_Wave      | There is no exercise "kickk". Did you mean kick?
             walk --teams nowhere.properties    | nowhere.properties
             """)
