@@ -59,7 +59,7 @@ class CompetitionCommandTest {
 
         assertThat(printed.exitCode()).as(printed.err()).isZero();
         assertThat(Files.readString(results.resolve("table.html")))
-                .contains("Programs were not fenced in (--fence none).", "Whose connection came");
+                .contains("Programs ran without a sandbox (--fence none).", "Whose connection came");
         assertThat(results.resolve("recordings.sha256")).content().contains("  recordings/walk-Red.rec");
     }
 
@@ -137,7 +137,7 @@ class CompetitionCommandTest {
                 .contains("Exercise 1: Raise both arms")
                 .contains("1. Red 20 of 20 2 of 2 played to the end")
                 .contains("2. Blue 0 of 20 0 of 2 played to the end")
-                .contains("3. Green 0 of 20 0 of 2 its program ended before the trial was over");
+                .contains("3. Green 0 of 20 0 of 2 its program exited before the end of the trial");
         assertThat(printed.out().replaceAll(" +", " "))
                 .contains("4. Nought 0 of 20 0 of 2 its program does not compile");
         assertThat(results.resolve("certificates/Nought.html")).doesNotExist();
