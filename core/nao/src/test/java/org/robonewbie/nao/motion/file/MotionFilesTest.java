@@ -119,6 +119,6 @@ class MotionFilesTest {
     void saysWhyAMotionCannotHaveAName() {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> files.file("a/b"))
-                .withMessage("The name \"a/b\" contains \"/\", so that no motion can have it. Choose another one.");
+                .withMessage("The name \"a/b\" contains \"/\". Choose another name for the motion.");
     }
 }
