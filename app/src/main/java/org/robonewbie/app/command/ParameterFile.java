@@ -34,8 +34,8 @@ final class ParameterFile {
                 String name = assignment.substring(0, assignment.indexOf('=')).trim();
                 Integer before = lineOf.put(name, i + 1);
                 if (before != null) {
-                    throw new CalledWronglyException(file + ", line " + (i + 1) + ": \"" + name + "\" stands in line "
-                            + before + " already. Delete one of the two lines.");
+                    throw new CalledWronglyException(file + ", line " + (i + 1) + ": \"" + name
+                            + "\" is already set in line " + before + ". Delete one of the two lines.");
                 }
                 assignments.add(assignment);
             }

@@ -143,7 +143,7 @@ class SimulatorCommandTest {
 
     @ParameterizedTest
     @CsvSource({
-        "RuleHalfTime=60, 'line 3: \"RuleHalfTime\" stands in line 1 already. Delete one of the two lines.'",
+        "RuleHalfTime=60, 'line 3: \"RuleHalfTime\" is already set in line 1. Delete one of the two lines.'",
         "'BeamNoiseXY\u00A0= 0', 'line 3: In \"BeamNoiseXY\u00A0= 0\" character 12 is a no-break space (U+00A0)'",
         "'BeamNoiseXY = \u22121', 'line 3: In \"BeamNoiseXY = \u22121\" character 15 is the dash'",
         "'B\u0435amNoiseXY = 1', 'line 3: In \"B\u0435amNoiseXY = 1\" character 2 is the Cyrillic letter'",

@@ -18,7 +18,7 @@ public sealed interface Shape {
     /**
      * A sphere.
      *
-     * @param radius in metres
+     * @param radius radius in metres
      */
     record Sphere(double radius) implements Shape {
 

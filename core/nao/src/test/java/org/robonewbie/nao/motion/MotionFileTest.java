@@ -106,7 +106,7 @@ class MotionFileTest {
     @CsvSource({
         "200 ZEROS LF // x 81,2,neither UTF-8 nor Windows-1252 (byte 0x81)",
         "00 01 02,1,zero byte",
-        "FFFE 41 00 0D 00 0A 00 00 D8 41 00,2,cut within a character of UTF-16",
+        "FFFE 41 00 0D 00 0A 00 00 D8 41 00,2,ends within a UTF-16 character",
         "C3BC LF C3BC LF C3BC FF,3,it is damaged"
     })
     void bytesThatAreNoTextAreAnErrorOfTheirLineAndStay(String parts, int line, String problem) {
