@@ -34,7 +34,7 @@ class TextReadersTest {
     private static final Map<String, String> EXCEPTIONS = Map.ofEntries(
             Map.entry("nao/text/DecodedText", READER),
             Map.entry(
-                    "nao/motion/MotionText", "decodes the bytes of a motion, which the room Motion keeps as they are"),
+                    "nao/motion/MotionFile", "decodes the bytes of a motion, which the room Motion keeps as they are"),
             Map.entry("nao/motion/file/ShippedMotions", RESOURCE),
             Map.entry("nao/state/StateReader", WRITTEN),
             Map.entry("protocol/tcp/TelemetryClient", WIRE),
