@@ -13,7 +13,6 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.programs.ClassPath;
 
 @Timeout(120)
 class ChildProcessTest {
@@ -111,8 +110,6 @@ class ChildProcessTest {
     private ChildProcess start(Class<?> program, Limits limits, String... arguments) throws IOException {
         List<String> words = new ArrayList<>(List.of(ProgramMain.CLASS, program.getName()));
         words.addAll(List.of(arguments));
-        List<String> command = JavaCommand.of(
-                JavaCommand.withMemory(64), ClassPath.ofThisProgram(), ProgramMain.class.getName(), words);
-        return ChildProcess.start(command, folder, true, ProgramOutput.of(lines::add, answer -> {}), limits);
+        return TestProcess.start(folder, ProgramOutput.of(lines::add, answer -> {}), limits, words);
     }
 }
