@@ -38,8 +38,12 @@ public final class UnreadableFileException extends IOException {
         super(sentence(file, problem), cause);
     }
 
-    /** @param sentence all that there is to say */
-    UnreadableFileException(String sentence) {
+    /**
+     * Creates an exception with a complete message.
+     *
+     * @param sentence names the file, says why it cannot be read and what to do
+     */
+    public UnreadableFileException(String sentence) {
         super(sentence);
     }
 
