@@ -7,27 +7,33 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.UnaryOperator;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.TrialLabel;
+import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.studio.service.PageService;
+import org.robonewbie.trial.Controller;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.watch.WatchedTrial;
 
-/** A course of two exercises on its own pitch; the test determines the results of trials. */
-final class SmallCourse implements PageService {
+/** A course of two exercises; the test determines the results of trials. */
+final class SmallCourse implements PageService, AutoCloseable {
 
     private static final String NONE = "{\"state\":\"NONE\",\"judged\":[],\"output\":\"\"}";
 
-    private final SimulationControl freePitch;
-    private final SmallSimulation pitchOfTrial;
     private final ShownSimulation shown;
+    private final SimulationControl freePitch;
     private final List<String> programs = new CopyOnWriteArrayList<>(List.of("Other.java"));
     private final List<String> hints = List.of("Look first.", "Then kick.");
     private int open;
     private String language = "en";
     private int attempts;
     private volatile String attempt = NONE;
+    private WatchedTrial view = new WatchedTrial();
+    private Thread trial = new Thread();
 
-    SmallCourse(SimulationControl freePitch, SmallSimulation pitchOfTrial, ShownSimulation shown) {
-        this.freePitch = freePitch;
-        this.pitchOfTrial = pitchOfTrial;
+    SmallCourse(ShownSimulation shown, SimulationControl freePitch) {
         this.shown = shown;
+        this.freePitch = freePitch;
     }
 
     @Override
@@ -36,6 +42,7 @@ final class SmallCourse implements PageService {
         switch (request) {
             case "POST language" -> language = parameters.apply("code");
             case "DELETE attempt" -> {
+                close();
                 attempt = NONE;
                 shown.show(freePitch);
             }
@@ -87,9 +94,22 @@ final class SmallCourse implements PageService {
 
     private void begin(String program) {
         attempts++;
-        pitchOfTrial.judging(new TrialLabel("kick", attempts, 1));
         attempt = attempt("RUNNING", program, "", 0, "");
-        shown.show(pitchOfTrial);
+        close();
+        view = view.next(new TrialLabel("kick", attempts, 1));
+        trial = new Thread(() -> play(view), "trial");
+        trial.setDaemon(true);
+        trial.start();
+        shown.show(view);
+    }
+
+    private static void play(WatchedTrial view) {
+        Scene scene = Scene.of(RobotStart.at(-1, 0));
+        try (Trial trial = Trial.observed(scene, 1, view, RecordingTarget.NONE, start -> Controller.ofSpeeds())) {
+            while (!Thread.currentThread().isInterrupted()) {
+                trial.step();
+            }
+        }
     }
 
     private String attempt(String state, String program, String judged, int points, String output) {
@@ -99,10 +119,16 @@ final class SmallCourse implements PageService {
                 """.formatted(attempts, state, program, judged, points, output);
     }
 
-    /** Ends the current trial, which is not passed. */
+    /** Sets the result of the current trial, which is not passed. */
     synchronized void judge(int points, String finding, String hint, String output) {
         String trial = "{\"seed\":1,\"passed\":false,\"points\":%d,\"finding\":\"%s\",\"hint\":\"%s\"}"
                 .formatted(points, finding, hint);
         attempt = attempt("OVER", "Other.java", trial, points, output);
+    }
+
+    /** Ends the current trial. */
+    @Override
+    public void close() {
+        trial.interrupt();
     }
 }
