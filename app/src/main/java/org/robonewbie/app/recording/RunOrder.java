@@ -3,9 +3,9 @@ package org.robonewbie.app.recording;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalDouble;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
 /**
@@ -56,13 +56,10 @@ public record RunOrder(List<String> agentAndOptions, int robots, double seconds,
     }
 
     SimulatorSettings settings(int run) {
-        return SimulatorSettings.beginner()
-                .agentPort(0)
-                .synchronous(true)
-                .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
-                .seed(seed(run))
-                .awaitedAgents(robots)
-                .seconds(OptionalDouble.of(seconds))
-                .build();
+        return SimulatorSettings.of(WorldSettings.beginner().withSeed(seed(run)))
+                .withAgentPort(0)
+                .withSpeed(SimulationControl.AS_FAST_AS_POSSIBLE)
+                .withAwaitedAgents(robots)
+                .withSeconds(seconds);
     }
 }

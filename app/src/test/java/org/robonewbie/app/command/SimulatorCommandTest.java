@@ -33,9 +33,9 @@ class SimulatorCommandTest {
     void withoutOptionsItIsLikeTheOriginalServer() {
         SimulatorSettings settings = settings();
 
-        assertThat(settings.agentPort()).isEqualTo(3100);
-        assertThat(settings.monitorPort()).hasValue(3200);
-        assertThat(settings.bindAddress()).isEqualTo("127.0.0.1");
+        assertThat(settings.agents().port()).isEqualTo(3100);
+        assertThat(settings.monitors().port()).hasValue(3200);
+        assertThat(settings.agents().bindAddress()).isEqualTo("127.0.0.1");
         assertThat(settings.world().synchronous()).isFalse();
         assertThat(settings.speed()).isEqualTo(1);
         assertThat(settings.world().camera().noise()).isTrue();
@@ -79,8 +79,8 @@ class SimulatorCommandTest {
     void monitorsAreToldAndLoggedAsWanted() {
         SimulatorSettings settings = settings("--log", "match.log", "--monitor-step", "0.02");
 
-        assertThat(settings.monitorLog()).contains(Path.of("match.log"));
-        assertThat(settings.monitorStepSeconds()).isEqualTo(0.02);
+        assertThat(settings.monitors().log()).contains(Path.of("match.log"));
+        assertThat(settings.monitors().stepSeconds()).isEqualTo(0.02);
         assertThat(settings().monitorLog()).isEmpty();
         assertThat(settings().monitorStepSeconds()).isEqualTo(0.04);
     }
@@ -264,7 +264,7 @@ class SimulatorCommandTest {
         SimulatorSettings settings =
                 settings("--script-path", script.toString(), "--agent-port", "0", "--set", "RuleHalfTime=90");
 
-        assertThat(settings.agentPort()).isZero();
+        assertThat(settings.agents().port()).isZero();
         assertThat(settings.world().parameters().get(SoccerParameter.RULE_HALF_TIME))
                 .isEqualTo(90);
     }
@@ -275,7 +275,7 @@ class SimulatorCommandTest {
 
         SimulatorSettings settings = settings("--script-path", script.toString());
 
-        assertThat(settings.agentPort()).isEqualTo(3500);
+        assertThat(settings.agents().port()).isEqualTo(3500);
         assertThat(settings.world().parameters().get(SoccerParameter.BEAM_NOISE_XY))
                 .isZero();
     }

@@ -179,12 +179,12 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
     }
 
     @Override
-    public void anotherBegins() {
+    public void simulationReplaced() {
         undoManager.forget();
     }
 
     @Override
-    public void told(String sentence) {
+    public void messagePrinted(String sentence) {
         sentences.add(sentence);
     }
 

@@ -128,7 +128,7 @@ public final class PageFeed implements TelemetrySink {
                 request.applyTo(context);
             }
         } catch (IllegalArgumentException | IllegalStateException wrong) {
-            told(String.valueOf(wrong.getMessage()));
+            messagePrinted(String.valueOf(wrong.getMessage()));
         }
     }
 
@@ -166,7 +166,7 @@ public final class PageFeed implements TelemetrySink {
      *
      * @param sentence a complete sentence
      */
-    public void told(String sentence) {
+    public void messagePrinted(String sentence) {
         queue.add(SceneDescriptionWriter.notice(sentence));
     }
 
