@@ -106,28 +106,28 @@ class SubmittedFolderTest {
         Files.createSymbolicLink(folder.resolve("eve"), Path.of("ben"));
         own = folder.resolve("eve");
 
-        assertThatThrownBy(this::files).hasMessageContaining("eve is a link. Put in its place what it leads to");
+        assertThatThrownBy(this::files).hasMessageContaining("eve is a link. Replace it by its target");
     }
 
     @Test
     void linkToNothingIsRefused() throws IOException {
         Files.createSymbolicLink(own.resolve("notes.txt"), Path.of("nowhere"));
 
-        isRefused("notes.txt", "link to nothing");
+        isRefused("notes.txt", "broken link");
     }
 
     @Test
     void circlesOfLinksAreRefused() throws IOException {
         Files.createSymbolicLink(own.resolve("motions/up"), Path.of(".."));
 
-        isRefused("motions/up", "in which it lies itself");
+        isRefused("motions/up", "that contains it");
     }
 
     @Test
     void linkToItselfIsRefused() throws IOException {
         Files.createSymbolicLink(own.resolve("ring"), Path.of("ring"));
 
-        isRefused("ring", "leads in a circle");
+        isRefused("ring", "circular link");
     }
 
     @Test
@@ -140,7 +140,7 @@ class SubmittedFolderTest {
         }
         Files.createDirectories(own.resolve("f20"));
 
-        assertThatThrownBy(this::files).hasMessageContaining("has more than 10000 files");
+        assertThatThrownBy(this::files).hasMessageContaining("contains more than 10000 files");
     }
 
     @Test
@@ -148,7 +148,7 @@ class SubmittedFolderTest {
         Process made = new ProcessBuilder("mkfifo", own.resolve("data").toString()).start();
         assumeTrue(made.waitFor(10, TimeUnit.SECONDS) && made.exitValue() == 0, "no mkfifo here");
 
-        isRefused("data", "is no regular file but a device, a pipe or a socket");
+        isRefused("data", "is not a regular file but a device, a pipe or a socket");
     }
 
     @Test
@@ -156,7 +156,7 @@ class SubmittedFolderTest {
         try (ServerSocketChannel socket = ServerSocketChannel.open(StandardProtocolFamily.UNIX)) {
             socket.bind(UnixDomainSocketAddress.of(own.resolve("s")));
 
-            isRefused("s", "is no regular file");
+            isRefused("s", "is not a regular file");
         }
     }
 
@@ -174,7 +174,7 @@ class SubmittedFolderTest {
             sparse.setLength(SubmittedFolder.MAX_BYTES + 1);
         }
 
-        assertThatThrownBy(this::files).hasMessageContaining("has more than 100 MB");
+        assertThatThrownBy(this::files).hasMessageContaining("contains more than 100 MB");
     }
 
     @Test
@@ -185,7 +185,7 @@ class SubmittedFolderTest {
         }
         Files.createDirectories(deep);
 
-        assertThatThrownBy(this::files).hasMessageContaining("lies more than 40 folders deep");
+        assertThatThrownBy(this::files).hasMessageContaining("is nested more than 40 folders deep");
     }
 
     @Test

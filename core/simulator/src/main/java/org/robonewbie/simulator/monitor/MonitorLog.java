@@ -54,7 +54,7 @@ public final class MonitorLog implements AutoCloseable {
         } catch (IOException e) {
             throw new IOException(
                     "Log \"" + file + "\" cannot be written (" + e.getMessage()
-                            + "). Choose a file in an existing folder with write permission.",
+                            + "). Choose a file in an existing folder that you may write to.",
                     e);
         }
     }
