@@ -82,8 +82,8 @@ class SimulatorCommandTest {
 
         assertThat(settings.monitors().log()).contains(Path.of("match.log"));
         assertThat(settings.monitors().stepSeconds()).isEqualTo(0.02);
-        assertThat(settings().monitorLog()).isEmpty();
-        assertThat(settings().monitorStepSeconds()).isEqualTo(0.04);
+        assertThat(settings().monitors().log()).isEmpty();
+        assertThat(settings().monitors().stepSeconds()).isEqualTo(0.04);
     }
 
     @Test
@@ -240,9 +240,9 @@ class SimulatorCommandTest {
 
     @Test
     void patienceWithSilentAgentsCanBeSet() throws IOException {
-        assertThat(settings().silentAgentSeconds()).isEqualTo(60);
-        assertThat(settings("--drop-silent-after", "2.5").silentAgentSeconds()).isEqualTo(2.5);
-        assertThat(settings("--drop-silent-after", "Infinity").silentAgentSeconds())
+        assertThat(settings().agents().silentSeconds()).isEqualTo(60);
+        assertThat(settings("--drop-silent-after", "2.5").agents().silentSeconds()).isEqualTo(2.5);
+        assertThat(settings("--drop-silent-after", "Infinity").agents().silentSeconds())
                 .isInfinite();
         assertThatThrownBy(() -> settings("--drop-silent-after", "0"))
                 .isInstanceOf(CalledWronglyException.class)

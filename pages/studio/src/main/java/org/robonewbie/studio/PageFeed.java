@@ -90,7 +90,7 @@ public final class PageFeed implements TelemetrySink {
     public PageFeed(World world, Page page) {
         this.world = world;
         this.page = page;
-        this.context = new SteppedContext(world, this::told);
+        this.context = new SteppedContext(world, this::messagePrinted);
     }
 
     /**

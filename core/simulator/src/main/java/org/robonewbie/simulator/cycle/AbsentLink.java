@@ -37,17 +37,7 @@ final class AbsentLink implements ServerLink {
     }
 
     @Override
-    public String closingReason() {
-        return HAS_LEFT;
-    }
-
-    @Override
     public void close() {} // dropped when the next state is restored
-
-    @Override
-    public boolean isLocal() {
-        return true;
-    }
 
     @Override
     public String address() {

@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
-/** The simulator's end of an agent's connection. All methods are non-blocking. */
+/** The simulator's end of an agent's connection. All methods are non-blocking; the defaults are those of an in-process agent. */
 public interface ServerLink {
 
     /** The {@link #closingReason} of an agent that disconnects. */
@@ -31,16 +31,22 @@ public interface ServerLink {
     boolean isOpen();
 
     /** {@return why the connection was closed, as the predicate of a sentence such as "has left."} */
-    String closingReason();
+    default String closingReason() {
+        return HAS_LEFT;
+    }
 
     /** Closes the connection. */
     void close();
 
     /** {@return whether the agent runs in this process, without a socket; sync mode never drops such an agent} */
-    boolean isLocal();
+    default boolean isLocal() {
+        return true;
+    }
 
     /** {@return the address of the other end, such as "at 127.0.0.1:4711"} */
-    String address();
+    default String address() {
+        return "in this process";
+    }
 
     /** {@return the team of this connection's robot, whichever team the agent requests; empty if the agent may choose} */
     default Optional<String> team() {

@@ -120,11 +120,6 @@ final class SteppedLink implements AgentLink {
         }
 
         @Override
-        public String closingReason() {
-            return HAS_LEFT;
-        }
-
-        @Override
         public void close() {
             closed = true;
         }
@@ -132,16 +127,6 @@ final class SteppedLink implements AgentLink {
         @Override
         public Optional<Restorable> agentState() {
             return agentState;
-        }
-
-        @Override
-        public boolean isLocal() {
-            return true;
-        }
-
-        @Override
-        public String address() {
-            return "in this process";
         }
     }
 }

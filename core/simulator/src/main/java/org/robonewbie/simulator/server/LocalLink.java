@@ -79,11 +79,6 @@ final class LocalLink implements AgentLink {
         }
 
         @Override
-        public String closingReason() {
-            return HAS_LEFT;
-        }
-
-        @Override
         public void close() {
             toSimulator.close();
             toAgent.close();
@@ -92,16 +87,6 @@ final class LocalLink implements AgentLink {
         @Override
         public Optional<Restorable> agentState() {
             return agentState;
-        }
-
-        @Override
-        public boolean isLocal() {
-            return true;
-        }
-
-        @Override
-        public String address() {
-            return "in this process";
         }
     }
 }
