@@ -65,7 +65,7 @@ class MonitorLogTest {
         assertThatThrownBy(() -> MonitorLog.open(file, SoccerParameters.league(), console::add))
                 .isInstanceOf(IOException.class)
                 .hasMessageContaining("Log \"" + file + "\" cannot be written")
-                .hasMessageContaining("Choose a file in a folder that exists");
+                .hasMessageContaining("Choose a file in an existing folder");
     }
 
     @Test

@@ -104,7 +104,7 @@ class SyncModeTest {
             }
 
             List<Double> standstills = console.sentences().stream()
-                    .filter(sentence -> sentence.startsWith("Dropped"))
+                    .filter(sentence -> sentence.startsWith("Disconnected"))
                     .map(sentence -> Double.valueOf(sentence.replaceAll("^.* for ([0-9.]+) s\\.$", "$1")))
                     .toList();
             assertThat(standstills).hasSize(5);
