@@ -22,8 +22,8 @@ public record ListedRobot(int id, RobotType type, int side, int number, String t
         List<ListedRobot> robots = new ArrayList<>();
         for (long count = content.getUnsigned(); count > 0; count--) {
             int id = (int) content.getUnsigned();
-            RobotType type = RobotType.values()[(int) content.getUnsigned()];
-            int side = (int) content.getUnsigned();
+            RobotType type = RobotType.values()[content.getIndex(RobotType.values().length)];
+            int side = content.getIndex(TeamSide.values().length + 1);
             robots.add(new ListedRobot(id, type, side, (int) content.getUnsigned(), content.getText()));
         }
         return List.copyOf(robots);

@@ -66,6 +66,14 @@ final class RecordCursor {
         return (int) count;
     }
 
+    int getIndex(int size) {
+        long index = getUnsigned();
+        if (index < 0 || index >= size) {
+            throw new IndexOutOfBoundsException(at);
+        }
+        return (int) index;
+    }
+
     String getText() {
         int length = getCount();
         return new String(bytes, skip(length), length, StandardCharsets.UTF_8);

@@ -177,7 +177,7 @@ public final class RecordingState {
     private void takeCommands(RecordCursor content) {
         long[] known = speeds.computeIfAbsent((int) content.getUnsigned(), id -> new long[MAX_HINGES]);
         for (long count = content.getUnsigned(); count > 0; count--) {
-            int hinge = (int) content.getUnsigned();
+            int hinge = content.getIndex(MAX_HINGES);
             known[hinge] = content.getSigned();
         }
     }

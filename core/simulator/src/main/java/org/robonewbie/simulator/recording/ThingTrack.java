@@ -80,7 +80,7 @@ final class ThingTrack {
 
     /** Reads a record of kind {@link RecordingFormat#MOVED_THING} and returns all objects with the new pose. */
     static List<Thing> readMoved(List<Thing> before, RecordCursor source) {
-        int index = (int) source.getUnsigned();
+        int index = source.getIndex(before.size());
         List<Thing> now = new ArrayList<>(before);
         now.set(index, before.get(index).at(DeltaTrack.readPose(source)));
         return List.copyOf(now);
