@@ -10,8 +10,8 @@ import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.tcp.MonitorLink;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.SimulationControl;
-import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.SimulationObserver;
+import org.robonewbie.simulator.cycle.WorldSettings;
 
 /** A server with the rules of the league that waits for its agents, all of which connect by TCP. */
 final class LeagueServer implements AutoCloseable {

@@ -8,10 +8,10 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
-import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.trial.batch.BatchProgress;
@@ -134,7 +134,11 @@ public record Recording(DataSet set, int runs, int robots, double seconds, long 
     }
 
     private SimulatorSettings settings(long seed) {
-        return SimulatorSettings.of(WorldSettings.beginner().withSeed(seed)).withAgentPort(0).withSpeed(SimulationControl.AS_FAST_AS_POSSIBLE).withAwaitedAgents(robots).withSeconds(seconds);
+        return SimulatorSettings.of(WorldSettings.beginner().withSeed(seed))
+                .withAgentPort(0)
+                .withSpeed(SimulationControl.AS_FAST_AS_POSSIBLE)
+                .withAwaitedAgents(robots)
+                .withSeconds(seconds);
     }
 
     private String line(RunResult result) {
