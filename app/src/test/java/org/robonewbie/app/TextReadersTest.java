@@ -46,7 +46,6 @@ class TextReadersTest {
             Map.entry("simulator/file/RecordingAbout", WRITTEN),
             Map.entry("simulator/recording/RecordingReader", WRITTEN),
             Map.entry("simulator/recording/RecordingState", WRITTEN),
-            Map.entry("simulator/recording/ByteSource", WRITTEN),
             Map.entry("simulator/recording/RecordCursor", WRITTEN),
             Map.entry("workshop/fidelity/FidelityBench", RESOURCE),
             Map.entry("workshop/jmh/ReplayLink", WIRE),

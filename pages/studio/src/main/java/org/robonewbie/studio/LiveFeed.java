@@ -48,7 +48,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
     private final RoboVizFeed board = new RoboVizFeed();
     private final NumberWishes numbers = new NumberWishes();
     private final CommandQueue commandQueue = new ThreadedCommandQueue();
-    private final UndoManager undoManager = new UndoManager(this, this::told);
+    private final UndoManager undoManager = new UndoManager(this, this::messagePrinted);
     private final Queue<MatchEvent> events = new ConcurrentLinkedQueue<>();
     private final Queue<String> sentences = new ConcurrentLinkedQueue<>();
     private final List<Spectator> spectators = new CopyOnWriteArrayList<>();
@@ -179,12 +179,12 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
     }
 
     @Override
-    public void anotherBegins() {
+    public void simulationReplaced() {
         undoManager.forget();
     }
 
     @Override
-    public void told(String sentence) {
+    public void messagePrinted(String sentence) {
         sentences.add(sentence);
     }
 

@@ -49,7 +49,7 @@ final class FreePitch implements EditableWorld {
      */
     FreePitch(long seed, PageFeed feed, RecordingTarget recording) {
         this.feed = feed;
-        simulator = SteppedSimulator.start(WorldSettings.beginner().withSeed(seed), recording, feed::told);
+        simulator = SteppedSimulator.start(WorldSettings.beginner().withSeed(seed), recording, feed::messagePrinted);
         simulator.reportEventsTo(feed::happened);
     }
 

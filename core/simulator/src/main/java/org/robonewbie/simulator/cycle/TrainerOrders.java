@@ -11,7 +11,7 @@ import org.robonewbie.simulator.world.Ball;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * Carries out orders between two cycles. Orders that refer to no robot do nothing, as in rcssserver3d (SimSpark: {@code
+ * Executes trainer orders between two cycles. Orders for a missing robot have no effect, as in rcssserver3d (SimSpark: {@code
  * trainercommandparser.cpp}).
  */
 public final class TrainerOrders {
@@ -23,10 +23,10 @@ public final class TrainerOrders {
     private Optional<PlayerNumber> selection = Optional.empty();
 
     /**
-     * Prepares for orders.
+     * Creates the executor.
      *
-     * @param cycle what is changed
-     * @param fullState lets monitors have the whole scene
+     * @param cycle the simulation to change
+     * @param fullState requests a full message to all monitors
      * @param end ends the simulation
      */
     public TrainerOrders(SimulationCycle cycle, Runnable fullState, Runnable end) {
@@ -36,15 +36,15 @@ public final class TrainerOrders {
         this.end = end;
     }
 
-    /** {@return the player that is selected} */
+    /** {@return the selected player} */
     public Optional<Player> selected() {
         return selection.flatMap(this::player);
     }
 
     /**
-     * Carries out an order.
+     * Executes an order.
      *
-     * @param order the order; orders to the clock are those of its owner
+     * @param order the order; clock orders are ignored
      */
     public void execute(Order order) {
         if (order instanceof Order.EndSimulation) {
