@@ -82,7 +82,7 @@ class SlidersTest {
         cycle(agent);
 
         assertThat(viewer.plotted).containsEntry("gain", 0.5).containsEntry("asked", 0.8);
-        assertThat(viewer.log).contains("since no other robot can be made by Named(). Ask for number(...) in think()");
+        assertThat(viewer.log).contains("since Named() cannot create a second instance. Call number(...) in think()");
     }
 
     private AgentDriver watched(Agent agent) {
