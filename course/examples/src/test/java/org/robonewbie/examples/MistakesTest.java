@@ -62,7 +62,7 @@ class MistakesTest {
             assertThat(exitCode).isEqualTo(2);
             assertThat(program.lines())
                     .containsExactly("No simulator answers at 127.0.0.1:9. Start one with \"robonewbie simulator\", or"
-                            + " leave the host out to have one started for you.");
+                            + " omit the host to start one automatically.");
         }
     }
 

@@ -13,10 +13,10 @@ import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.protocol.telemetry.BelievedThing;
 import org.robonewbie.protocol.telemetry.Drawing;
-import org.robonewbie.protocol.telemetry.NumberWishes;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
+import org.robonewbie.protocol.telemetry.TuningRequests;
 
 /** Publishes what a robot thinks; this costs next to nothing while there is no viewer. */
 public final class TelemetryPublisher {
@@ -84,7 +84,7 @@ public final class TelemetryPublisher {
      * @return the wanted value; empty if nobody wants another one
      */
     public OptionalDouble wish(String name) {
-        Optional<NumberWishes> wishes = sink.wishes();
+        Optional<TuningRequests> wishes = sink.tuningRequests();
         return wishes.isPresent() ? wishes.get().take(sensors.team(), sensors.number(), name) : OptionalDouble.empty();
     }
 
