@@ -82,8 +82,8 @@ class TextReadersTest {
             Map.entry("programs/ApiComments", RESOURCE),
             Map.entry("programs/process/ParentProcess", WIRE),
             Map.entry("programs/process/ProgramOutput", "the output of a process, in the encoding of the system"),
-            Map.entry("app/command/TeamSources", RESOURCE),
-            Map.entry("app/command/NewProject", RESOURCE),
+            Map.entry("programs/project/ExampleTeam", RESOURCE),
+            Map.entry("programs/project/NewProject", RESOURCE),
             Map.entry("app/marking/JudgesKey", WRITTEN));
 
     @Test

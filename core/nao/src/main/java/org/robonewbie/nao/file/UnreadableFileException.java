@@ -30,8 +30,13 @@ public final class UnreadableFileException extends IOException {
         super(sentence(file, problem), cause);
     }
 
-    UnreadableFileException(String message) {
-        super(message);
+    /**
+     * Creates an exception with a complete message.
+     *
+     * @param sentence names the file, says why it cannot be read and what to do
+     */
+    public UnreadableFileException(String sentence) {
+        super(sentence);
     }
 
     private static String sentence(Path file, String problem) {

@@ -1,4 +1,4 @@
-package org.robonewbie.app.script;
+package org.robonewbie.simulator.script;
 
 import java.nio.file.Path;
 import java.util.HashMap;
@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
-import org.robonewbie.app.script.RubyToken.Kind;
-import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.nao.file.UnreadableFileException;
+import org.robonewbie.simulator.script.RubyToken.Kind;
 import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
@@ -39,7 +39,7 @@ final class ScriptStatement {
         this.ended = ended;
     }
 
-    void execute() {
+    void execute() throws UnreadableFileException {
         if (statement.block().isPresent() || ended.isPresent()) {
             ignore();
         } else if (isAssignment()) {
@@ -68,7 +68,7 @@ final class ScriptStatement {
                 && (tokens.get(1).kind() != Kind.SIGN || tokens.get(1).isSign("("));
     }
 
-    private void assign() {
+    private void assign() throws UnreadableFileException {
         String name = tokens.get(0).text();
         String sign = tokens.get(1).text();
         List<RubyToken> right = tokens.subList(2, tokens.size());
@@ -103,7 +103,7 @@ final class ScriptStatement {
     }
 
     /** Interprets {@code addSoccerVar NAME, VALUE}, with or without parentheses. */
-    private void set() {
+    private void set() throws UnreadableFileException {
         List<RubyToken> arguments = arguments();
         boolean named = arguments.size() > 2
                 && arguments.get(0).kind() == Kind.STRING
@@ -132,7 +132,7 @@ final class ScriptStatement {
         return inBrackets ? tokens.subList(2, tokens.size() - 1) : tokens.subList(1, tokens.size());
     }
 
-    private void take(String name, Optional<Object> value) {
+    private void take(String name, Optional<Object> value) throws UnreadableFileException {
         if (!SettingAdvice.isTaken(name)) {
             ignore(SettingAdvice.of(name, value));
         } else if (value.isEmpty()) {
@@ -152,27 +152,24 @@ final class ScriptStatement {
                         token -> token.isSign("?") || (token.kind() == Kind.WORD && CONDITIONS.contains(token.text())));
     }
 
-    private void check(String name, Object value) {
-        String place = place();
+    private void check(String name, Object value) throws UnreadableFileException {
         boolean isPort = name.equals(StartScript.AGENT_PORT) || name.equals(StartScript.MONITOR_PORT);
         if (isPort && !(value instanceof Long port && port >= 0 && port <= LAST_PORT)) {
-            throw new CalledWronglyException(
-                    place + "the script sets " + name + " to " + value + ", which is not a port number.");
+            throw invalid("The script sets " + name + " to " + value + ", which is not a port number.");
         }
         if (name.startsWith("$") && !isPort && !(value instanceof Boolean)) {
-            throw new CalledWronglyException(
-                    place + "the script sets " + name + " to " + value + ", which is neither true nor false.");
+            throw invalid("The script sets " + name + " to " + value + ", which is neither true nor false.");
         }
         if (!name.startsWith("$")) {
             try {
                 SoccerParameters.league().with(name + "=" + value);
             } catch (IllegalArgumentException wrong) {
-                throw new CalledWronglyException(place + wrong.getMessage());
+                throw invalid(String.valueOf(wrong.getMessage()));
             }
         }
     }
 
-    private void run() {
+    private void run() throws UnreadableFileException {
         Optional<Object> name = RubyExpression.value(arguments(), variables);
         if (name.isEmpty() || !(name.get() instanceof String script)) {
             ignore("the name of the script cannot be evaluated. Write it in quotation marks.");
@@ -191,8 +188,8 @@ final class ScriptStatement {
         } else {
             try {
                 reader.read(found.get());
-            } catch (CalledWronglyException wrong) {
-                throw new CalledWronglyException(place() + wrong.getMessage());
+            } catch (UnreadableFileException wrong) {
+                throw invalid(String.valueOf(wrong.getMessage()));
             }
         }
     }
@@ -269,6 +266,10 @@ final class ScriptStatement {
             end = token.to();
         }
         return text.length() <= MAX_SHOWN ? text.toString() : text.substring(0, MAX_SHOWN) + "…";
+    }
+
+    private UnreadableFileException invalid(String problem) {
+        return UnreadableFileException.atLine(file, statement.line(), problem);
     }
 
     private String place() {

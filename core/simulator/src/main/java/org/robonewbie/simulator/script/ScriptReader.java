@@ -1,4 +1,4 @@
-package org.robonewbie.app.script;
+package org.robonewbie.simulator.script;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -14,11 +14,10 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.robonewbie.app.script.RubyToken.Kind;
 import org.robonewbie.nao.file.TextFile;
 import org.robonewbie.nao.file.UnreadableFileException;
-import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.script.RubyToken.Kind;
 
 /** Interprets a start script and the scripts that it runs, and reports each setting that is ignored. */
 final class ScriptReader {
@@ -56,28 +55,24 @@ final class ScriptReader {
     /**
      * Interprets a script.
      *
-     * @throws CalledWronglyException if it cannot be read or sets an invalid value
+     * @throws UnreadableFileException if it cannot be read or sets an invalid value
      */
-    void read(Path file) {
+    void read(Path file) throws UnreadableFileException {
         if (++files > MAX_FILES) {
-            throw new CalledWronglyException(
+            throw new UnreadableFileException(
                     "More than " + MAX_FILES + " scripts are nested or run in sequence. Remove some.");
         }
         refuseFolder(file);
-        try {
-            execute(file, TextFile.readAndNote(file).content());
-        } catch (UnreadableFileException unreadable) {
-            throw new CalledWronglyException(String.valueOf(unreadable.getMessage()));
-        }
+        execute(file, TextFile.readAndNote(file).content());
         if (running.isEmpty() && reports > MAX_REPORTS) {
             console.say((reports - MAX_REPORTS) + " more lines are ignored.");
         }
     }
 
-    private static void refuseFolder(Path file) {
+    private static void refuseFolder(Path file) throws UnreadableFileException {
         if (Files.isDirectory(file)) {
             String scripts = scriptsIn(file);
-            throw new CalledWronglyException("The start script " + file + " is a folder. Choose a file in it"
+            throw new UnreadableFileException("The start script " + file + " is a folder. Choose a file in it"
                     + (scripts.isEmpty() ? ", such as " + file.resolve("rcssserver3d.rb") : "; it contains " + scripts)
                     + ".");
         }
@@ -95,7 +90,7 @@ final class ScriptReader {
         }
     }
 
-    private void execute(Path file, String text) {
+    private void execute(Path file, String text) throws UnreadableFileException {
         running.push(real(file));
         RubyLexer.Result script = RubyLexer.read(text);
         Optional<RubyStatement> ended = Optional.empty();

@@ -1,4 +1,4 @@
-package org.robonewbie.app.script;
+package org.robonewbie.simulator.script;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -9,7 +9,7 @@ import java.util.OptionalInt;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.robonewbie.app.script.RubyToken.Kind;
+import org.robonewbie.simulator.script.RubyToken.Kind;
 
 /**
  * Tokenizer for the subset of Ruby that start scripts use. Comments, {@code =begin}, {@code __END__}, strings and here-documents are

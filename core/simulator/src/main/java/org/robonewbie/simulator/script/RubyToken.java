@@ -1,4 +1,4 @@
-package org.robonewbie.app.script;
+package org.robonewbie.simulator.script;
 
 /**
  * A token of a Ruby script.

@@ -1,4 +1,4 @@
-package org.robonewbie.app.command;
+package org.robonewbie.programs.project;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -13,10 +13,10 @@ import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.programs.CalledWronglyException;
 
 /**
- * The files of a student's own project. Its folder {@code lib} is a Maven repository with RoboNewbie, its sources and its API
- * pages: so the project works in each IDE, without a network, and with the version with which the course began.
+ * Generator of a student's Maven or Gradle project. Its folder {@code lib} is a Maven repository with RoboNewbie, its sources and its
+ * Javadoc, so the project opens in any IDE, builds offline, and keeps the version it was generated with.
  */
-final class NewProject {
+public final class NewProject {
 
     private static final String REPOSITORY = "lib";
     private static final List<String> FOR_IDES = List.of("-sources.jar", "-javadoc.jar");
@@ -28,22 +28,22 @@ final class NewProject {
     private final Path jar;
     private final String version;
 
-    /** What the project begins with. */
-    enum Origin {
-        /** An agent that greets and turns to the ball. */
+    /** Initial content of a project. */
+    public enum Origin {
+        /** An agent that waves and turns to the ball. */
         AGENT,
         /** A copy of the example team. */
         TEAM
     }
 
-    /** What builds the project; each IDE understands both. */
-    enum BuildTool {
-        /** The project has a {@code pom.xml}. */
+    /** Build tool of a project. */
+    public enum BuildTool {
+        /** Maven, with a {@code pom.xml}. */
         MAVEN,
-        /** The project has a {@code build.gradle}. */
+        /** Gradle, with a {@code build.gradle}. */
         GRADLE;
 
-        /** The tool's templates, and where in the project they belong. */
+        /** Target path in the project, by template. */
         private Map<String, String> files() {
             return this == MAVEN
                     ? Map.of("pom.xml", "pom.xml", "maven.config", ".mvn/maven.config")
@@ -52,16 +52,16 @@ final class NewProject {
     }
 
     /**
-     * Plans a project.
+     * Creates a generator.
      *
-     * @param name name of the project
+     * @param name project name
      * @param packageName package of its classes
-     * @param tool what builds it
-     * @param origin what it begins with
-     * @param jar the program of RoboNewbie; sources and API pages are taken from beside it if they are there
-     * @param version its version
+     * @param tool build tool
+     * @param origin initial content
+     * @param jar RoboNewbie's jar; the sources and Javadoc jars beside it are included if they exist
+     * @param version RoboNewbie's version
      */
-    NewProject(String name, String packageName, BuildTool tool, Origin origin, Path jar, String version) {
+    public NewProject(String name, String packageName, BuildTool tool, Origin origin, Path jar, String version) {
         this.name = name;
         this.packageName = packageName;
         this.tool = tool;
@@ -73,12 +73,14 @@ final class NewProject {
     /**
      * Writes all files.
      *
-     * @throws CalledWronglyException if RoboNewbie has not been built
+     * @param project folder of the project
+     * @throws CalledWronglyException if {@code jar} does not exist
+     * @throws IOException if a file cannot be written
      */
-    void create(Path project) throws IOException {
+    public void create(Path project) throws IOException {
         if (!Files.isRegularFile(jar)) {
-            throw new CalledWronglyException("A project needs the file " + jar
-                    + ", which is not there. Start ./robonewbie once; that builds it.");
+            throw new CalledWronglyException(
+                    "A project needs the file " + jar + ", which does not exist. Run ./robonewbie once to build it.");
         }
         for (Map.Entry<String, String> file : tool.files().entrySet()) {
             write(file.getKey(), project.resolve(file.getValue()));
@@ -89,7 +91,7 @@ final class NewProject {
         write("robonewbie", project.resolve("robonewbie"));
         boolean executable = project.resolve("robonewbie").toFile().setExecutable(true);
         if (!executable) {
-            System.err.println("The file robonewbie could not be made executable; start it by: sh robonewbie");
+            System.err.println("The file robonewbie could not be made executable. Start it by: sh robonewbie");
         }
         writeAgent(project.resolve("src/main/java").resolve(folder()));
         write(
@@ -102,7 +104,7 @@ final class NewProject {
 
     private void writeAgent(Path folder) throws IOException {
         if (origin == Origin.TEAM) {
-            new TeamSources(packageName, "MyAgent").write(folder);
+            new ExampleTeam(packageName, "MyAgent").write(folder);
         } else {
             write("MyAgent.java", folder.resolve("MyAgent.java"));
         }
@@ -145,8 +147,7 @@ final class NewProject {
 
     private static String read(String template) throws IOException {
         try (InputStream stream = Objects.requireNonNull(
-                NewProject.class.getResourceAsStream("project/" + template + ".txt"),
-                "There is no template " + template)) {
+                NewProject.class.getResourceAsStream(template + ".txt"), "There is no template " + template)) {
             return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
         }
     }

@@ -1,9 +1,10 @@
-package org.robonewbie.app.script;
+package org.robonewbie.simulator.script;
 
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Pattern;
+import org.robonewbie.nao.math.PortableMath;
 
 /**
  * Evaluates Ruby expressions of numbers, strings, {@code true}, {@code false} and variables with known values, by recursive descent.
@@ -157,7 +158,7 @@ final class RubyExpression {
     }
 
     private static Object power(long base, long exponent) {
-        double value = Math.pow((double) base, (double) exponent);
+        double value = PortableMath.pow((double) base, (double) exponent);
         if (exponent < 0 || Math.abs(value) >= 1L << 53) {
             throw new UnknownValueException();
         }
@@ -171,7 +172,7 @@ final class RubyExpression {
             case "*" -> first * second;
             case "/" -> first / second;
             case "%" -> first - second * Math.floor(first / second);
-            default -> Math.pow(first, second);
+            default -> PortableMath.pow(first, second);
         };
     }
 

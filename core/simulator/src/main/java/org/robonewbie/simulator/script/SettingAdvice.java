@@ -1,4 +1,4 @@
-package org.robonewbie.app.script;
+package org.robonewbie.simulator.script;
 
 import java.util.Arrays;
 import java.util.List;
@@ -6,8 +6,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
-import org.robonewbie.app.script.RubyToken.Kind;
 import org.robonewbie.nao.text.Spelling;
+import org.robonewbie.simulator.script.RubyToken.Kind;
 import org.robonewbie.simulator.soccer.SoccerParameter;
 
 /** The settings that start scripts can make, and replacements for the settings of rcssserver3d that they cannot. */

@@ -1,4 +1,4 @@
-package org.robonewbie.app.script;
+package org.robonewbie.simulator.script;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -6,7 +6,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import org.robonewbie.app.script.RubyToken.Kind;
+import org.robonewbie.simulator.script.RubyToken.Kind;
 
 /**
  * A statement of a Ruby script.

@@ -1,10 +1,10 @@
-package org.robonewbie.app.script;
+package org.robonewbie.simulator.script;
 
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.simulator.Console;
 
 /**
@@ -37,9 +37,9 @@ public final class StartScript {
      * @param file the script
      * @param console receives a message for each ignored setting, with its line
      * @return its settings
-     * @throws CalledWronglyException if it cannot be read or sets an invalid value; the message says what to do
+     * @throws UnreadableFileException if it cannot be read or sets an invalid value; the message says what to do
      */
-    public static StartScript read(Path file, Console console) {
+    public static StartScript read(Path file, Console console) throws UnreadableFileException {
         ScriptReader reader = new ScriptReader(console);
         reader.read(file);
         return new StartScript(reader.values());

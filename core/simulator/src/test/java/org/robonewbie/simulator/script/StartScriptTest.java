@@ -1,4 +1,4 @@
-package org.robonewbie.app.script;
+package org.robonewbie.simulator.script;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.nao.file.UnreadableFileException;
 
 class StartScriptTest {
 
@@ -231,7 +231,7 @@ class StartScriptTest {
         }
 
         assertThatThrownBy(() -> read("run '0.rb'"))
-                .isInstanceOf(CalledWronglyException.class)
+                .isInstanceOf(UnreadableFileException.class)
                 .hasMessageContaining("More than 50 scripts");
     }
 
@@ -239,14 +239,14 @@ class StartScriptTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "$agentPort = \"many\" | the script sets $agentPort to many, which is not a port number",
-                "$agentPort = 99999 | the script sets $agentPort to 99999, which is not a port number",
-                "$agentSyncMode = 1 | the script sets $agentSyncMode to 1, which is neither true nor false",
+                "$agentPort = \"many\" | The script sets $agentPort to many, which is not a port number",
+                "$agentPort = 99999 | The script sets $agentPort to 99999, which is not a port number",
+                "$agentSyncMode = 1 | The script sets $agentSyncMode to 1, which is neither true nor false",
                 "addSoccerVar(:FieldLength, -3) | Value -3 of FieldLength is too small."
             })
     void impossibleValueIsRefusedWithItsLine(String line, String message) {
         assertThatThrownBy(() -> read("\n" + line))
-                .isInstanceOf(CalledWronglyException.class)
+                .isInstanceOf(UnreadableFileException.class)
                 .hasMessageContaining("start.rb, line 2: " + message);
     }
 
@@ -268,7 +268,7 @@ class StartScriptTest {
         Path file = Files.write(folder.resolve("start.rb"), new byte[] {1, 2, 0, (byte) 0x81});
 
         assertThatThrownBy(() -> StartScript.read(file, told::add))
-                .isInstanceOf(CalledWronglyException.class)
+                .isInstanceOf(UnreadableFileException.class)
                 .hasMessageStartingWith("The file " + file + " cannot be read: line 1 ");
     }
 
@@ -301,7 +301,7 @@ class StartScriptTest {
     @Test
     void missingScriptIsReported() {
         assertThatThrownBy(() -> StartScript.read(folder.resolve("none.rb"), told::add))
-                .isInstanceOf(CalledWronglyException.class)
+                .isInstanceOf(UnreadableFileException.class)
                 .hasMessageContaining("none.rb does not exist");
     }
 

@@ -1,4 +1,4 @@
-package org.robonewbie.app.command;
+package org.robonewbie.programs.project;
 
 import java.io.IOException;
 import java.net.URL;
@@ -10,8 +10,8 @@ import java.util.stream.Stream;
 import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.programs.ResourceFolder;
 
-/** The texts of the example team, as the beginning of a student's own: in the student's package, with the student's agent. */
-final class TeamSources {
+/** Sources of the example team, adapted to the package and agent name of a student's project. */
+final class ExampleTeam {
 
     private static final String PACKAGE = "org.robonewbie.team";
     private static final String FOLDER = "META-INF/sources/" + PACKAGE.replace('.', '/');
@@ -20,28 +20,21 @@ final class TeamSources {
     private final String packageName;
     private final String agentName;
 
-    /**
-     * Plans a copy.
-     *
-     * @param packageName package of the copy
-     * @param agentName simple name of its agent
-     */
-    TeamSources(String packageName, String agentName) {
+    ExampleTeam(String packageName, String agentName) {
         this.packageName = packageName;
         this.agentName = agentName;
     }
 
     /**
-     * Writes the copy.
+     * Writes the sources to a package folder.
      *
-     * @param folder the folder of the package
-     * @throws CalledWronglyException if the texts do not come along with this program
+     * @throws CalledWronglyException if this build does not contain them
      */
     void write(Path folder) throws IOException {
-        URL sources = TeamSources.class.getClassLoader().getResource(FOLDER);
+        URL sources = ExampleTeam.class.getClassLoader().getResource(FOLDER);
         if (sources == null) {
             throw new CalledWronglyException(
-                    "The texts of the example team are not in this program. Build it: ./robonewbie --help does so.");
+                    "This build lacks the sources of the example team. Build again: ./robonewbie --help does so.");
         }
         ResourceFolder.read(sources, FOLDER, from -> copy(from, folder));
     }
