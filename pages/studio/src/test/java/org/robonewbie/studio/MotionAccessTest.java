@@ -28,7 +28,7 @@ class MotionAccessTest {
     @TempDir
     private Path place;
 
-    private final SmallSimulation simulation = new SmallSimulation();
+    private final TestSimulator simulation = new TestSimulator();
     private Path folder = Path.of(".");
     private StudioServer studio;
     private String cookie = "";
@@ -37,7 +37,8 @@ class MotionAccessTest {
     void start() throws IOException {
         folder = Files.createDirectory(place.resolve("motions"));
         Files.writeString(place.resolve("secret.txt"), "secret");
-        studio = StudioServer.start(simulation, 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()));
+        studio = StudioServer.start(
+                simulation.control(), 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()));
         cookie = "Cookie: " + StudioCookie.of(studio.oneTimeAddress());
     }
 
