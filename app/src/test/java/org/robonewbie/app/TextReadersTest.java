@@ -38,7 +38,7 @@ class TextReadersTest {
             Map.entry("nao/motion/file/ShippedMotions", RESOURCE),
             Map.entry("nao/state/StateReader", WRITTEN),
             Map.entry("protocol/tcp/TelemetryClient", WIRE),
-            Map.entry("protocol/tcp/TelemetryVisitor", WIRE),
+            Map.entry("protocol/tcp/TelemetryConnection", WIRE),
             Map.entry("protocol/frame/MessageBuffer", WIRE),
             Map.entry("protocol/sexp/SexpReader", WIRE),
             Map.entry("protocol/sexp/DecimalParser", WIRE),

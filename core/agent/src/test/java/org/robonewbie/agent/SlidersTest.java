@@ -6,13 +6,13 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.robonewbie.protocol.telemetry.NumberWish;
-import org.robonewbie.protocol.telemetry.NumberWishes;
 import org.robonewbie.protocol.telemetry.TelemetryItem.DeclaredNumber;
 import org.robonewbie.protocol.telemetry.TelemetryItem.LogEntry;
 import org.robonewbie.protocol.telemetry.TelemetryItem.PlotValue;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
+import org.robonewbie.protocol.telemetry.TuningRequest;
+import org.robonewbie.protocol.telemetry.TuningRequests;
 import student.Tuned;
 
 class SlidersTest {
@@ -98,7 +98,7 @@ class SlidersTest {
 
     private static final class Viewer implements TelemetrySink {
 
-        private final NumberWishes wishes = new NumberWishes();
+        private final TuningRequests wishes = new TuningRequests();
         private final Map<String, DeclaredNumber> declared = new HashMap<>();
         private final Map<String, Double> plotted = new HashMap<>();
         private String log = "";
@@ -106,7 +106,7 @@ class SlidersTest {
         private int number;
 
         void want(String name, double value) {
-            wishes.put(new NumberWish(team, number, name, value));
+            wishes.put(new TuningRequest(team, number, name, value));
         }
 
         @Override
@@ -123,7 +123,7 @@ class SlidersTest {
         }
 
         @Override
-        public Optional<NumberWishes> wishes() {
+        public Optional<TuningRequests> tuningRequests() {
             return Optional.of(wishes);
         }
     }

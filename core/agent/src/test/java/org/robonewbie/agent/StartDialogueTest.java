@@ -94,7 +94,7 @@ class StartDialogueTest {
                 .isInstanceOf(StartUpException.class)
                 .hasMessage(
                         "No simulator answers at 127.0.0.1:" + freePort + ". Start one with \"robonewbie simulator\","
-                                + " or leave the host out to have one started for you.");
+                                + " or omit the host to start one automatically.");
     }
 
     @Test

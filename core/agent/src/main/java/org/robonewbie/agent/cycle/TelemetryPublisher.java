@@ -13,10 +13,10 @@ import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.protocol.telemetry.BelievedThing;
 import org.robonewbie.protocol.telemetry.Drawing;
-import org.robonewbie.protocol.telemetry.NumberWishes;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
+import org.robonewbie.protocol.telemetry.TuningRequests;
 
 /** Publishes a robot's telemetry; nearly free while there is no viewer. */
 public final class TelemetryPublisher {
@@ -74,7 +74,7 @@ public final class TelemetryPublisher {
      * @return the requested value; empty if there is no request
      */
     public OptionalDouble wish(String name) {
-        Optional<NumberWishes> wishes = sink.wishes();
+        Optional<TuningRequests> wishes = sink.tuningRequests();
         return wishes.isPresent() ? wishes.get().take(sensors.team(), sensors.number(), name) : OptionalDouble.empty();
     }
 
