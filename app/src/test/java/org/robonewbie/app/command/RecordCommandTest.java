@@ -209,8 +209,7 @@ class RecordCommandTest {
         assertThat(Printed.by("record", "Agent_BasicStructure", "--seconds", "0")
                         .err())
                 .contains("give a number greater than 0");
-        assertThat(record(folder.resolve("x"), "--format", "parquet").err())
-                .contains("The option --format is unknown.");
+        assertThat(record(folder.resolve("x"), "--format", "parquet").err()).contains("Unknown option --format.");
         assertThat(folder.resolve("x")).doesNotExist();
     }
 
@@ -222,7 +221,7 @@ class RecordCommandTest {
         Printed onFile = record(file);
 
         assertThat(inFile.exitCode()).isEqualTo(2);
-        assertThat(inFile.err()).contains("cannot be written").contains("Name another one with --out");
+        assertThat(inFile.err()).contains("cannot be written").contains("Choose another one with --out");
         assertThat(onFile.exitCode()).isEqualTo(2);
         assertThat(file).hasContent("mine");
     }

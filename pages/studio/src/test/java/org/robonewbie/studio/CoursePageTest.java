@@ -11,7 +11,6 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.studio.course.Attempt;
 
 /** A student selects an exercise, runs a program, and sees the result. */
 @InBrowser
@@ -21,10 +20,9 @@ class CoursePageTest {
     private Path folder;
 
     private final Chromium browser;
-    private final SmallSimulation freePitch = new SmallSimulation();
-    private final SmallSimulation pitchOfTrial = new SmallSimulation();
-    private final ShownSimulation shown = new ShownSimulation(freePitch);
-    private final SmallCourse course = new SmallCourse(freePitch, pitchOfTrial, shown);
+    private final TestSimulator freePitch = new TestSimulator();
+    private final ShownSimulation shown = new ShownSimulation(freePitch.control());
+    private final SmallCourse course = new SmallCourse(shown, freePitch.control());
     private StudioServer studio;
 
     CoursePageTest(Chromium browser) {
@@ -35,15 +33,13 @@ class CoursePageTest {
     void open() throws IOException {
         StudioFolders folders = new StudioFolders(folder.resolve("motions"), Optional.empty());
         studio = StudioServer.start(shown, 0, AccessToken.random(), folders, course);
-        freePitch.start();
-        pitchOfTrial.withRobot().start();
     }
 
     @AfterEach
     void close() {
         studio.close();
+        course.close();
         freePitch.close();
-        pitchOfTrial.close();
     }
 
     private void visit() {
@@ -163,7 +159,7 @@ class CoursePageTest {
         browser.click("#course-start");
         browser.await("document.querySelector('#course-progress').innerText.includes('being judged')");
         browser.await("studio.state.scene.robots.length === 1");
-        course.judge(new Attempt.Judged(1, false, 4, "the ball went 1.00 m", "Be quick."), "hello from the program");
+        course.judge(4, "the ball went 1.00 m", "Be quick.", "hello from the program");
     }
 
     @Tag("slow")
@@ -182,7 +178,7 @@ class CoursePageTest {
     @Tag("slow")
     @Test
     void studioWithoutExercisesDoesNotOfferThem() throws IOException {
-        try (StudioServer other = StudioServer.start(freePitch, 0, AccessToken.random())) {
+        try (StudioServer other = StudioServer.start(freePitch.control(), 0, AccessToken.random())) {
             browser.visit(other.oneTimeAddress() + "&quality=lowest");
             browser.await("studio.state.frame && studio.view.drawCalls > 0");
 

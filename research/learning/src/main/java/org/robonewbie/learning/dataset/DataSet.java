@@ -59,18 +59,6 @@ public final class DataSet {
     }
 
     /**
-     * Opens a data set that another process has created, to write tables of single runs.
-     *
-     * @param folder the folder
-     * @param withMessages whether to record the messages of robots and agents as text
-     * @param facts properties of the description, such as versions and settings
-     * @return the data set
-     */
-    public static DataSet joined(Path folder, boolean withMessages, Map<String, String> facts) {
-        return new DataSet(folder, withMessages, facts);
-    }
-
-    /**
      * Creates a data set, or resumes an interrupted one and keeps its complete runs.
      *
      * @param folder the folder, which is created if it is missing

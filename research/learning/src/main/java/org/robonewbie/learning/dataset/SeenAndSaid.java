@@ -71,7 +71,8 @@ final class SeenAndSaid {
             one.addProperty("team", player.team());
             one.addProperty("number", player.number());
             player.parts()
-                    .forEach(part -> one.add(part.part().name().toLowerCase(Locale.ROOT), GSON.toJsonTree(numbers(part.position()))));
+                    .forEach(part -> one.add(
+                            part.part().name().toLowerCase(Locale.ROOT), GSON.toJsonTree(numbers(part.position()))));
             player.position().ifPresent(position -> one.add("robot", GSON.toJsonTree(numbers(position))));
             all.add(one);
         }
