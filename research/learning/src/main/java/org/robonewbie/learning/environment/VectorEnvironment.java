@@ -104,7 +104,8 @@ final class VectorEnvironment implements AutoCloseable {
             byte[] states = states(environment);
             if (what == STEP_AND_RESET && (environment.isTerminated() || environment.isTruncated())) {
                 environment.reset(seed);
-                ByteBuffer fresh = buffer(observationBytes);
+                ByteBuffer fresh =
+                        ByteBuffer.allocate(robots * observationBytes).order(ByteOrder.LITTLE_ENDIAN);
                 IntStream.range(0, robots).forEach(robot -> put(fresh, environment.observation(robot)));
                 return new Answer(states, fresh.array());
             }
@@ -134,7 +135,7 @@ final class VectorEnvironment implements AutoCloseable {
     }
 
     private byte[] states(TrainingEnvironment environment) {
-        ByteBuffer states = buffer(answerBytes);
+        ByteBuffer states = ByteBuffer.allocate(robots * answerBytes).order(ByteOrder.LITTLE_ENDIAN);
         for (int robot = 0; robot < robots; robot++) {
             put(states, environment.observation(robot));
             states.putDouble(environment.reward(robot));
@@ -144,10 +145,6 @@ final class VectorEnvironment implements AutoCloseable {
             states.put(environment.isTerminated() ? TERMINATED : environment.isTruncated() ? TRUNCATED : RUNNING);
         }
         return states.array();
-    }
-
-    private ByteBuffer buffer(int bytesPerRobot) {
-        return ByteBuffer.allocate(robots * bytesPerRobot).order(ByteOrder.LITTLE_ENDIAN);
     }
 
     private static void put(ByteBuffer target, double... numbers) {
