@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.app.course.ProgressService;
+import org.robonewbie.exercises.progress.ProgressService;
 import org.robonewbie.app.studio.LocalCourseService;
 import org.robonewbie.app.studio.ProcessCompilerService;
 import org.robonewbie.exercises.progress.SolutionRepository;

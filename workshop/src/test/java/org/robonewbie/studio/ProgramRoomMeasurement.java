@@ -16,7 +16,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.app.course.ProgressService;
+import org.robonewbie.exercises.progress.ProgressService;
 import org.robonewbie.app.studio.LocalCourseService;
 import org.robonewbie.app.studio.ProcessCompilerService;
 import org.robonewbie.nao.Joint;

@@ -65,7 +65,7 @@ final class RunCommand implements Callable<Integer> {
             throw new CalledWronglyException("Name the agent first, then its options: robonewbie run "
                     + ExampleCatalogue.FIRST_EXAMPLE + " " + optionsBeforeTheAgent.get(0));
         }
-        ProgramFinder finder = new ProgramFinder(ExampleCatalogue.load(), classPath.folders());
+        ProgramFinder finder = new ProgramFinder(classPath.folders());
         if (!(rehearsalSeconds >= 0)) {
             throw new CalledWronglyException(
                     "--rehearse " + rehearsalSeconds + ": give a number of seconds from 0 on.");

@@ -5,7 +5,7 @@ import java.net.URI;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import org.robonewbie.app.course.ProgressService;
+import org.robonewbie.exercises.progress.ProgressService;
 import org.robonewbie.app.studio.LocalCourseService;
 import org.robonewbie.app.studio.OpenedFile;
 import org.robonewbie.app.studio.ProcessCompilerService;

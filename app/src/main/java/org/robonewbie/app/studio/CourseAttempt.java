@@ -6,10 +6,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.robonewbie.app.course.GradingProcess;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Performance;
 import org.robonewbie.exercises.Score;
+import org.robonewbie.exercises.grading.ProcessGrader;
 import org.robonewbie.programs.process.GuestDoor;
 import org.robonewbie.programs.process.RobotProcess;
 import org.robonewbie.programs.process.Sandbox;
@@ -91,15 +91,15 @@ final class CourseAttempt implements AutoCloseable {
     /** Opens the same port each time if possible, without a timeout, since the student's agent may be held by a debugger. */
     private static GuestDoor defaultDoor() throws IOException {
         try {
-            return GuestDoor.open(LocalCourseService.DEFAULT_PORT, 0);
+            return GuestDoor.open(LocalCourseService.DEFAULT_PORT);
         } catch (IOException inUse) {
-            return GuestDoor.open(0, 0);
+            return GuestDoor.open(0);
         }
     }
 
     private static RobotProcess start(String program, Path folder) throws IOException {
         RobotProcess.Request request = new RobotProcess.Request(program, List.of(folder), folder, false);
-        return RobotProcess.start(request, Sandbox.none("a program of its own author"), line -> {});
+        return new RobotProcess(request, Sandbox.none("a program of its own author"), line -> {});
     }
 
     private void tryAll() {
@@ -129,7 +129,7 @@ final class CourseAttempt implements AutoCloseable {
         }
         try {
             begins();
-            return GradingProcess.trial(exercise, seed, student.get(), Optional.empty(), trial);
+            return ProcessGrader.trial(exercise, seed, student.get(), Optional.empty(), trial);
         } catch (IOException noPort) {
             return Score.failed(0, "There is no way to the program (" + noPort.getMessage() + ").", "");
         }

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.app.Project;
-import org.robonewbie.app.course.ProgressService;
+import org.robonewbie.exercises.progress.ProgressService;
 import org.robonewbie.exercises.progress.ProgressFile;
 import org.robonewbie.exercises.progress.SolutionRepository;
 import org.robonewbie.programs.process.ChildProcess;

@@ -51,7 +51,7 @@ final class RemoteAgents implements AutoCloseable {
                 .file(team)
                 .<SocketAddress>map(UnixDomainSocketAddress::of)
                 .orElse(new InetSocketAddress(InetAddress.getByAddress(new byte[] {127, 0, 0, 1}), 0));
-        return GuestDoor.open(address, 0, guest -> doorkeeper.isWelcome(team, port(), guest));
+        return GuestDoor.open(address, guest -> doorkeeper.isWelcome(team, port(), guest));
     }
 
     private int port() {

@@ -85,7 +85,7 @@ class ChallengePlayerTest {
         TrialResult result = play(Crashes.class, LIMITS, folder.resolve("work"));
 
         assertThat(result.of("Red").ending()).isEqualTo(Ending.STOPPED);
-        assertThat(log()).contains("in the middle of the trial. Its exit code is 1.");
+        assertThat(log()).contains("during the trial. Its exit code is 1.");
         assertThat(result.inWords()).isEqualTo("Red: its program ended before the trial was over (exit code 1)");
         assertThat(contest.table(List.of("Red"), id -> Optional.of(result)).rows())
                 .singleElement()

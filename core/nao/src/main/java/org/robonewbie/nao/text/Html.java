@@ -1,4 +1,4 @@
-package org.robonewbie.competition.result;
+package org.robonewbie.nao.text;
 
 /** Writes pages that need no other file. */
 public final class Html {

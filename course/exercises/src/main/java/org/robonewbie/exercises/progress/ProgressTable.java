@@ -1,4 +1,4 @@
-package org.robonewbie.app.course;
+package org.robonewbie.exercises.progress;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -8,13 +8,10 @@ import java.util.stream.Stream;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Score;
-import org.robonewbie.exercises.progress.Badge;
-import org.robonewbie.exercises.progress.ExerciseProgress;
-import org.robonewbie.exercises.progress.Progress;
 import org.robonewbie.nao.text.Csv;
 
 /**
- * Progress as people read it, and as a teacher's table.
+ * Progress as a text and as a CSV table.
  *
  * @param progress the progress
  */
@@ -23,7 +20,7 @@ public record ProgressTable(Progress progress) {
     private static final int SECONDS_PER_MINUTE = 60;
     private static final int MINUTES_PER_HOUR = 60;
 
-    /** {@return a line for each exercise, the sum, and the badges} */
+    /** {@return a line for each exercise, the totals, and the badges} */
     public String text() {
         List<String> lines = new ArrayList<>();
         for (Exercise exercise : Exercises.all()) {
@@ -33,7 +30,7 @@ public record ProgressTable(Progress progress) {
         lines.add(sum());
         lines.add(
                 progress.badges().isEmpty()
-                        ? "No badge yet: the first one is for the first exercise that you pass."
+                        ? "No badges yet. You get the first one for the first exercise that you pass."
                         : "Badges: "
                                 + progress.badges().stream()
                                         .map(badge -> badge.title() + " (" + badge.reason() + ")")
@@ -41,7 +38,7 @@ public record ProgressTable(Progress progress) {
         return lines.stream().map(line -> line + System.lineSeparator()).collect(Collectors.joining());
     }
 
-    /** {@return how many exercises are passed, with points and time, in one sentence} */
+    /** {@return the number of passed exercises, the points and the time, in one line} */
     public String sum() {
         return String.format(
                 Locale.ROOT,
@@ -59,10 +56,10 @@ public record ProgressTable(Progress progress) {
     }
 
     /**
-     * Writes the table for a teacher.
+     * Returns the table for a teacher.
      *
-     * @param name whose progress it is
-     * @return text with commas
+     * @param name name of the student
+     * @return CSV
      */
     public String csv(String name) {
         List<String> lines = new ArrayList<>(List.of(Csv.line(Stream.of(

@@ -1,4 +1,4 @@
-package org.robonewbie.app.course;
+package org.robonewbie.exercises.progress;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -11,15 +11,10 @@ import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Language;
-import org.robonewbie.exercises.progress.ExerciseProgress;
-import org.robonewbie.exercises.progress.Progress;
-import org.robonewbie.exercises.progress.ProgressFile;
-import org.robonewbie.exercises.progress.SolutionRepository;
-import org.robonewbie.exercises.progress.Worksheet;
 
 /**
- * Accompanies a student through the exercises: keeps the progress, opens hints one after the other, and shows a solution after three
- * tries. Without a file, or with one that cannot be written, the progress lasts as long as the program.
+ * Progress of a student through the exercises: stores results, reveals hints one by one, and shows a solution after three tries. Without a
+ * file, or if it cannot be written, the progress lasts as long as this process.
  */
 public final class ProgressService {
 
@@ -28,14 +23,14 @@ public final class ProgressService {
     private final Clock clock;
     private final Map<String, ExerciseProgress> remembered = new HashMap<>();
     private boolean unwritable;
-    private boolean damageSaid;
+    private boolean damageReported;
 
     /**
-     * Prepares the coach.
+     * Creates a service.
      *
-     * @param file where progress is kept, if at all
+     * @param file file of the progress; empty for none
      * @param solutions the solutions
-     * @param clock says when something happens
+     * @param clock clock of the time stamps
      */
     public ProgressService(Optional<ProgressFile> file, SolutionRepository solutions, Clock clock) {
         this.file = file;
@@ -43,7 +38,7 @@ public final class ProgressService {
         this.clock = clock;
     }
 
-    /** {@return the coach of this user, with the solutions of this installation} */
+    /** {@return the service for the current user, with the solutions of this installation} */
     public static ProgressService ofUser() {
         Optional<Path> home =
                 Optional.ofNullable(System.getProperty("robonewbie.home")).map(Path::of);
@@ -51,29 +46,29 @@ public final class ProgressService {
     }
 
     /**
-     * The hints of an exercise.
+     * Hints of an exercise.
      *
-     * @param open those that are open, in their order
-     * @param all how many there are
+     * @param open the revealed hints, in their order
+     * @param all the total number of hints
      */
     public record Hints(List<String> open, int all) {}
 
-    /** {@return how far the user is} */
+    /** {@return the current progress} */
     public synchronized Progress progress() {
         try {
             if (file.isEmpty() || unwritable) {
                 return new Progress(remembered);
             }
-            sayIfDamaged(file.get());
+            warnIfDamaged(file.get());
             return file.get().read();
         } catch (IOException unreadable) {
-            complain(unreadable);
+            reportUnwritable(unreadable);
             return new Progress(remembered);
         }
     }
 
     /**
-     * Notes that somebody begins with an exercise.
+     * Records that the user has started an exercise.
      *
      * @param exercise the exercise
      */
@@ -82,13 +77,13 @@ public final class ProgressService {
     }
 
     /**
-     * Notes a grade.
+     * Records a grade.
      *
      * @param exercise the exercise
-     * @param points what was earned, 0 to 10
+     * @param points the points, 0 to 10
      * @param passed whether all trials have passed
-     * @param language the language of what is said
-     * @return what the student can do next, as sentences; empty after a success
+     * @param language the language of the advice
+     * @return sentences with next steps; empty after a success
      */
     public List<String> graded(Exercise exercise, double points, boolean passed, Language language) {
         ExerciseProgress state = change(exercise, before -> before.tried(points, passed, clock.instant()));
@@ -111,11 +106,11 @@ public final class ProgressService {
     }
 
     /**
-     * Opens the next hint.
+     * Reveals the next hint.
      *
      * @param exercise the exercise
      * @param language the language of the hints
-     * @return all hints that are open now
+     * @return all revealed hints
      */
     public Hints nextHint(Exercise exercise, Language language) {
         int all = Worksheet.of(exercise, language).hints().size();
@@ -124,7 +119,7 @@ public final class ProgressService {
     }
 
     /**
-     * Returns the hints that are open.
+     * Returns the revealed hints.
      *
      * @param exercise the exercise
      * @param language the language of the hints
@@ -137,7 +132,7 @@ public final class ProgressService {
     }
 
     /**
-     * Asks for a solution.
+     * Requests a solution.
      *
      * @param exercise the exercise
      * @return the program, or why it is not shown
@@ -151,20 +146,20 @@ public final class ProgressService {
     }
 
     /**
-     * Checks whether a solution would be shown after enough tries.
+     * Returns whether a solution is shown after enough tries.
      *
      * @param exercise the exercise
-     * @return whether there is one that no teacher has locked
+     * @return whether there is one that is not locked by the teacher
      */
     public boolean offersSolution(Exercise exercise) {
         return solutions.offers(exercise);
     }
 
     /**
-     * Returns how many graded tries are missing until a solution is shown.
+     * Returns the number of graded tries until a solution is shown.
      *
      * @param exercise the exercise
-     * @return the number, 0 if it may be shown
+     * @return the number, 0 if it can be shown now
      */
     public int triesBeforeSolution(Exercise exercise) {
         return progress().of(exercise).triesBeforeSolution();
@@ -173,30 +168,30 @@ public final class ProgressService {
     private synchronized ExerciseProgress change(Exercise exercise, UnaryOperator<ExerciseProgress> change) {
         if (file.isPresent() && !unwritable) {
             try {
-                sayIfDamaged(file.get());
+                warnIfDamaged(file.get());
                 return file.get().update(exercise, change);
             } catch (IOException failed) {
-                complain(failed);
+                reportUnwritable(failed);
             }
         }
         return remembered.merge(
                 exercise.name(), change.apply(ExerciseProgress.NONE), (before, fresh) -> change.apply(before));
     }
 
-    /** Says it once: the file is empty or new afterwards. */
-    private void sayIfDamaged(ProgressFile kept) throws IOException {
-        if (!damageSaid && kept.isDamaged()) {
-            damageSaid = true;
-            System.err.println(
-                    "The file of your progress, " + kept.file() + ", is damaged and counts as empty. With your next try"
-                            + " it is kept as " + kept.damagedFile() + ", and a new one begins.");
+    /** Warns once about a damaged file. */
+    private void warnIfDamaged(ProgressFile kept) throws IOException {
+        if (!damageReported && kept.isDamaged()) {
+            damageReported = true;
+            System.err.println("Your progress file " + kept.file()
+                    + " is damaged and treated as empty. Your next try renames it to " + kept.damagedFile()
+                    + " and creates a new one.");
         }
     }
 
-    private void complain(IOException problem) {
+    private void reportUnwritable(IOException problem) {
         unwritable = true;
         System.err.println(
-                "Your progress cannot be kept in " + file.orElseThrow().file() + " (" + problem.getMessage()
-                        + "). Another file: set the environment variable " + ProgressFile.SWITCH + ".");
+                "Your progress cannot be saved in " + file.orElseThrow().file() + " (" + problem.getMessage()
+                        + "). To use another file, set the environment variable " + ProgressFile.SWITCH + ".");
     }
 }
