@@ -6,38 +6,36 @@ import java.util.Optional;
 import org.robonewbie.app.command.RoboNewbieCommand;
 
 /**
- * Starts RoboNewbie from the command line. The exit code is 0 when all went well, 1 when a command ran and failed, 2 when
- * it was called wrongly.
+ * Entry point of the command line. The exit code is 0 on success, 1 if a command ran and failed, and 2 if it was called incorrectly.
  */
 public final class Main {
 
     private Main() {}
 
     /**
-     * Runs one command and ends the process.
+     * Runs one command and exits.
      *
-     * @param arguments the command and its options; none runs the demo
-     * @throws IOException if the program's own file cannot be looked at
+     * @param arguments the command and its options; the demo if empty
+     * @throws IOException if the attributes of the program's file cannot be read
      */
     public static void main(String[] arguments) throws IOException {
         prepare();
-        Optional.ofNullable(System.getProperty("robonewbie.link")).ifPresent(Main::deleteAtTheEnd);
+        Optional.ofNullable(System.getProperty("robonewbie.link")).ifPresent(Main::deleteOnExit);
         Optional<StartArchive> archive = StartArchive.wanted();
         if (archive.isPresent()) {
-            archive.get().makeAtTheEnd();
+            archive.get().createOnExit();
         }
         System.exit(RoboNewbieCommand.run(arguments));
     }
 
-    /** The launcher has made a folder with a jar that refers to this program, whose own place cannot stand in a class path. */
-    private static void deleteAtTheEnd(String link) {
+    /** Deletes the folder in which the launcher linked this program because its path is not possible in a class path. */
+    private static void deleteOnExit(String link) {
         File folder = new File(link);
-        folder.deleteOnExit(); // what was named last is deleted first
+        folder.deleteOnExit(); // deletion runs in reverse order
         new File(folder, "manifest").deleteOnExit();
         new File(folder, "robonewbie.jar").deleteOnExit();
     }
 
-    /** What comes before each command. */
     static void prepare() {
         QuietLogging.install();
     }

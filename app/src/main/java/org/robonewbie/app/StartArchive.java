@@ -8,13 +8,13 @@ import java.util.Optional;
 import org.robonewbie.programs.ClassPath;
 
 /**
- * The archive of loaded classes that halves the time of a start: Java's application class-data sharing (JEP 310, JEP 350). The
- * launcher names its file and uses it when it is there. It is made in the background when the program ends for the first time,
- * so that no robot shares the processor with it; Java itself refuses one that does not fit the program or the JVM.
+ * Class-data archive that halves the start time (application class-data sharing, JEP 310 and JEP 350). The launcher passes its path
+ * and uses the file if it exists. The archive is created in the background when the program exits for the first time, so that it does
+ * not take processor time from a robot; the JVM rejects an archive of another program or JVM.
  */
 final class StartArchive {
 
-    /** System property with which the launcher names the file. */
+    /** System property with the path of the archive, set by the launcher. */
     static final String PROPERTY = "robonewbie.archive";
 
     private final Path file;
@@ -25,21 +25,21 @@ final class StartArchive {
         this.program = program;
     }
 
-    /** The archive that the launcher has named; empty if it named none or the program is no single file. */
+    /** The archive that the launcher requests; empty if there is none, or if the program is not a single jar. */
     static Optional<StartArchive> wanted() {
         return Optional.ofNullable(System.getProperty(PROPERTY))
                 .flatMap(file -> ClassPath.ownJar().map(program -> new StartArchive(Path.of(file), program)));
     }
 
-    /** Lets the archive be made when this process ends, unless there is one already that fits the program. */
-    void makeAtTheEnd() throws IOException {
-        if (!fits() && Files.isWritable(file.toAbsolutePath().getParent())) {
-            Runtime.getRuntime().addShutdownHook(new Thread(this::startMaking, "start-archive"));
+    /** Creates the archive when this process exits, unless a valid one exists. */
+    void createOnExit() throws IOException {
+        if (!isValid() && Files.isWritable(file.toAbsolutePath().getParent())) {
+            Runtime.getRuntime().addShutdownHook(new Thread(this::startCreation, "start-archive"));
         }
     }
 
-    /** Java refuses an archive if the program's file has changed or been moved since. */
-    private boolean fits() throws IOException {
+    /** The JVM rejects an archive if the jar was changed or moved since. */
+    private boolean isValid() throws IOException {
         Path note = noteOf(file);
         return Files.isRegularFile(file)
                 && Files.isRegularFile(note)
@@ -47,13 +47,13 @@ final class StartArchive {
                 && Files.readString(note).equals(program.toString());
     }
 
-    /** A file beside the archive with the place of the program for which it was made. */
+    /** File beside the archive with the path of the jar that it was created from. */
     static Path noteOf(Path archive) {
         return archive.resolveSibling(archive.getFileName() + ".txt");
     }
 
-    /** Another process makes it, so that this one ends at once. */
-    private void startMaking() {
+    /** Starts another process, so that this one exits without delay. */
+    private void startCreation() {
         try {
             ProcessBuilder builder = new ProcessBuilder(List.of(
                     Path.of(System.getProperty("java.home"), "bin", "java").toString(),
@@ -69,7 +69,7 @@ final class StartArchive {
                     .getOutputStream()
                     .close();
         } catch (IOException slowStart) {
-            // The program starts without an archive, only slower.
+            // the archive is optional
         }
     }
 }

@@ -14,19 +14,19 @@ import org.robonewbie.app.command.RoboNewbieCommand;
 import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.file.FolderLock;
 
-/** Makes a {@link StartArchive}: a second Java does what people do first, and writes down the classes that it has loaded. */
+/** Creates a {@link StartArchive}: a JVM that runs typical first commands dumps the classes that it loaded. */
 final class StartTraining {
 
-    private static final int LONGEST_SECONDS = 60;
+    private static final int MAX_SECONDS = 60;
 
     private static final String UNFINISHED = ".new";
 
     private StartTraining() {}
 
     /**
-     * Makes an archive, or is the training itself.
+     * Creates an archive, or performs the training run.
      *
-     * @param arguments the file; nothing for the training
+     * @param arguments path of the archive; empty for the training run
      */
     public static void main(String[] arguments) throws IOException, InterruptedException {
         if (arguments.length == 0) {
@@ -37,14 +37,14 @@ final class StartTraining {
         if (lock.isPresent()) {
             FolderLock taken = lock.get();
             try (taken) {
-                deleteWhatAnotherHasLeft(file);
-                make(file);
+                deleteUnfinished(file);
+                create(file);
             }
         }
     }
 
-    /** One that was killed meanwhile leaves many megabytes. */
-    private static void deleteWhatAnotherHasLeft(Path file) throws IOException {
+    /** Deletes the files that killed processes left behind. */
+    private static void deleteUnfinished(Path file) throws IOException {
         String own = file.getFileName() + ".";
         try (DirectoryStream<Path> left = Files.newDirectoryStream(
                 Objects.requireNonNull(file.toAbsolutePath().getParent()),
@@ -56,7 +56,7 @@ final class StartTraining {
         }
     }
 
-    private static void make(Path file) throws IOException, InterruptedException {
+    private static void create(Path file) throws IOException, InterruptedException {
         Path made = file.resolveSibling(
                 file.getFileName() + "." + ProcessHandle.current().pid() + UNFINISHED);
         List<String> command = new ArrayList<>(List.of(
@@ -67,7 +67,7 @@ final class StartTraining {
                 System.getProperty("java.class.path"),
                 StartTraining.class.getName()));
         Process training = new ProcessBuilder(command).inheritIO().start();
-        boolean ended = training.waitFor(LONGEST_SECONDS, TimeUnit.SECONDS);
+        boolean ended = training.waitFor(MAX_SECONDS, TimeUnit.SECONDS);
         training.destroyForcibly();
         if (ended && training.exitValue() == 0 && Files.isRegularFile(made)) {
             AtomicFile.write(StartArchive.noteOf(file), System.getProperty("java.class.path"));
@@ -76,7 +76,7 @@ final class StartTraining {
         Files.deleteIfExists(made);
     }
 
-    /** What people do first: ask for the version, start the server, watch the demo. */
+    /** Runs typical first commands: version, simulator, demo. */
     private static int train() {
         Main.prepare();
         return RoboNewbieCommand.run("--version")

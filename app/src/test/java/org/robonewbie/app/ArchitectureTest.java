@@ -60,8 +60,21 @@ class ArchitectureTest {
             .as("classes for threads, sockets, clocks and files");
 
     /** Functions of {@link Math} that are exact, and so the same in every JVM and browser. */
-    private static final Set<String> EXACT =
-            Set.of("sqrt", "abs", "min", "max", "floor", "ceil", "signum", "copySign", "floorMod", "toIntExact");
+    private static final Set<String> EXACT = Set.of(
+            "abs",
+            "addExact",
+            "ceil",
+            "copySign",
+            "floor",
+            "floorDiv",
+            "floorMod",
+            "max",
+            "min",
+            "multiplyExact",
+            "signum",
+            "sqrt",
+            "subtractExact",
+            "toIntExact");
 
     /** Each module, and what it may use beside Java itself and its own classes. */
     static Stream<Arguments> modules() {

@@ -75,7 +75,7 @@ class MainTest {
 
         assertThat(answer.exitCode()).isEqualTo(2);
         assertThat(answer.err())
-                .contains("There is no command \"simulatr\". Did you mean simulator?")
+                .contains("Unknown command \"simulatr\". Did you mean simulator?")
                 .contains("\"robonewbie --help\" shows");
     }
 
@@ -84,7 +84,7 @@ class MainTest {
         Printed answer = Printed.by("simulator", "--agnet-port", "3100");
 
         assertThat(answer.exitCode()).isEqualTo(2);
-        assertThat(answer.err()).contains("The option --agnet-port is unknown. Did you mean --agent-port?");
+        assertThat(answer.err()).contains("Unknown option --agnet-port. Did you mean --agent-port?");
     }
 
     @Test
@@ -92,7 +92,7 @@ class MainTest {
         Printed answer = Printed.by("doctor", "who");
 
         assertThat(answer.exitCode()).isEqualTo(2);
-        assertThat(answer.err()).contains("\"who\" is too much here.");
+        assertThat(answer.err()).contains("Unexpected argument \"who\".");
     }
 
     @Test
@@ -129,6 +129,6 @@ class MainTest {
 
         assertThat(answer.exitCode()).isEqualTo(2);
         assertThat(answer.err())
-                .contains("\"127.0.0.1:many\" names no monitor port. Write HOST:PORT, such as 127.0.0.1:3200.");
+                .contains("\"127.0.0.1:many\" is not a monitor address. Write HOST:PORT, such as 127.0.0.1:3200.");
     }
 }

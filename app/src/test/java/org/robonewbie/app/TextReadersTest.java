@@ -34,7 +34,7 @@ class TextReadersTest {
     private static final Map<String, String> EXCEPTIONS = Map.ofEntries(
             Map.entry("nao/text/DecodedText", READER),
             Map.entry(
-                    "nao/motion/MotionText", "decodes the bytes of a motion, which the room Motion keeps as they are"),
+                    "nao/motion/MotionFile", "decodes the bytes of a motion, which the room Motion keeps as they are"),
             Map.entry("nao/motion/file/ShippedMotions", RESOURCE),
             Map.entry("nao/state/StateReader", WRITTEN),
             Map.entry("protocol/tcp/TelemetryClient", WIRE),
@@ -82,8 +82,8 @@ class TextReadersTest {
             Map.entry("programs/ApiComments", RESOURCE),
             Map.entry("programs/process/ParentProcess", WIRE),
             Map.entry("programs/process/ProgramOutput", "the output of a process, in the encoding of the system"),
-            Map.entry("app/command/TeamSources", RESOURCE),
-            Map.entry("app/command/NewProject", RESOURCE),
+            Map.entry("programs/project/ExampleTeam", RESOURCE),
+            Map.entry("programs/project/NewProject", RESOURCE),
             Map.entry("exercises/marking/JudgesKey", WRITTEN));
 
     @Test

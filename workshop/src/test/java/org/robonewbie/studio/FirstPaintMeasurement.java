@@ -23,9 +23,8 @@ class FirstPaintMeasurement {
         Tool.BROWSER.orSkip();
         for (int start = 0; start < STARTS; start++) {
             try (Chromium browser = Chromium.open(1366, 768);
-                    SmallSimulation simulation =
-                            new SmallSimulation().withRobot().start();
-                    StudioServer studio = StudioServer.start(simulation, 0, AccessToken.random())) {
+                    TestSimulator simulation = new TestSimulator().withRobot();
+                    StudioServer studio = StudioServer.start(simulation.control(), 0, AccessToken.random())) {
                 browser.rest(1);
                 browser.runBeforePages(WATCH_PICTURES);
                 report(start == 0 ? "cold Java" : "warm Java", browser, studio);

@@ -30,8 +30,8 @@ class HeapMeasurement {
         Tool.BROWSER.orSkip();
         int seconds = 60 * Integer.getInteger("studio.minutes", 60);
         StudioFolders folders = new StudioFolders(folder, Optional.empty());
-        try (SmallSimulation simulation = StudioSpeedMeasurement.match(22);
-                StudioServer studio = StudioServer.start(simulation.start(), 0, AccessToken.random(), folders);
+        try (TestSimulator simulation = StudioSpeedMeasurement.match(22);
+                StudioServer studio = StudioServer.start(simulation.control(), 0, AccessToken.random(), folders);
                 Chromium browser = Chromium.open(1366, 768)) {
             browser.visit(studio.oneTimeAddress() + "&theme=light&quality=lowest");
             browser.await("studio.state.scene?.robots.length === 22 && studio.view.drawCalls > 0");

@@ -26,8 +26,8 @@ class StudioSpeedMeasurement {
     @CsvSource({"1, ''", "22, ''", "22, medium"})
     void picturesPerSecond(int robots, String quality) throws IOException {
         Tool.BROWSER.orSkip();
-        try (SmallSimulation simulation = match(robots);
-                StudioServer studio = StudioServer.start(simulation.start(), 0, AccessToken.random());
+        try (TestSimulator simulation = match(robots);
+                StudioServer studio = StudioServer.start(simulation.control(), 0, AccessToken.random());
                 Chromium browser = Chromium.open(1280, 720)) {
             browser.visit(studio.oneTimeAddress() + "&theme=light" + (quality.isEmpty() ? "" : "&quality=" + quality));
             browser.await("studio.state.scene?.robots.length === " + robots
@@ -60,8 +60,8 @@ class StudioSpeedMeasurement {
         }
     }
 
-    static SmallSimulation match(int robots) {
-        SmallSimulation simulation = new SmallSimulation();
+    static TestSimulator match(int robots) {
+        TestSimulator simulation = new TestSimulator();
         for (int i = 0; i < robots; i++) {
             TeamSide side = i < 11 ? TeamSide.LEFT : TeamSide.RIGHT;
             int sign = side == TeamSide.LEFT ? -1 : 1;

@@ -6,7 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 import picocli.CommandLine.Option;
 
-/** The option {@code --class-path} of all commands that find people's own classes. */
+/** Option {@code --class-path} of the commands that load the user's classes. */
 public final class ClassPathOption {
 
     @Option(
@@ -15,12 +15,12 @@ public final class ClassPathOption {
             description = "Folders and jars with your own classes (default: the current folder).")
     private String path = ".";
 
-    /** {@return the folders and jars as Java writes a class path} */
+    /** {@return the class path in the syntax of {@code java -cp}} */
     public String path() {
         return path;
     }
 
-    /** {@return each of the folders and jars} */
+    /** {@return the folders and jars} */
     public List<Path> folders() {
         return Arrays.stream(path.split(File.pathSeparator)).map(Path::of).toList();
     }

@@ -33,21 +33,21 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Holds a contest between the programs of several teams. */
+/** {@code robonewbie competition}: runs a contest between the programs of several teams. */
 @Command(
         name = "competition",
         description = {
-            "Hold a contest between the programs of up to ten teams, and rank them.",
+            "Run a contest between the programs of up to ten teams, and rank them.",
             "",
-            "scoring     one trial of 180 s each: the earliest goal wins, else the ball nearest to the goal at the end",
+            "scoring     one trial of 180 s each: the earliest goal wins, otherwise the ball nearest to the goal at the end",
             "penalties   attacker against goalkeeper, both roles, sudden death",
-            "matches     every team against every other team, on the small pitch",
-            "league      whole teams on the league's pitch, every team against every other one, home and away",
+            "matches     round robin on the small pitch",
+            "league      full teams on the league's pitch, round robin, home and away",
             "walk, kick, stand, gymnastics   small contests for one robot",
             "exercise:NAME                   an exercise of the course, judged as \"robonewbie grade\" does",
             "",
-            "Each program runs in a process of its own, on Linux with bubblewrap behind a fence. What it does wrong costs its team the trial and nothing else."
-                    + " The same seed and programs give the same table. Broken off? The same command goes on where it was."
+            "Each program runs in a separate process, which bubblewrap isolates on Linux. A program that fails costs its team the trial and nothing else."
+                    + " The same seed and programs give the same table. After an interruption, the same command resumes the contest."
         },
         sortOptions = false,
         footer = {
@@ -62,10 +62,10 @@ import picocli.CommandLine.Parameters;
             "  robonewbie competition exercise:dance --rounds 3 Red=red Blue=blue",
             "  robonewbie competition scoring \"Green=python3 green.py --port {port} --team {team}\"",
             "",
-            "Exit code: 0, or 1 if the files of a team were refused and the others have played.",
+            "Exit code: 0, or 1 if the files of a team were refused and the other teams played.",
             "",
             "A team is NAME=PROGRAM; a program is a folder with Java files, a jar, a .java file, an example, or a"
-                    + " command. A file of teams has one on each line. docs/competition.md explains everything, with the rules"
+                    + " command. A file of teams has one per line. docs/competition.md explains the details and has a rule sheet"
                     + " to hand out."
         })
 final class CompetitionCommand implements Callable<Integer> {
@@ -75,7 +75,7 @@ final class CompetitionCommand implements Callable<Integer> {
     @Mixin
     final HelpOption help = new HelpOption();
 
-    @Parameters(index = "0", paramLabel = "CONTEST", description = "Which contest, see above.")
+    @Parameters(index = "0", paramLabel = "CONTEST", description = "One of the contests listed above.")
     private String kind = "";
 
     @Parameters(
@@ -85,49 +85,61 @@ final class CompetitionCommand implements Callable<Integer> {
             description = "NAME=PROGRAM, or a program alone, or NAME.SETTING=VALUE.")
     private List<String> entries = List.of();
 
-    @Option(names = "--teams", paramLabel = "FILE", description = "Take the teams from a file.")
+    @Option(names = "--teams", paramLabel = "FILE", description = "Read the teams from a file.")
     private Optional<Path> teamsFile = Optional.empty();
 
-    @Option(names = "--results", paramLabel = "FOLDER", description = "Folder for results (competition-CONTEST).")
+    @Option(
+            names = "--results",
+            paramLabel = "FOLDER",
+            description = "Folder for results (default: competition-CONTEST).")
     private Optional<Path> results = Optional.empty();
 
-    @Option(names = "--seed", paramLabel = "S", description = "Start of all random numbers (1).")
+    @Option(names = "--seed", paramLabel = "S", description = "Seed of all random numbers (default: 1).")
     private long seed = 1;
 
-    @Option(names = "--vary", description = "Start places that depend on the seed, the same for all teams.")
+    @Option(names = "--vary", description = "Vary the start positions with the seed; they are the same for all teams.")
     private boolean varied;
 
     @Option(
             names = "--seconds",
             paramLabel = "T",
-            description = "Simulated seconds: scoring 180, penalties 30, matches and league 300.")
+            description = "Simulated seconds (default: scoring 180, penalties 30, matches and league 300).")
     private Optional<Double> seconds = Optional.empty();
 
     @Option(
             names = "--rounds",
             paramLabel = "N",
-            description = "penalties: rounds before sudden death; exercises: trials of each team (3).")
+            description = "penalties: rounds before sudden death; exercises: trials per team (default: 3).")
     private int rounds = 3;
 
-    @Option(names = "--players", paramLabel = "N", description = "matches, league: robots of each team, 1 to 11 (1).")
+    @Option(
+            names = "--players",
+            paramLabel = "N",
+            description = "matches, league: robots per team, 1 to 11 (default: 1).")
     private int players = 1;
 
-    @Option(names = "--parallel", paramLabel = "N", description = "Trials at the same time (one for each processor).")
+    @Option(
+            names = "--parallel",
+            paramLabel = "N",
+            description = "Trials that run in parallel (default: one per processor).")
     private Optional<Integer> parallel = Optional.empty();
 
-    @Option(names = "--memory", paramLabel = "MB", description = "Memory for each program (${DEFAULT-VALUE}).")
+    @Option(
+            names = "--memory",
+            paramLabel = "MB",
+            description = "Memory limit of each program (default: ${DEFAULT-VALUE}).")
     private int memoryMegabytes = Limits.DEFAULT.memoryMegabytes();
 
     @Option(
             names = "--patience",
             paramLabel = "T",
-            description = "Seconds for which a program may keep the world waiting (${DEFAULT-VALUE}).")
+            description = "Seconds that a program may delay the simulation (default: ${DEFAULT-VALUE}).")
     private double silentSeconds = Limits.DEFAULT.silentSeconds();
 
     @Option(
             names = "--computing-time",
             paramLabel = "T",
-            description = "Seconds of processor time for each program and trial (${DEFAULT-VALUE}).")
+            description = "Seconds of processor time per program and trial (default: ${DEFAULT-VALUE}).")
     private double processorSeconds = Limits.DEFAULT.processorSeconds();
 
     @Mixin
@@ -135,18 +147,20 @@ final class CompetitionCommand implements Callable<Integer> {
 
     @Option(
             names = "--watch",
-            description = "Show the running trials side by side, in real time, and the table as it grows.")
+            description = "Show the running trials side by side in real time, and the current table.")
     private boolean watched;
 
-    @Option(names = "--no-browser", description = "With --watch: print the address of the page and open no browser.")
+    @Option(
+            names = "--no-browser",
+            description = "With --watch: print the address of the page instead of opening a browser.")
     private boolean withoutBrowser;
 
-    @Option(names = "--headless", description = "Without effect unless --watch is given: no studio.")
+    @Option(names = "--headless", description = "Overrides --watch: open no studio.")
     private boolean headless;
 
     @Override
     public Integer call() throws IOException, InterruptedException {
-        // a contest that does not exist is named before its teams are missed
+        // report an unknown contest before missing teams
         Function<Conditions, Contest> contest = contest();
         List<TeamEntry> teams = teams();
         return hold(contest.apply(conditions(teams)), teams);
@@ -169,7 +183,7 @@ final class CompetitionCommand implements Callable<Integer> {
         }
     }
 
-    /** Holds the contest and returns whether all teams could take part. */
+    /** Runs the contest; the exit code says whether all teams took part. */
     private static int hold(Competition competition, Path results) throws IOException, InterruptedException {
         print(competition.hold());
         System.out.println(place(results));
@@ -178,8 +192,8 @@ final class CompetitionCommand implements Callable<Integer> {
             return ExitCode.OK;
         }
         System.err.println(
-                "Refused: " + String.join(", ", refused) + ". The reasons stand above; all others have played."
-                        + " The same command lets them play when their files are in order.");
+                "Refused: " + String.join(", ", refused) + ". The reasons are printed above; all other teams played."
+                        + " Fix the files and run the same command again to let them play.");
         return ExitCode.SOFTWARE;
     }
 
@@ -210,16 +224,16 @@ final class CompetitionCommand implements Callable<Integer> {
     private List<TeamEntry> teams() {
         List<TeamEntry> teams = teamsFile.isPresent() ? TeamList.read(teamsFile.get()) : TeamList.parse(entries);
         if (teamsFile.isPresent() && !entries.isEmpty()) {
-            throw new CalledWronglyException("Teams stand in " + teamsFile.get()
-                    + " and on the command line. Write all of them into the file, or leave --teams out.");
+            throw new CalledWronglyException("Teams are given both in " + teamsFile.get()
+                    + " and on the command line. Write all of them into the file, or omit --teams.");
         }
         int needed = Set.of("penalties", MatchKind.MATCHES.word(), MatchKind.LEAGUE.word())
                         .contains(kind)
                 ? 2
                 : 1;
         if (teams.size() < needed) {
-            throw new CalledWronglyException("A contest of this kind needs at least " + needed + " team"
-                    + (needed == 1 ? "" : "s") + ". Write for example: robonewbie competition " + kind
+            throw new CalledWronglyException("This contest needs at least " + needed + " team"
+                    + (needed == 1 ? "" : "s") + ". For example: robonewbie competition " + kind
                     + " Red=Agent_BetterSoccer Blue=Agent_SimpleSoccer");
         }
         return teams;
@@ -236,8 +250,7 @@ final class CompetitionCommand implements Callable<Integer> {
                 || players > 11
                 || rounds < 1
                 || seconds.filter(time -> time <= 0).isPresent()) {
-            throw new CalledWronglyException(
-                    "--players is 1 to 11, --rounds at least 1, and --seconds above 0. Correct the one that is not.");
+            throw new CalledWronglyException("--players must be 1 to 11, --rounds at least 1, and --seconds above 0.");
         }
         if (kind.startsWith(ExerciseContests.PREFIX)) {
             String name = kind.substring(ExerciseContests.PREFIX.length());
@@ -254,8 +267,8 @@ final class CompetitionCommand implements Callable<Integer> {
             case "stand" -> Contests::stand;
             case "gymnastics" -> Contests::gymnastics;
             default ->
-                throw new CalledWronglyException("There is no contest \"" + kind
-                        + "\". There are: scoring, penalties, matches, league, walk, kick, stand, gymnastics,"
+                throw new CalledWronglyException("Unknown contest \"" + kind
+                        + "\". Choose one of: scoring, penalties, matches, league, walk, kick, stand, gymnastics,"
                         + " and exercise:NAME, such as exercise:dance.");
         };
     }
@@ -264,7 +277,6 @@ final class CompetitionCommand implements Callable<Integer> {
         return conditions -> new MatchContest(match, players, seconds.orElse(HALF_SECONDS), conditions);
     }
 
-    /** Prints the table in columns. */
     private static void print(Table table) {
         List<List<String>> lines = new ArrayList<>();
         List<String> head = new ArrayList<>(List.of("", "Team"));

@@ -8,11 +8,10 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Unmatched;
 
-/** Runs a robot that plays soccer: simulator, studio and the example {@code Agent_SimpleSoccer} in one process. */
+/** {@code robonewbie demo}: runs simulator, studio and the example {@code Agent_SimpleSoccer} in one process. */
 @Command(
         name = DemoCommand.NAME,
-        description =
-                "Watch a robot walk to the ball and play it, in the browser. This is what runs without a command.",
+        description = "Watch a robot walk to the ball and kick it, in the browser. This is the default command.",
         customSynopsis = "robonewbie demo [OPTIONS]",
         footer = {
             "",

@@ -9,7 +9,7 @@ import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** Checks the installation. */
+/** {@code robonewbie doctor}: checks the installation. */
 @Command(
         name = "doctor",
         description = "Check the installation, or a computer room before a course, and say what to fix.",
@@ -17,23 +17,23 @@ import picocli.CommandLine.Option;
             "",
             "Examples:",
             "  robonewbie doctor",
-            "  robonewbie doctor --headless     without studio and browser",
-            "  robonewbie doctor --course       on each computer of a room, from an account as students have it",
+            "  robonewbie doctor --headless     skip studio and browser",
+            "  robonewbie doctor --course       on each computer of a room, from a student's account",
             "",
-            "Exit code: 0 the computer is ready, 1 something has to be fixed first."
+            "Exit code: 0 if the computer is ready, 1 if something must be fixed first."
         })
 final class DoctorCommand implements Callable<Integer> {
 
     @Mixin
     final HelpOption help = new HelpOption();
 
-    @Option(names = "--headless", description = "Do not look at studio and browser.")
+    @Option(names = "--headless", description = "Skip the checks of studio and browser.")
     private boolean headless;
 
     @Option(
             names = "--course",
             description =
-                    "Check also what a course needs: rights, start time, graphics, a project and an exercise without a network.")
+                    "Also check what a course needs: permissions, start time, graphics, and a project and an exercise without a network.")
     private boolean course;
 
     @Override
@@ -43,7 +43,6 @@ final class DoctorCommand implements Callable<Integer> {
                 : report(Checkup.of(headless), "All is well. Start with: robonewbie demo");
     }
 
-    /** Prints the findings one by one, then the verdict. */
     private static int report(Checkup checkup, String success) {
         ProgramName word = ProgramName.here();
         Verdict worst = Verdict.WELL;
@@ -54,8 +53,8 @@ final class DoctorCommand implements Callable<Integer> {
         System.out.println(
                 switch (worst) {
                     case WELL -> word.in(success);
-                    case NOTABLE -> "It works, but not all of it: the lines with \"look\" say what to know.";
-                    case BROKEN -> "Something has to be fixed: see the lines with FAIL.";
+                    case NOTABLE -> "RoboNewbie works with restrictions: see the lines with \"look\".";
+                    case BROKEN -> "Something must be fixed first: see the lines with FAIL.";
                 });
         return worst == Verdict.BROKEN ? ExitCode.SOFTWARE : ExitCode.OK;
     }

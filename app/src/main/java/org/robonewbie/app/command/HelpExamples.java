@@ -5,23 +5,23 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * The examples below a command's help text, as they can be copied here. A line that is too long for the terminal continues in the next
- * one, farther to the right: first the command, then what it does.
+ * Formatter for the examples below a command's help text. A line that is wider than the terminal is wrapped with a hanging indent, first
+ * between the command and its description.
  */
 final class HelpExamples {
 
-    private static final String FARTHER = "      ";
-    private static final int LEAST_WIDTH = 40;
+    private static final String HANGING_INDENT = "      ";
+    private static final int MIN_WIDTH = 40;
 
     private final ProgramName word;
     private final int width;
 
     HelpExamples(ProgramName word, int width) {
         this.word = word;
-        this.width = Math.max(LEAST_WIDTH, width);
+        this.width = Math.max(MIN_WIDTH, width);
     }
 
-    /** {@return the lines below the help text, ready to be printed} */
+    /** {@return the formatted lines} */
     String text(String... footer) {
         return Arrays.stream(footer)
                 .map(word::in)
@@ -37,13 +37,12 @@ final class HelpExamples {
         int indent = line.length() - line.stripLeading().length();
         int gap = line.stripTrailing().indexOf("   ", indent);
         return gap < 0
-                ? wrapped(line, FARTHER)
+                ? wrapped(line, HANGING_INDENT)
                 : Stream.concat(
-                        wrapped(line.substring(0, gap), FARTHER),
-                        wrapped(FARTHER + line.substring(gap).strip(), FARTHER));
+                        wrapped(line.substring(0, gap), HANGING_INDENT),
+                        wrapped(HANGING_INDENT + line.substring(gap).strip(), HANGING_INDENT));
     }
 
-    /** Breaks between words. */
     private Stream<String> wrapped(String line, String indent) {
         int last = line.length() < width ? -1 : line.lastIndexOf(' ', width - 1);
         boolean fits = last <= indent.length() || line.substring(0, last).isBlank();

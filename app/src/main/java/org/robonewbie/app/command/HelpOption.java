@@ -2,12 +2,12 @@ package org.robonewbie.app.command;
 
 import picocli.CommandLine.Option;
 
-/** The option {@code --help}, the same for each command. */
+/** Option {@code --help}, shared by all commands. */
 final class HelpOption {
 
     @Option(
             names = {"-h", "--help"},
             usageHelp = true,
-            description = "Show this text.")
+            description = "Show this help.")
     boolean isWanted;
 }

@@ -4,16 +4,15 @@ import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.simulator.landscape.Landscape;
 import picocli.CommandLine.Option;
 
-/** The option with which commands that start a simulator choose what stands on the pitch. */
+/** Option {@code --scene}, which selects the obstacles on the pitch. */
 final class LandscapeOption {
 
     @Option(
             names = "--scene",
             paramLabel = "NAME",
-            description = "What stands on the pitch: soccer (nothing), obstacles, slope or box. Usual: soccer.")
+            description = "Objects on the pitch: soccer (none), obstacles, slope or box (default: soccer).")
     private String name = Landscape.SOCCER.name();
 
-    /** Returns what the user has named; refuses names that do not exist. */
     Landscape landscape() {
         try {
             return Landscape.named(name);

@@ -4,7 +4,7 @@ import org.robonewbie.exercises.Language;
 import org.robonewbie.programs.CalledWronglyException;
 import picocli.CommandLine.Option;
 
-/** In which language worksheets and hints are. */
+/** Option {@code --language} for worksheets and hints. */
 final class LanguageOption {
 
     @Option(
@@ -14,7 +14,6 @@ final class LanguageOption {
             description = "Language of worksheets and hints: en or de (default: $" + Language.VARIABLE + ", else en).")
     private String code = Language.ENGLISH.code();
 
-    /** {@return the language} */
     Language language() {
         return Language.of(code)
                 .orElseThrow(() -> new CalledWronglyException(

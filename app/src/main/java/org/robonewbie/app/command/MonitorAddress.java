@@ -3,22 +3,23 @@ package org.robonewbie.app.command;
 import org.robonewbie.programs.CalledWronglyException;
 
 /**
- * Where the monitor port of a server is.
+ * Address of a server's monitor port.
  *
- * @param host name or address of its computer
- * @param port the port, 1 to 65535
+ * @param host host name or IP address
+ * @param port TCP port, 1 to 65535
  */
 record MonitorAddress(String host, int port) {
 
-    private static final int USUAL_PORT = 3200;
+    private static final int DEFAULT_PORT = 3200;
     private static final int LAST_PORT = 65_535;
 
-    /** Reads {@code HOST:PORT}, {@code HOST} or {@code :PORT}; what is missing is 127.0.0.1 and 3200. */
+    /** Parses {@code HOST:PORT}, {@code HOST} or {@code :PORT}; the defaults are 127.0.0.1 and 3200. */
     static MonitorAddress of(String text) {
         int colon = text.lastIndexOf(':');
         String host = colon < 0 ? text : text.substring(0, colon);
         String port = colon < 0 ? "" : text.substring(colon + 1);
-        return new MonitorAddress(host.isEmpty() ? "127.0.0.1" : host, port.isEmpty() ? USUAL_PORT : port(text, port));
+        return new MonitorAddress(
+                host.isEmpty() ? "127.0.0.1" : host, port.isEmpty() ? DEFAULT_PORT : port(text, port));
     }
 
     private static int port(String text, String port) {
@@ -31,6 +32,6 @@ record MonitorAddress(String host, int port) {
             // reported below
         }
         throw new CalledWronglyException(
-                "\"" + text + "\" names no monitor port. Write HOST:PORT, such as 127.0.0.1:3200.");
+                "\"" + text + "\" is not a monitor address. Write HOST:PORT, such as 127.0.0.1:3200.");
     }
 }

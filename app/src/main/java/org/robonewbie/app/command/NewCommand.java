@@ -10,17 +10,18 @@ import java.util.regex.Pattern;
 import java.util.zip.CRC32;
 import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.programs.ClassPath;
+import org.robonewbie.programs.project.NewProject;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Begins a project of a student. */
+/** {@code robonewbie new}: creates a project. */
 @Command(
         name = "new",
         description = {
-            "Begin a project of your own: a folder with an agent, a motion, a test and all of RoboNewbie.",
+            "Create a project of your own: a folder with an agent, a motion, a test and all of RoboNewbie.",
             "It opens in any IDE as a Maven or Gradle project, and runs without one."
         },
         footer = {
@@ -29,7 +30,7 @@ import picocli.CommandLine.Parameters;
             "  robonewbie new my-team",
             "  robonewbie new my-team --package org.example.soccer",
             "  robonewbie new my-team --build gradle",
-            "  robonewbie new my-team --from team        begins with the example team",
+            "  robonewbie new my-team --from team        starts from the example team",
             "then: cd my-team, and ./robonewbie (on Windows: robonewbie)"
         })
 final class NewCommand implements Callable<Integer> {
@@ -49,17 +50,13 @@ final class NewCommand implements Callable<Integer> {
             description = "Package of your classes (default: from the name).")
     private String packageName = "";
 
-    @Option(
-            names = "--build",
-            paramLabel = "TOOL",
-            description = "What builds the project: maven or gradle (default: maven).")
+    @Option(names = "--build", paramLabel = "TOOL", description = "Build tool: maven or gradle (default: maven).")
     private NewProject.BuildTool tool = NewProject.BuildTool.MAVEN;
 
     @Option(
             names = "--from",
             paramLabel = "ORIGIN",
-            description =
-                    "What the project begins with: agent, or team for a copy of the example team (default: agent).")
+            description = "Initial content: agent, or team for a copy of the example team (default: agent).")
     private NewProject.Origin origin = NewProject.Origin.AGENT;
 
     @Override
@@ -67,38 +64,38 @@ final class NewCommand implements Callable<Integer> {
         String folder = Path.of(name).getFileName().toString();
         if (!NAME.matcher(folder).matches()) {
             throw new CalledWronglyException(
-                    "\"" + folder + "\" is no name for a project. Use letters, digits and -, such as my-team.");
+                    "\"" + folder + "\" is not a valid project name. Use letters, digits and -, such as my-team.");
         }
         String chosen =
                 packageName.isEmpty() ? folder.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]", "") : packageName;
         if (!PACKAGE.matcher(chosen).matches()) {
             throw new CalledWronglyException("\"" + chosen
-                    + "\" is no name for a package. Use small letters and points, such as org.example.team.");
+                    + "\" is not a valid package name. Use lower-case letters and dots, such as org.example.team.");
         }
         Path project = Path.of(name);
         if (Files.exists(project)) {
             throw new CalledWronglyException(
-                    "There is a folder " + name + " already, and it is kept. Take another name.");
+                    "The folder " + name + " already exists and was not changed. Choose another name.");
         }
         ClassPath.obstacle(project).ifPresent(character -> {
             throw new CalledWronglyException(
-                    "Maven, Gradle and Java's tools cannot build a project in a folder whose path has the"
-                            + " character \"" + character + "\": " + project.toAbsolutePath()
-                            + ". Begin it in another folder.");
+                    "Maven, Gradle and Java's tools cannot build a project in a folder whose path contains"
+                            + " the character \"" + character + "\": " + project.toAbsolutePath()
+                            + ". Create it in another folder.");
         });
         Path jar = ownJar();
         new NewProject(folder, chosen, tool, origin, jar, versionOf(jar)).create(project);
-        System.out.println("Your project is in " + project.toAbsolutePath() + System.lineSeparator()
-                + "Go on with: cd " + name + System.lineSeparator()
+        System.out.println("Created the project " + project.toAbsolutePath() + System.lineSeparator()
+                + "Next steps: cd " + name + System.lineSeparator()
                 + "            ./robonewbie   (on Windows: robonewbie)" + System.lineSeparator()
                 + "or open the folder in your IDE as a " + (tool == NewProject.BuildTool.MAVEN ? "Maven" : "Gradle")
-                + " project. Its README.md tells more.");
+                + " project. Its README.md explains the rest.");
         return ExitCode.OK;
     }
 
     /**
-     * Tells a version that names this one program. What was built here gets a name of its own, since Maven keeps what it has
-     * once seen of a version.
+     * Returns a version that identifies this jar. A local build gets the checksum in its version, because Maven caches an artifact by
+     * its version.
      */
     static String versionOf(Path jar) throws IOException {
         String version = Optional.ofNullable(NewCommand.class.getPackage().getImplementationVersion())
@@ -111,7 +108,7 @@ final class NewCommand implements Callable<Integer> {
         return version + "-built-" + Long.toHexString(sum.getValue());
     }
 
-    /** The file of this program: what the folder's build has made, with sources beside it, or else where this class comes from. */
+    /** The jar of this program: preferably the one of a local build, which has the sources beside it. */
     private static Path ownJar() {
         Path built = Path.of(System.getProperty("robonewbie.home", ""), "app", "target", "robonewbie.jar");
         return Files.isRegularFile(built) ? built : ClassPath.ownJar().orElse(built);

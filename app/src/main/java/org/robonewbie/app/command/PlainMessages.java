@@ -20,7 +20,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
 
-/** Explains in one or two plain sentences what went wrong and what to write instead. */
+/** Error reporter: prints one or two plain sentences on what failed and what to write instead. */
 final class PlainMessages implements IParameterExceptionHandler, IExecutionExceptionHandler {
 
     @Override
@@ -36,20 +36,20 @@ final class PlainMessages implements IParameterExceptionHandler, IExecutionExcep
     @Override
     public int handleExecutionException(Exception exception, CommandLine command, ParseResult parsed) {
         command.getErr().println("robonewbie: " + ProgramName.here().in(messageOf(exception)));
-        return isOfTheUser(exception) ? ExitCode.USAGE : ExitCode.SOFTWARE;
+        return isUserError(exception) ? ExitCode.USAGE : ExitCode.SOFTWARE;
     }
 
-    private static boolean isOfTheUser(Exception exception) {
+    private static boolean isUserError(Exception exception) {
         return exception instanceof CalledWronglyException
                 || exception instanceof UnreadableFileException
                 || exception.getCause() instanceof UnreadableFileException;
     }
 
-    /** What Java says about files is often the bare path. */
+    /** Completes the messages of Java's file exceptions, which are often a bare path. */
     private static String messageOf(Exception exception) {
         String message = Optional.ofNullable(exception.getMessage()).orElse(exception.toString());
         if (exception instanceof AccessDeniedException) {
-            return message + " cannot be written or read: you have no right to do it here. Go to a folder of your own.";
+            return "Permission denied: " + message + ". Change to a folder that you may read and write.";
         }
         if (exception instanceof NoSuchFileException) {
             return "There is no file or folder " + message + ".";
@@ -57,7 +57,7 @@ final class PlainMessages implements IParameterExceptionHandler, IExecutionExcep
         if (exception instanceof InvalidPathException refused) {
             return PathEncoding.explain(refused);
         }
-        return exception instanceof FileSystemException ? "File trouble with " + message + "." : message;
+        return exception instanceof FileSystemException ? "File error: " + message + "." : message;
     }
 
     private static String messageOf(ParameterException exception) {
@@ -68,15 +68,15 @@ final class PlainMessages implements IParameterExceptionHandler, IExecutionExcep
 
     private static String unknown(String argument, CommandLine command) {
         if (argument.startsWith("-")) {
-            return "The option " + argument + " is unknown." + Spelling.question(argument, optionsOf(command));
+            return "Unknown option " + argument + "." + Spelling.question(argument, optionsOf(command));
         }
         List<String> commands = List.copyOf(command.getSubcommands().keySet());
         return commands.isEmpty()
-                ? "\"" + argument + "\" is too much here." + confusable(argument)
-                : "There is no command \"" + argument + "\"." + Spelling.question(argument, commands);
+                ? "Unexpected argument \"" + argument + "\"." + confusable(argument)
+                : "Unknown command \"" + argument + "\"." + Spelling.question(argument, commands);
     }
 
-    /** An option that was copied from a page may begin with a dash that is none. */
+    /** Explains a dash that is not a hyphen, as in options copied from a web page. */
     private static String confusable(String argument) {
         return ConfusableCharacter.firstIn(argument)
                 .map(character -> " In it " + character + ".")

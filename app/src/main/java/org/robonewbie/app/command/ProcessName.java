@@ -6,8 +6,8 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
 /**
- * The name under which the system lists this program. Tools of the league find and end their server by it, for example with
- * {@code killall rcssserver3d}, and would not find one that is called java.
+ * Name of this process in the system's process list. League tools find and stop the server by it, for example with {@code killall
+ * rcssserver3d}, and would not find a process named java.
  */
 final class ProcessName {
 
@@ -16,9 +16,9 @@ final class ProcessName {
     private ProcessName() {}
 
     /**
-     * Changes the name where the system allows it, which is Linux; elsewhere nothing happens.
+     * Sets the name on Linux; does nothing on other systems.
      *
-     * @param name the new name; Linux keeps 15 characters of it
+     * @param name the new name, of which Linux keeps 15 characters
      */
     static void set(String name) {
         try {
@@ -26,7 +26,7 @@ final class ProcessName {
                 Files.writeString(OWN_NAME, name, StandardOpenOption.WRITE);
             }
         } catch (IOException unchanged) {
-            // The name only helps other tools; the simulator works under any name.
+            // only other tools need the name
         }
     }
 }

@@ -8,16 +8,16 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 
 /**
- * How people have to write the name of this program where they are: {@code robonewbie} if the system finds it, else with its folder, such
- * as {@code ./robonewbie}. So whatever the program proposes can be copied into the terminal.
+ * Name of this program as the user's shell finds it: {@code robonewbie} if it is on the PATH, otherwise with a path, such as
+ * {@code ./robonewbie}. Commands in messages use it, so that they can be copied into the terminal.
  *
- * @param text the word
+ * @param text the name
  */
 public record ProgramName(String text) {
 
     private static final String NAME = "robonewbie";
 
-    /** {@return the word for this terminal} */
+    /** {@return the name for this shell} */
     public static ProgramName here() {
         return of(
                 Optional.ofNullable(System.getProperty("robonewbie.home")).map(Path::of),
@@ -26,7 +26,7 @@ public record ProgramName(String text) {
                 File.separatorChar);
     }
 
-    /** Windows looks for programs in the current folder too, so that the bare name is right there. */
+    /** Windows also searches the current folder, so the bare name works there. */
     static ProgramName of(Optional<Path> home, Path folder, String searchPath, char separator) {
         boolean known = Arrays.stream(searchPath.split(File.pathSeparator))
                 .filter(entry -> !entry.isEmpty())
@@ -45,10 +45,10 @@ public record ProgramName(String text) {
     }
 
     /**
-     * Writes the commands of a text in this way.
+     * Replaces the program name in the commands of a text.
      *
-     * @param words a text with commands such as {@code robonewbie grade kick}
-     * @return the same text for this terminal
+     * @param words text with commands such as {@code robonewbie grade kick}
+     * @return the text for this shell
      */
     public String in(String words) {
         return text.equals(NAME)

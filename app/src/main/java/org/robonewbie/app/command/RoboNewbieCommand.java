@@ -18,7 +18,7 @@ import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.Model.UsageMessageSpec;
 import picocli.CommandLine.TypeConversionException;
 
-/** The program itself; its commands do the work. */
+/** Root command, which selects and configures the subcommands. */
 @Command(
         name = "robonewbie",
         description = "Program a simulated humanoid robot in your first hour.",
@@ -33,7 +33,7 @@ import picocli.CommandLine.TypeConversionException;
             "  robonewbie run MyAgent.java           run your own agent",
             "  robonewbie help run                   more about one command",
             "",
-            "Exit code: 0 all went well, 1 the command ran and failed, 2 it was called wrongly."
+            "Exit code: 0 on success, 1 if the command ran and failed, 2 if it was called incorrectly."
         })
 public final class RoboNewbieCommand {
 
@@ -41,7 +41,7 @@ public final class RoboNewbieCommand {
 
     private static final Set<String> CHECKS = Set.of("doctor", "help");
 
-    /** All commands but the hidden one, as the help text shows them. */
+    /** The visible commands, grouped as in the help text. */
     private static final List<Group> GROUPS = List.of(
             new Group(
                     "Begin",
@@ -62,7 +62,7 @@ public final class RoboNewbieCommand {
                             OptimiseCommand.class,
                             LearnCommand.class)));
 
-    /** Commands that have to start fast: all others are not even looked at. */
+    /** Commands that must start fast; the other command classes are not loaded for them. */
     private static final Map<String, Supplier<Object>> AT_ONCE = Map.of(
             SimulatorCommand.NAME, SimulatorCommand::new,
             DemoCommand.NAME, DemoCommand::new,
@@ -74,7 +74,7 @@ public final class RoboNewbieCommand {
      * Runs one command.
      *
      * @param arguments the command and its options; none runs the demo
-     * @return the exit code: 0 all went well, 1 the command ran and failed, 2 it was called wrongly
+     * @return the exit code: 0 on success, 1 if the command ran and failed, 2 if it was called incorrectly
      */
     public static int run(String... arguments) {
         if (arguments.length == 1 && List.of("-V", "--version").contains(arguments[0])) {
@@ -86,13 +86,13 @@ public final class RoboNewbieCommand {
             System.err.println("robonewbie: " + unreadable.get());
             return CommandLine.ExitCode.USAGE;
         }
-        String[] complete = withoutHelpForNothing(withDefaultCommand(withHelpAsOption(arguments)));
+        String[] complete = withoutHelpOfUnknownCommand(withDefaultCommand(withHelpAsOption(arguments)));
         Supplier<Object> command = AT_ONCE.get(complete[0]);
         return (command == null ? commandLine() : prepared(new CommandLine(new Alone()).addSubcommand(command.get())))
                 .execute(complete);
     }
 
-    /** Help and checks of the computer are useful where names of files cannot be read, too. */
+    /** Returns whether a command may write files. Help and {@code doctor} also work where file names cannot be decoded. */
     private static boolean mayWrite(String... arguments) {
         boolean isCheck = arguments.length > 0 && CHECKS.contains(arguments[0]);
         return !isCheck && Stream.of(arguments).noneMatch(OWN_OPTIONS::contains);
@@ -115,7 +115,7 @@ public final class RoboNewbieCommand {
                 .registerConverter(Double.class, text -> number(text, Double::valueOf, "a number"))
                 .setCaseInsensitiveEnumValuesAllowed(true)
                 .setUsageHelpAutoWidth(true);
-        proposeWhatCanBeCopied(commandLine);
+        localizeExamples(commandLine);
         commandLine
                 .getCommandSpec()
                 .usageMessage()
@@ -141,8 +141,8 @@ public final class RoboNewbieCommand {
                 .collect(Collectors.joining());
     }
 
-    /** The examples below each help text name this program as it has to be written here. */
-    private static void proposeWhatCanBeCopied(CommandLine commandLine) {
+    /** Writes the examples of each help text so that they can be copied into this terminal. */
+    private static void localizeExamples(CommandLine commandLine) {
         ProgramName word = ProgramName.here();
         commandLine
                 .getCommandSpec()
@@ -153,10 +153,10 @@ public final class RoboNewbieCommand {
                         help -> new HelpExamples(
                                         word, help.commandSpec().usageMessage().width())
                                 .text(help.commandSpec().usageMessage().footer()));
-        commandLine.getSubcommands().values().forEach(RoboNewbieCommand::proposeWhatCanBeCopied);
+        commandLine.getSubcommands().values().forEach(RoboNewbieCommand::localizeExamples);
     }
 
-    /** Appends lists that other modules provide to a command's help, unchanged. */
+    /** Appends a list to a command's help. */
     private static void appendToHelp(CommandLine commandLine, String name, Supplier<String> list) {
         subcommand(commandLine, name).ifPresent(command -> {
             UsageMessageSpec usage = command.getCommandSpec().usageMessage();
@@ -170,8 +170,8 @@ public final class RoboNewbieCommand {
         return Optional.ofNullable(commandLine.getSubcommands().get(name));
     }
 
-    /** A misspelt command is reported, even where its help was asked for. */
-    private static String[] withoutHelpForNothing(String... arguments) {
+    /** Drops the help option of an unknown command, so that the command is reported. */
+    private static String[] withoutHelpOfUnknownCommand(String... arguments) {
         boolean isCommand = arguments[0].startsWith("-")
                 || AT_ONCE.containsKey(arguments[0])
                 || commandLine().getSubcommands().containsKey(arguments[0]);
@@ -182,7 +182,7 @@ public final class RoboNewbieCommand {
                         .toArray(String[]::new);
     }
 
-    /** {@code help run} means {@code run --help}. */
+    /** Converts {@code help run} to {@code run --help}. */
     private static String[] withHelpAsOption(String... arguments) {
         return arguments.length > 0 && arguments[0].equals("help")
                 ? Stream.concat(Stream.of(arguments).skip(1), Stream.of("--help"))
@@ -190,7 +190,7 @@ public final class RoboNewbieCommand {
                 : arguments;
     }
 
-    /** Options without a command belong to the demo: {@code robonewbie --seed 3}. */
+    /** Prepends the demo to options without a command, as in {@code robonewbie --seed 3}. */
     private static String[] withDefaultCommand(String... arguments) {
         boolean isDemo = arguments.length == 0 || (arguments[0].startsWith("-") && !OWN_OPTIONS.contains(arguments[0]));
         return isDemo
@@ -214,14 +214,13 @@ public final class RoboNewbieCommand {
                 + ", Java " + Runtime.version();
     }
 
-    /** A group of commands in the help text, in the order in which they are declared. */
+    /** Commands of one section of the help text. */
     private record Group(String title, List<Class<?>> commands) {}
 
-    /** The program with a single command. */
+    /** Root command for a single subcommand. */
     @Command(name = "robonewbie")
     private static final class Alone {}
 
-    /** The version of RoboNewbie and of Java. */
     static final class Version implements IVersionProvider {
 
         @Override

@@ -14,11 +14,10 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Unmatched;
 
-/** Runs one agent: an example, a class of the user or a Java file. */
+/** {@code robonewbie run}: runs one agent, which is an example, a class of the user or a Java file. */
 @Command(
         name = RunCommand.NAME,
-        description =
-                "Run an agent. Without a running simulator it starts its own and opens the studio in the browser.",
+        description = "Run an agent. If no simulator is running, this starts one and opens the studio in the browser.",
         customSynopsis = "robonewbie run [--class-path PATH] [--rehearse T] AGENT [OPTIONS OF THE AGENT]",
         footer = {
             "",
@@ -45,15 +44,14 @@ final class RunCommand implements Callable<Integer> {
             names = "--rehearse",
             paramLabel = "T",
             description =
-                    "Before the game let the agent play T simulated seconds unseen, in a simulator of its own, so that"
-                            + " Java has compiled it when it counts: for matches on the clock.")
+                    "Warm up before a real-time match: run the agent for T simulated seconds in a separate simulator, so"
+                            + " that Java has compiled it.")
     private double rehearsalSeconds;
 
     @Parameters(
             arity = "0..*",
             paramLabel = "AGENT",
-            description =
-                    "Name of an example, name of a class of yours, or a .java file; then the options of the agent.")
+            description = "Name of an example or of your class, or a .java file; then the options of the agent.")
     private List<String> agentAndOptions = List.of();
 
     @Unmatched
@@ -62,16 +60,16 @@ final class RunCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         if (!optionsBeforeTheAgent.isEmpty()) {
-            throw new CalledWronglyException("Name the agent first, then its options: robonewbie run "
+            throw new CalledWronglyException("The agent comes before its options: robonewbie run "
                     + ExampleCatalogue.FIRST_EXAMPLE + " " + optionsBeforeTheAgent.get(0));
         }
         ProgramFinder finder = new ProgramFinder(classPath.folders());
         if (!(rehearsalSeconds >= 0)) {
             throw new CalledWronglyException(
-                    "--rehearse " + rehearsalSeconds + ": give a number of seconds from 0 on.");
+                    "--rehearse " + rehearsalSeconds + " is not valid. Give a number of seconds, at least 0.");
         }
         if (agentAndOptions.isEmpty()) {
-            throw new CalledWronglyException("Which agent do you want to run? Write for example: robonewbie run "
+            throw new CalledWronglyException("Which agent do you want to run? For example: robonewbie run "
                     + ExampleCatalogue.FIRST_EXAMPLE + System.lineSeparator() + finder.listOfExamples());
         }
         List<String> options = agentAndOptions.subList(1, agentAndOptions.size());
@@ -82,11 +80,11 @@ final class RunCommand implements Callable<Integer> {
         return program.run(options);
     }
 
-    /** What is said meanwhile would only confuse; what goes wrong will go wrong again where it counts. */
+    /** Runs the program without output; an error of the program will occur again in the real run. */
     private void rehearse(Program program, List<String> options) throws IOException {
         List<String> all = withoutServer(options);
         all.addAll(List.of("--seed", "1", "--fast", "--headless", "--seconds", Double.toString(rehearsalSeconds)));
-        System.out.println("Rehearses for " + rehearsalSeconds + " simulated seconds");
+        System.out.println("Rehearsing for " + rehearsalSeconds + " simulated seconds");
         SilentPrograms.entirely(() -> program.run(all));
     }
 

@@ -11,13 +11,15 @@ import java.util.OptionalInt;
 import java.util.Random;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
-import org.robonewbie.app.script.StartScript;
 import org.robonewbie.nao.Cycle;
+import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.monitor.MonitorSettings;
+import org.robonewbie.simulator.script.SoccerParameterFile;
+import org.robonewbie.simulator.script.StartScript;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.server.WarmUp;
@@ -32,10 +34,10 @@ import picocli.CommandLine.Spec;
 import picocli.CommandLine.Unmatched;
 import picocli.CommandLine.UnmatchedArgumentException;
 
-/** Runs the simulator alone, in the place of rcssserver3d. */
+/** {@code robonewbie simulator}: runs the simulator as a drop-in replacement for rcssserver3d. */
 @Command(
         name = SimulatorCommand.NAME,
-        description = "Run only the simulator, in the place of rcssserver3d: agents connect by TCP.",
+        description = "Run only the simulator, as a drop-in replacement for rcssserver3d: agents connect by TCP.",
         sortOptions = false,
         footer = {
             "",
@@ -44,7 +46,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
             "  robonewbie simulator --sync --seed 7 --set RuleHalfTime=60",
             "  robonewbie simulator --beginner --agent-port 3500",
             "  robonewbie simulator --sync --drop-silent-after 5 --parameters training.properties",
-            "  robonewbie simulator --bind 0.0.0.0      agents on other computers may join"
+            "  robonewbie simulator --bind 0.0.0.0      accept agents from other computers"
         })
 final class SimulatorCommand implements Callable<Integer> {
 
@@ -55,28 +57,31 @@ final class SimulatorCommand implements Callable<Integer> {
     @Mixin
     final HelpOption help = new HelpOption();
 
-    @Option(names = "--agent-port", paramLabel = "N", description = "Port for agents, 0 for any free one (3100).")
+    @Option(
+            names = "--agent-port",
+            paramLabel = "N",
+            description = "Port for agents; 0 for any free one (default: 3100).")
     private Optional<Integer> agentPort = Optional.empty();
 
     @Option(
             names = {"--monitor-port", "--server-port"},
             paramLabel = "N",
-            description = "Port for monitors and trainers, 0 for any free one (3200).")
+            description = "Port for monitors and trainers; 0 for any free one (default: 3200).")
     private Optional<Integer> monitorPort = Optional.empty();
 
     @Option(
             names = {"--bind", "--host"},
             paramLabel = "ADDRESS",
-            description = "Address of this computer at which to listen (127.0.0.1: this computer only).")
+            description = "Address to listen at (default: 127.0.0.1, this computer only).")
     private String bindAddress = "127.0.0.1";
 
-    @Option(names = "--sync", description = "Wait for all agents in each cycle instead of running on the clock.")
+    @Option(names = "--sync", description = "Wait for all agents in each cycle instead of running in real time.")
     private boolean synchronous;
 
-    @Option(names = "--fast", description = "As fast as possible; includes --sync.")
+    @Option(names = "--fast", description = "Run as fast as possible; implies --sync.")
     private boolean fast;
 
-    @Option(names = "--no-noise", description = "Robots see without noise.")
+    @Option(names = "--no-noise", description = "Turn off the noise of vision.")
     private boolean withoutNoise;
 
     @Option(
@@ -85,34 +90,34 @@ final class SimulatorCommand implements Callable<Integer> {
             arity = "0..1",
             split = ",",
             fallbackValue = "mypos,myorien,ballpos",
-            description = "Let robots see what is true: mypos (own head), myorien (its direction), ballpos; without"
-                    + " WHAT all three.")
+            description = "Send ground truth to robots: mypos (position of the head), myorien (its direction), ballpos;"
+                    + " all three by default.")
     private List<String> groundTruth = new ArrayList<>();
 
     @Option(
             names = "--drop-silent-after",
             paramLabel = "T",
-            description = "With --sync: drop an agent that keeps the world waiting for T real seconds (60); a"
-                    + " newcomer sooner.")
+            description = "With --sync: disconnect an agent that delays a cycle for T real seconds (default: 60);"
+                    + " sooner before its first message.")
     private double silentAgentSeconds = SimulatorSettings.DEFAULT_SILENT_AGENT_SECONDS;
 
-    @Option(names = "--seed", paramLabel = "S", description = "Start of all random numbers: same seed, same run.")
+    @Option(names = "--seed", paramLabel = "S", description = "Seed of all random numbers: same seed, same run.")
     private Optional<Long> seed = Optional.empty();
 
-    @Option(names = "--seconds", paramLabel = "T", description = "End after T simulated seconds.")
+    @Option(names = "--seconds", paramLabel = "T", description = "Stop after T simulated seconds.")
     private Optional<Double> seconds = Optional.empty();
 
     @Option(
             names = "--wait-for",
             paramLabel = "N",
-            description = "Begin when N agents are connected. With --sync their order does not matter then: the"
-                    + " teams take the sides in the order of their names.")
+            description = "Start when N agents are connected. With --sync, the teams then take the sides in the order"
+                    + " of their names, whichever connects first.")
     private int awaitedAgents;
 
     @Option(names = "--record", paramLabel = "FILE", description = "Write a recording of the run.")
     private Optional<Path> recording = Optional.empty();
 
-    @Option(names = "--report", paramLabel = "FILE", description = "Write the true results as JSON at the end.")
+    @Option(names = "--report", paramLabel = "FILE", description = "Write the results as JSON at the end.")
     private Optional<Path> report = Optional.empty();
 
     @Option(names = "--log", paramLabel = "FILE", description = "Write a log that RoboViz can replay.")
@@ -121,15 +126,16 @@ final class SimulatorCommand implements Callable<Integer> {
     @Option(
             names = "--monitor-step",
             paramLabel = "T",
-            description = "Simulated seconds between two messages to monitors, at least 0.02 (0.04).")
+            description = "Simulated seconds between messages to monitors, at least 0.02 (default: 0.04).")
     private double monitorStepSeconds = MonitorSettings.STANDARD_STEP_SECONDS;
 
     @Option(
             names = "--no-trainers",
-            description = "Let monitors watch only: nobody may move the ball, score or end it.")
+            description =
+                    "Ignore the commands of monitors: they can watch, but not move the ball, change the score or stop the simulator.")
     private boolean withoutTrainers;
 
-    @Option(names = "--league", description = "Pitch and rules of the league. This is the usual profile.")
+    @Option(names = "--league", description = "Pitch and rules of the league (default).")
     private boolean league;
 
     @Option(names = "--beginner", description = "Small pitch and simple rules, as in the demo.")
@@ -141,27 +147,27 @@ final class SimulatorCommand implements Callable<Integer> {
     @Option(
             names = "--set",
             paramLabel = "NAME=VALUE",
-            description = "Change one of the parameters that are listed below; can be repeated.")
+            description = "Set one of the parameters listed below; can be repeated.")
     private List<String> assignments = new ArrayList<>();
 
     @Option(
             names = "--parameters",
             paramLabel = "FILE",
-            description = "Change parameters as a text file says, one NAME=VALUE per line; --set is stronger.")
+            description = "Set parameters from a text file with one NAME=VALUE per line; --set takes precedence.")
     private Optional<Path> parameterFile = Optional.empty();
 
     @Option(
             names = "--process-name",
             paramLabel = "NAME",
-            description = "Name under which the system lists this program, for tools that look for it (Linux only).")
+            description = "Name of this process in the process list, for tools that search for it (Linux only).")
     private Optional<String> processName = Optional.empty();
 
     @Option(
             names = "--script-path",
             paramLabel = "FILE",
             description =
-                    "Take parameters and ports from a start script of rcssserver3d and those that it runs; settings"
-                            + " that only Ruby can calculate are named.")
+                    "Read parameters and ports from a start script of rcssserver3d and the scripts that it runs; settings"
+                            + " that only Ruby can evaluate are reported.")
     private Optional<Path> script = Optional.empty();
 
     @Unmatched
@@ -173,13 +179,13 @@ final class SimulatorCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException, InterruptedException {
         Console console = Console.standard();
-        leaveOutUnknown(console);
+        ignoreUnknown(console);
         processName.ifPresent(ProcessName::set);
         SimulatorSettings settings = settings(console);
         Simulator simulator = Simulator.start(settings, console);
         Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "end-of-simulator"));
         console.say("Agents can join at port " + simulator.agentPort() + ", monitors at port "
-                + simulator.monitorPort().orElseThrow() + " of " + bindAddress + ". Control-C ends it.");
+                + simulator.monitorPort().orElseThrow() + " of " + bindAddress + ". Press Control-C to stop.");
         if (!settings.world().synchronous() && !beginner) {
             startWarmUp(simulator, console);
         }
@@ -187,28 +193,28 @@ final class SimulatorCommand implements Callable<Integer> {
         return ExitCode.OK;
     }
 
-    /** In the place of the original, options are left out as there, since scripts of tools and teams give some; else refused. */
-    private void leaveOutUnknown(Console console) {
+    /** Under another process name, ignores unknown options as rcssserver3d does, because scripts of teams pass some; otherwise refuses them. */
+    private void ignoreUnknown(Console console) {
         CommandLine command = Objects.requireNonNull(spec).commandLine();
         if (!unknown.isEmpty() && processName.isEmpty()) {
             throw new UnmatchedArgumentException(command, unknown);
         }
         for (String each : unknown) {
             if (each.startsWith("-")) {
-                console.say("The option " + each + " is left out, since it does not exist here."
+                console.say("Ignoring the unknown option " + each + "."
                         + Spelling.question(each.replaceFirst("=.*", ""), PlainMessages.optionsOf(command)));
             }
         }
     }
 
-    /** Prepares for many robots on the clock; as soon as the world goes on with agents, all power of the computer is for it. */
+    /** Starts the warm-up for real-time matches; it stops when the agents are connected. */
     private void startWarmUp(Simulator simulator, Console console) {
         Thread warmUp = new Thread(
                 () -> {
                     try {
                         WarmUp.run(() -> simulator.connectedAgents() < Math.max(1, awaitedAgents));
                     } catch (IOException e) {
-                        console.say("The warm-up has failed, so the first seconds may be slow: " + e.getMessage());
+                        console.say("The warm-up failed, so the first seconds may be slow: " + e.getMessage());
                     }
                 },
                 "warm-up");
@@ -216,12 +222,12 @@ final class SimulatorCommand implements Callable<Integer> {
         warmUp.start();
     }
 
-    /** Translates the options; what is given on the command line is stronger than the script. */
-    SimulatorSettings settings(Console console) {
+    /** Translates the options; the command line takes precedence over the script. */
+    SimulatorSettings settings(Console console) throws UnreadableFileException {
         if (league && beginner) {
-            throw new CalledWronglyException("--league and --beginner exclude each other. Leave one of them out.");
+            throw new CalledWronglyException("--league and --beginner exclude each other. Omit one of them.");
         }
-        StartScript start = script.map(file -> StartScript.read(file, console)).orElse(StartScript.EMPTY);
+        StartScript start = script.isPresent() ? StartScript.read(script.get(), console) : StartScript.EMPTY;
         boolean isFast = fast || start.isFast();
         return (beginner ? SimulatorSettings.beginner() : SimulatorSettings.league())
                 .parameters(parameters(start))
@@ -233,7 +239,7 @@ final class SimulatorCommand implements Callable<Integer> {
                 .speed(isFast ? SimulationControl.AS_FAST_AS_POSSIBLE : 1)
                 .noise(!withoutNoise)
                 .landscape(scene.landscape())
-                .groundTruth(isTold("mypos"), isTold("myorien"), isTold("ballpos"))
+                .groundTruth(isSent("mypos"), isSent("myorien"), isSent("ballpos"))
                 .silentAgentSeconds(silentAgentSeconds())
                 .seed(seed.orElseGet(() -> (long) new Random().nextInt(Integer.MAX_VALUE)))
                 .awaitedAgents(awaitedAgents)
@@ -246,12 +252,12 @@ final class SimulatorCommand implements Callable<Integer> {
                 .build();
     }
 
-    private boolean isTold(String truth) {
+    private boolean isSent(String truth) {
         List<String> known = List.of("mypos", "myorien", "ballpos");
         for (String wanted : groundTruth) {
             if (!known.contains(wanted)) {
                 throw new CalledWronglyException(
-                        "No ground truth \"" + wanted + "\" exists. Choose of mypos, myorien and ballpos.");
+                        "Unknown ground truth \"" + wanted + "\". Choose mypos, myorien or ballpos.");
             }
         }
         return groundTruth.contains(truth);
@@ -261,30 +267,32 @@ final class SimulatorCommand implements Callable<Integer> {
         if (silentAgentSeconds > 0) {
             return silentAgentSeconds;
         }
-        throw new CalledWronglyException("An agent cannot be dropped after " + silentAgentSeconds
-                + " s. Give a time above 0, or Infinity to wait for ever as rcssserver3d does.");
+        throw new CalledWronglyException("--drop-silent-after " + silentAgentSeconds
+                + " is not valid. Give a time above 0, or Infinity to wait without a limit as rcssserver3d does.");
     }
 
     private double monitorStep() {
         if (monitorStepSeconds >= Cycle.SECONDS && Double.isFinite(monitorStepSeconds)) {
             return monitorStepSeconds;
         }
-        throw new CalledWronglyException("A monitor step of " + monitorStepSeconds
-                + " s is not possible. It is at least 0.02, one cycle of the simulation.");
+        throw new CalledWronglyException("--monitor-step " + monitorStepSeconds
+                + " is not valid. The minimum is 0.02, one cycle of the simulation.");
     }
 
     private static int port(int number) {
         if (number < 0 || number > LAST_PORT) {
             throw new CalledWronglyException(
-                    "Port " + number + " does not exist. Ports are 1 to " + LAST_PORT + ", and 0 takes any free one.");
+                    "Port " + number + " does not exist. Ports are 1 to " + LAST_PORT + ", and 0 selects a free one.");
         }
         return number;
     }
 
-    private SoccerParameters parameters(StartScript start) {
+    private SoccerParameters parameters(StartScript start) throws UnreadableFileException {
         SoccerParameters parameters = beginner ? SoccerParameters.beginner() : SoccerParameters.league();
         List<String> all = new ArrayList<>(start.parameters());
-        all.addAll(parameterFile.map(ParameterFile::read).orElse(List.of()));
+        if (parameterFile.isPresent()) {
+            all.addAll(SoccerParameterFile.read(parameterFile.get()));
+        }
         all.addAll(assignments);
         try {
             for (String assignment : all) {
@@ -296,7 +304,7 @@ final class SimulatorCommand implements Callable<Integer> {
         return parameters;
     }
 
-    /** All parameters with their values, for the help. */
+    /** Table of all parameters for the help. */
     static String listOfParameters() {
         return String.format("%-30s %8s %8s%n", "Parameter for --set", "league", "beginner")
                 + String.join(System.lineSeparator(), SoccerParameters.describe());

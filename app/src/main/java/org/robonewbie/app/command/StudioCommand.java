@@ -29,24 +29,24 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Opens the studio: with a simulator behind it, attached to a server that runs elsewhere, or with a file. */
+/** {@code robonewbie studio}: opens the studio with its own simulator, attached to a running server, or with a file. */
 @Command(
         name = StudioCommand.NAME,
         description = {
-            "Start the studio in the browser. Without a server to watch it has a simulator of its own, which waits for agents on"
-                    + " the beginners' pitch.",
-            "FILE is opened at once: a recording (.rec), the log of a SimSpark server (.log, also packed), a motion (.txt), or a"
+            "Start the studio in the browser. Unless it watches a server, it starts a simulator that waits for agents on the"
+                    + " beginners' pitch.",
+            "FILE is a recording (.rec), the log of a SimSpark server (.log, may be gzipped), a motion (.txt), or a"
                     + " program (.java)."
         },
         footer = {
             "",
             "Examples:",
-            "  robonewbie studio                     then, in another window: robonewbie run Agent_SimpleSoccer",
+            "  robonewbie studio                     then, in another terminal: robonewbie run Agent_SimpleSoccer",
             "  robonewbie studio --monitor 127.0.0.1:3200     watch a running rcssserver3d or robonewbie simulator",
             "  robonewbie studio --roboviz-drawings           also show what teams draw for RoboViz",
-            "  robonewbie studio game.rec            see a recorded run again",
-            "  robonewbie studio sparkmonitor.log    see the log of a server again",
-            "  robonewbie studio motions/wave.txt    shape a motion",
+            "  robonewbie studio game.rec            replay a recorded run",
+            "  robonewbie studio sparkmonitor.log    replay the log of a server",
+            "  robonewbie studio motions/wave.txt    edit a motion",
             "  robonewbie studio MyAgent.java        write a program beside the robot"
         })
 final class StudioCommand implements Callable<Integer> {
@@ -65,13 +65,19 @@ final class StudioCommand implements Callable<Integer> {
     @Option(
             names = "--monitor",
             paramLabel = "HOST:PORT",
-            description = "Watch the server with this monitor port instead of a simulator of its own.")
+            description = "Watch the server at this monitor port instead of starting a simulator.")
     private Optional<String> monitor = Optional.empty();
 
-    @Option(names = "--agent-port", paramLabel = "N", description = "Port for agents of the built-in simulator (3100).")
+    @Option(
+            names = "--agent-port",
+            paramLabel = "N",
+            description = "Agent port of the built-in simulator (default: 3100).")
     private int agentPort = SimulatorSettings.DEFAULT_AGENT_PORT;
 
-    @Option(names = "--port", paramLabel = "N", description = "Port of the studio's pages (3400, or any free one).")
+    @Option(
+            names = "--port",
+            paramLabel = "N",
+            description = "Port of the studio's pages (default: 3400, or any free one).")
     private int port;
 
     @Option(
@@ -80,8 +86,8 @@ final class StudioCommand implements Callable<Integer> {
             arity = "0..1",
             fallbackValue = "" + RoboVizPort.DEFAULT,
             description =
-                    "Show what teams draw for RoboViz: listen at this UDP port of 127.0.0.1 (${FALLBACK-VALUE}). Without"
-                            + " this option no drawings come in.")
+                    "Show the drawings that teams send to RoboViz, received at this UDP port of 127.0.0.1 (default:"
+                            + " ${FALLBACK-VALUE}).")
     private Optional<Integer> drawingPort = Optional.empty();
 
     @Mixin
@@ -90,7 +96,7 @@ final class StudioCommand implements Callable<Integer> {
     @Mixin
     private final LanguageOption language = new LanguageOption();
 
-    @Option(names = "--no-browser", description = "Print the studio's address and open no browser.")
+    @Option(names = "--no-browser", description = "Print the studio's address instead of opening a browser.")
     private boolean withoutBrowser;
 
     @Override
@@ -108,25 +114,25 @@ final class StudioCommand implements Callable<Integer> {
         URI address = URI.create(view.oneTimeAddress() + opened.place());
         Runtime.getRuntime().addShutdownHook(new Thread(view::close, "end-of-studio"));
         System.out.println("Studio: " + address + EnterKey.listen(view));
-        System.out.println(monitor.map(server -> "It watches the server at " + server + ". Control-C ends it.")
-                .orElse("Agents can join at port " + agentPort + ". Control-C ends it."));
-        hearRobots(view);
+        System.out.println(monitor.map(server -> "Watching the server at " + server + ". Press Control-C to stop.")
+                .orElse("Agents can join at port " + agentPort + ". Press Control-C to stop."));
+        openTelemetry(view);
         if (drawingPort.isPresent()) {
             RoboVizPort drawings = RoboVizPort.open(drawingPort.get(), view.drawings());
-            System.out.println("Drawings for RoboViz are shown from UDP port " + drawings.number() + ".");
+            System.out.println("Showing RoboViz drawings from UDP port " + drawings.number() + ".");
         }
         show(view, opened.place());
         Thread.currentThread().join();
         return ExitCode.OK;
     }
 
-    /** Robots of other processes send telemetry to a port near that of the agents; they play just as well without it. */
-    private void hearRobots(Viewer.View view) {
+    /** Opens the port at which robots of other processes send telemetry, which is optional. */
+    private void openTelemetry(Viewer.View view) {
         try {
             TelemetryServer telemetry = TelemetryServer.open(TelemetryServer.portFor(agentPort), view.telemetry());
             Runtime.getRuntime().addShutdownHook(new Thread(telemetry::close, "end-of-telemetry"));
         } catch (IOException portInUse) {
-            System.out.println("What robots think cannot be shown, since another program listens for it.");
+            System.out.println("Telemetry of robots cannot be shown because its port is in use by another program.");
         }
     }
 

@@ -34,12 +34,12 @@ class CompetitionCommandTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-            running                            | There is no contest "running". There are: scoring, penalties
-            running Red=Agent_Wave             | There is no contest "running". There are: scoring, penalties
+            running                            | Unknown contest "running". Choose one of: scoring, penalties
+            running Red=Agent_Wave             | Unknown contest "running". Choose one of: scoring, penalties
             penalties Red=Agent_Wave           | needs at least 2 teams
             league Red=Agent_Team              | needs at least 2 teams
             scoring                            | needs at least 1 team.
-            matches A=Agent_Wave B=Agent_Wave --players 12 | --players is 1 to 11
+            matches A=Agent_Wave B=Agent_Wave --players 12 | --players must be 1 to 11
             exercise:kickk Red=Agent_Wave      | There is no exercise "kickk". Did you mean kick?
             walk --teams nowhere.properties    | nowhere.properties
             """)
@@ -59,7 +59,7 @@ class CompetitionCommandTest {
 
         assertThat(printed.exitCode()).as(printed.err()).isZero();
         assertThat(Files.readString(results.resolve("table.html")))
-                .contains("Programs were not fenced in (--fence none).", "Whose connection came");
+                .contains("Programs ran without a sandbox (--fence none).", "Whose connection came");
         assertThat(results.resolve("recordings.sha256")).content().contains("  recordings/walk-Red.rec");
     }
 
@@ -137,7 +137,7 @@ class CompetitionCommandTest {
                 .contains("Exercise 1: Raise both arms")
                 .contains("1. Red 20 of 20 2 of 2 played to the end")
                 .contains("2. Blue 0 of 20 0 of 2 played to the end")
-                .contains("3. Green 0 of 20 0 of 2 its program ended before the trial was over");
+                .contains("3. Green 0 of 20 0 of 2 its program exited before the end of the trial");
         assertThat(printed.out().replaceAll(" +", " "))
                 .contains("4. Nought 0 of 20 0 of 2 its program does not compile");
         assertThat(results.resolve("certificates/Nought.html")).doesNotExist();

@@ -18,7 +18,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.app.Printed;
 import org.robonewbie.app.Project;
-import org.robonewbie.app.command.NewProject.BuildTool;
+import org.robonewbie.programs.project.NewProject;
+import org.robonewbie.programs.project.NewProject.BuildTool;
 
 class NewCommandTest {
 
@@ -122,7 +123,7 @@ class NewCommandTest {
 
         assertThat(printed.exitCode()).isEqualTo(2);
         assertThat(printed.err())
-                .contains("\"2 robots\" is no name for a project. Use letters, digits and -, such as my-team.");
+                .contains("\"2 robots\" is not a valid project name. Use letters, digits and -, such as my-team.");
     }
 
     @DisabledOnOs(OS.WINDOWS)
@@ -136,7 +137,8 @@ class NewCommandTest {
 
         assertThat(printed.exitCode()).isEqualTo(2);
         assertThat(printed.err())
-                .contains("whose path has the character \"" + name.substring(1).replace("b", "") + "\": ");
+                .contains("whose path contains the character \""
+                        + name.substring(1).replace("b", "") + "\": ");
         assertThat(folder.resolve(name)).doesNotExist();
     }
 
@@ -156,7 +158,7 @@ class NewCommandTest {
         Printed printed = Printed.by("new", folder.resolve("team").toString(), "--package", "My Team");
 
         assertThat(printed.exitCode()).isEqualTo(2);
-        assertThat(printed.err()).contains("\"My Team\" is no name for a package.");
+        assertThat(printed.err()).contains("\"My Team\" is not a valid package name.");
     }
 
     private String mistakesIn(Path project, String file) throws IOException {

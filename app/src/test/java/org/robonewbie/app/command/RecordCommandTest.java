@@ -207,8 +207,7 @@ class RecordCommandTest {
         assertThat(Printed.by("record", "Agent_BasicStructure", "--seconds", "0")
                         .err())
                 .contains("give a number greater than 0");
-        assertThat(record(folder.resolve("x"), "--format", "parquet").err())
-                .contains("The option --format is unknown.");
+        assertThat(record(folder.resolve("x"), "--format", "parquet").err()).contains("Unknown option --format.");
         assertThat(folder.resolve("x")).doesNotExist();
     }
 

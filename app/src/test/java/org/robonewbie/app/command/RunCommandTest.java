@@ -43,7 +43,7 @@ class RunCommandTest {
         Printed answer = Printed.by("run", "--headless", "Agent_BasicStructure");
 
         assertThat(answer.exitCode()).isEqualTo(2);
-        assertThat(answer.err()).contains("Name the agent first, then its options:");
+        assertThat(answer.err()).contains("The agent comes before its options:");
     }
 
     @Test
@@ -65,7 +65,7 @@ class RunCommandTest {
 
         Printed answer = Printed.by("run", "--rehearse", "5", file.toString(), "--port", "3100", "7");
 
-        assertThat(answer.out().lines()).containsExactly("Rehearses for 5.0 simulated seconds", "--port|3100|7", "2");
+        assertThat(answer.out().lines()).containsExactly("Rehearsing for 5.0 simulated seconds", "--port|3100|7", "2");
     }
 
     @Test
@@ -73,7 +73,7 @@ class RunCommandTest {
         Printed answer = Printed.by("run", "--rehearse", "-1", "Agent_BasicStructure");
 
         assertThat(answer.exitCode()).isEqualTo(2);
-        assertThat(answer.err()).contains("--rehearse -1.0: give a number of seconds from 0 on.");
+        assertThat(answer.err()).contains("--rehearse -1.0 is not valid. Give a number of seconds, at least 0.");
     }
 
     @Test

@@ -33,8 +33,8 @@ import org.robonewbie.trial.batch.BatchRunner;
 import org.robonewbie.trial.batch.ThreadRunner;
 
 /**
- * Holds a contest from the first trial to the table. Finished trials are kept in its folder at once; whoever holds the same
- * contest again in the same folder gets what is missing done, and nothing twice.
+ * Runner of a contest, from the first trial to the table. Each finished trial is saved in the result folder; running the same contest
+ * again in the same folder runs only the missing trials.
  *
  * <pre>{@code
  * Table table = new Competition(contest, teams, settings, System.out).hold();
@@ -51,12 +51,12 @@ public final class Competition {
     private int planned;
 
     /**
-     * Prepares a contest.
+     * Creates a runner.
      *
-     * @param contest its kind
-     * @param teams who takes part
-     * @param settings how it is held
-     * @param out where progress is reported
+     * @param contest the contest
+     * @param teams participating teams
+     * @param settings seeds, limits and folders
+     * @param out output for progress
      */
     public Competition(Contest contest, List<TeamEntry> teams, CompetitionSettings settings, PrintStream out) {
         this.contest = contest;
@@ -78,10 +78,10 @@ public final class Competition {
     }
 
     /**
-     * Holds the contest, continuing where it was interrupted.
+     * Runs the contest, resuming after an interruption.
      *
-     * @return the table, which has been written into the folder, too
-     * @throws IOException if something cannot be read, written or started
+     * @return the table, which is also written to the result folder
+     * @throws IOException if a file cannot be read or written, or a process cannot be started
      * @throws InterruptedException if this thread is interrupted
      */
     public Table hold() throws IOException, InterruptedException {
@@ -101,15 +101,16 @@ public final class Competition {
         }
     }
 
-    /** How far the result can be trusted. */
+    /** Returns notes on how the programs were isolated. */
     private List<String> notes() {
         if (settings.sandbox().isUp()) {
-            return List.of("Programs were fenced in by bubblewrap; each team had a port that no other one can reach.");
+            return List.of(
+                    "Programs ran in a sandbox (bubblewrap); each team had a port that no other team can reach.");
         }
         String connections = ProcessTree.hasConnections()
-                ? "Whose connection came to the port of a team was checked."
-                : "Whose connection came to the port of a team was not checked, since this system does not tell.";
-        return List.of("Programs were not fenced in (" + settings.sandbox().absence() + ").", connections);
+                ? "The origin of connections to the port of a team was checked."
+                : "The origin of connections to the port of a team was not checked because this system does not report it.";
+        return List.of("Programs ran without a sandbox (" + settings.sandbox().absence() + ").", connections);
     }
 
     private List<String> names() {
@@ -134,14 +135,14 @@ public final class Competition {
     private void tell(TeamEntry team, TeamProgram.Broken broken) {
         boolean isRefused = broken.ending() == Ending.REFUSED;
         out.println(
-                "Team " + team.name() + (isRefused ? " is refused" : " does not compile") + " and loses its trials:");
+                "Team " + team.name() + (isRefused ? " was refused" : " does not compile") + " and loses its trials:");
         broken.complaint().strip().lines().map(PrintableText::of).forEach(out::println);
         if (isRefused) {
             refused.add(team.name());
         }
     }
 
-    /** {@return the teams whose files were refused, once the contest is held; the others have played} */
+    /** {@return the teams whose files were refused, after the contest; all other teams played} */
     public List<String> refusedTeams() {
         return List.copyOf(refused);
     }
@@ -173,7 +174,7 @@ public final class Competition {
             BatchRunner runner)
             throws IOException {
         if (finished > 0) {
-            out.println(finished + " of " + planned + " trials are over already; their results are kept.");
+            out.println(finished + " of " + planned + " trials are already finished; their results are kept.");
         }
         showProgress(folder, Optional.empty());
         try (BatchProgress progress = BatchProgress.of("trials", planned, finished)) {
@@ -192,7 +193,7 @@ public final class Competition {
                         showProgress(folder, Optional.of(result));
                     });
         } catch (IOException | RuntimeException failed) {
-            throw new IOException("A trial could not be held: " + failed, failed);
+            throw new IOException("A trial failed: " + failed, failed);
         }
     }
 
@@ -203,7 +204,7 @@ public final class Competition {
         }
     }
 
-    /** All that a result depends on: the trial itself, the programs, the limits. */
+    /** Returns everything that a result depends on: the trial, the programs and the limits. */
     private String circumstances(ContestTrial trial, Map<String, TeamProgram> programs) {
         Fingerprint all = new Fingerprint()
                 .add(trial.id() + " " + trial.seed() + " " + trial.seconds() + " " + trial.kickOff()

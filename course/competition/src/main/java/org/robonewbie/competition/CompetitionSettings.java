@@ -7,16 +7,16 @@ import org.robonewbie.programs.process.Limits;
 import org.robonewbie.programs.process.Sandbox;
 
 /**
- * How a contest is held.
+ * Settings of a contest.
  *
- * @param seed start of all random numbers, as the table tells it
+ * @param seed seed of all random numbers, printed in the table
  * @param results folder for results
- * @param teamsFolder where the paths of teams begin
- * @param examples classes that are known by a short name
- * @param parallelTrials how many trials run at the same time
- * @param limits what programs may use
- * @param sandbox what is around the programs
- * @param spectators who watches the trials live
+ * @param teamsFolder base folder of relative paths of teams
+ * @param examples class names of the examples, by short name
+ * @param parallelTrials number of trials that run in parallel
+ * @param limits resource limits per program
+ * @param sandbox sandbox of the programs
+ * @param spectators live viewers
  */
 public record CompetitionSettings(
         long seed,
@@ -28,7 +28,7 @@ public record CompetitionSettings(
         Sandbox sandbox,
         Spectators spectators) {
 
-    /** Makes the map unmodifiable. */
+    /** Creates the settings. */
     public CompetitionSettings {
         examples = Map.copyOf(examples);
     }

@@ -1,6 +1,5 @@
 /**
- * The competition at the end of a course: many programs, one table, the same each time. Start reading with {@link
- * org.robonewbie.competition.Competition}.
+ * Reproducible competitions between programs. Read {@link org.robonewbie.competition.Competition} first.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

@@ -47,7 +47,7 @@ class CompetitionTest {
         assertThat(before).hasSizeBetween(3, 9);
         assertThat(finished(broken)).hasSize(10).containsAllEntriesOf(before);
         assertThat(progress.toString(StandardCharsets.UTF_8))
-                .startsWith(before.size() + " of 10 trials are over already; their results are kept.");
+                .startsWith(before.size() + " of 10 trials are already finished; their results are kept.");
         for (String file : List.of("table.html", "table.csv", "table.json", "certificates/Better1.html")) {
             assertThat(broken.resolve(file)).hasSameBinaryContentAs(whole.resolve(file));
         }
@@ -66,11 +66,11 @@ class CompetitionTest {
                 .extracting(row ->
                         row.rank() + " " + row.team() + ": " + row.cells().get(3))
                 .containsExactly(
-                        "6 Crasher: its program ended before the trial was over (exit code 1)",
-                        "6 Killed: its program ended before the trial was over (exit code 137)",
-                        "6 Hanger: its program kept the world waiting and was taken out",
-                        "6 Eater: its program needed more memory than is allowed",
-                        "6 Leaver: its program ended before the trial was over (exit code 0)");
+                        "6 Crasher: its program exited before the end of the trial (exit code 1)",
+                        "6 Killed: its program exited before the end of the trial (exit code 137)",
+                        "6 Hanger: its program did not respond and was removed",
+                        "6 Eater: its program exceeded the memory limit",
+                        "6 Leaver: its program exited before the end of the trial (exit code 0)");
     }
 
     private static Process contest(Path results) throws IOException {

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import org.robonewbie.agent.Options;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.nao.motion.BallPlace;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.MotionFiles;
 
@@ -27,7 +27,7 @@ public final class Agent_PenaltyAttacker extends Agent_BetterSoccer {
     private static final double PATIENCE_SECONDS = 8;
     private static final double HEAD_ABOVE_TORSO_METRES = 0.155;
 
-    private final BallPlace kickPlace = kickPlace();
+    private final Translation2d ballBeforeKick = ballBeforeKick();
     private double leanDegrees;
     private double stoppedSeconds;
     private double nearSeconds;
@@ -67,8 +67,8 @@ public final class Agent_PenaltyAttacker extends Agent_BetterSoccer {
     /** Steps to where the kick begins, and kicks. */
     private void prepareKick(Vector3 ball, double turn) {
         boolean left = ball.y() > 0;
-        double forward = ball.x() - kickPlace.ahead();
-        double aside = ball.y() - (left ? kickPlace.left() : -kickPlace.left());
+        double forward = ball.x() - ballBeforeKick.x();
+        double aside = ball.y() - (left ? ballBeforeKick.y() : -ballBeforeKick.y());
         boolean patient = nao.getTime() - nearSeconds < PATIENCE_SECONDS;
         double tolerance = patient ? GOOD_METRES : FAIR_METRES;
         boolean good = Math.abs(forward) < tolerance && Math.abs(aside) < tolerance && Math.abs(turn) < GOOD_DEGREES;
@@ -94,12 +94,12 @@ public final class Agent_PenaltyAttacker extends Agent_BetterSoccer {
     }
 
     /** Where the ball must lie for a kick with the left foot. */
-    private static BallPlace kickPlace() {
+    private static Translation2d ballBeforeKick() {
         try {
             return MotionFiles.library()
                     .find("kick-left")
                     .flatMap(MotionFile::ball)
-                    .orElse(new BallPlace(0.19, 0.055));
+                    .orElse(new Translation2d(0.19, 0.055));
         } catch (IOException unreadable) {
             throw new UncheckedIOException(unreadable);
         }

@@ -8,6 +8,8 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.MotionFiles;
 import org.robonewbie.nao.motion.file.ShippedMotions;
@@ -16,7 +18,7 @@ import student.EndlessLoop;
 import student.MissingMotion;
 import student.Patient;
 
-/** What a whole program does when something goes wrong. */
+/** Messages and exit codes of programs that fail. */
 class MistakesTest {
 
     @TempDir
@@ -54,36 +56,22 @@ class MistakesTest {
         }
     }
 
-    @Test
-    void aHostWithoutServerEndsWithOneSentenceAndExitCode2() throws Exception {
-        try (ChildProgram program = run(Agent_BasicStructure.class, "--host", "127.0.0.1", "--port", "9")) {
-            int exitCode = program.exitCode();
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            Agent_BasicStructure | --host 127.0.0.1 --port 9 | No simulator answers at 127.0.0.1:9. Start one with \
+            "robonewbie simulator", or leave the host out to have one started for you.
+            Agent_SoccerTeam     | 12 --headless             | A team has 1 to 11 players, not "12".
+            Agent_Wave           | --headles                 | The option "headles" on the command line is unknown. \
+            Did you mean --headless?
+            """)
+    void wrongArgumentsEndWithOneSentenceAndExitCode2(String program, String args, String sentence) throws Exception {
+        Class<?> main = Class.forName("org.robonewbie.examples." + program);
+
+        try (ChildProgram child = run(main, args.split(" "))) {
+            int exitCode = child.exitCode();
 
             assertThat(exitCode).isEqualTo(2);
-            assertThat(program.lines())
-                    .containsExactly("No simulator answers at 127.0.0.1:9. Start one with \"robonewbie simulator\", or"
-                            + " leave the host out to have one started for you.");
-        }
-    }
-
-    @Test
-    void aTeamOfTwelveEndsWithOneSentenceAndExitCode2() throws Exception {
-        try (ChildProgram program = run(Agent_SoccerTeam.class, "12", "--headless")) {
-            int exitCode = program.exitCode();
-
-            assertThat(exitCode).isEqualTo(2);
-            assertThat(program.lines()).containsExactly("A team has 1 to 11 players, not \"12\".");
-        }
-    }
-
-    @Test
-    void anUnknownOptionEndsWithOneSentenceAndExitCode2() throws Exception {
-        try (ChildProgram program = run(Agent_Wave.class, "--headles")) {
-            int exitCode = program.exitCode();
-
-            assertThat(exitCode).isEqualTo(2);
-            assertThat(program.lines())
-                    .containsExactly("The option \"headles\" on the command line is unknown. Did you mean --headless?");
+            assertThat(child.lines()).containsExactly(sentence);
         }
     }
 

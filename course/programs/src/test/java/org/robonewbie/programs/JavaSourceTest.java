@@ -87,6 +87,40 @@ class JavaSourceTest {
     }
 
     @Test
+    void classesAreWrittenOnlyWithoutMistakes() throws IOException {
+        Path classes = folder.resolve("classes");
+        JavaSource correct = JavaSource.of(folder.resolve("Main.java"), "class Main {}");
+        JavaSource wrong = JavaSource.of(folder.resolve("Wrong.java"), "class Wrong {\n  int number = true;\n}");
+
+        assertThat(correct.compile(List.of(), classes)).isTrue();
+        assertThat(wrong.compile(List.of(), classes)).isFalse();
+        assertThat(classes).isDirectoryContaining("glob:**Main.class").isDirectoryNotContaining("glob:**Wrong.class");
+        assertThat(correct.check(List.of())).isEmpty();
+        assertThat(wrong.check(List.of())).extracting(Remark::line).containsExactly(2);
+    }
+
+    @Test
+    void expressionThatIsNestedTooDeeplyIsRefused() {
+        String deep = "class Main { int number = " + "(".repeat(20_000) + "1" + ")".repeat(20_000) + "; }";
+        JavaSource source = JavaSource.of(folder.resolve("Main.java"), deep);
+
+        assertThatThrownBy(() -> source.compile(List.of(), folder))
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessageContaining("nested too deeply. Split it into several shorter ones.");
+        assertThat(source.check(List.of())).extracting(Remark::text).singleElement().asString().contains("too deeply");
+        assertThat(source.complete(List.of(), deep.length() - 3)).isEmpty();
+    }
+
+    @Test
+    void fileWithoutItsClassIsRefused() {
+        JavaSource source = JavaSource.of(folder.resolve("Main.java"), "class Other {}");
+
+        assertThatThrownBy(() -> source.load(List.of()).get())
+                .isInstanceOf(CalledWronglyException.class)
+                .hasMessageContaining("has no class Main. A file and the class in it need the same name.");
+    }
+
+    @Test
     void messagesOfTheCompilerKeepTheirWords() throws IOException {
         write("Main.java", "UTF-8", "\uFEFF", "\n", "public class Main { int ä = }");
         CompilerMessages messages = new CompilerMessages();

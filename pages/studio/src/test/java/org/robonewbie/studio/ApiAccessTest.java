@@ -19,7 +19,7 @@ class ApiAccessTest {
     @TempDir
     private static Path place;
 
-    private static final SmallSimulation simulation = new SmallSimulation();
+    private static final TestSimulator simulation = new TestSimulator();
     private static StudioServer studio;
     private static String cookie = "";
 
@@ -33,7 +33,7 @@ class ApiAccessTest {
         }
         RecordingRepository repository = new RecordingRepository(runs, 1_000_000_000);
         StudioFolders folders = new StudioFolders(place.resolve("motions"), Optional.of(repository));
-        studio = StudioServer.start(simulation.start(), 0, AccessToken.random(), folders);
+        studio = StudioServer.start(simulation.control(), 0, AccessToken.random(), folders);
         cookie = "Cookie: " + StudioCookie.of(studio.oneTimeAddress());
     }
 

@@ -70,8 +70,8 @@ class AttachedStudioTest {
         Path file = folder.resolve("my game.rec");
         RecordedRun.write(file);
         StudioFolders folders = new StudioFolders(folder.resolve("motions"), Optional.empty()).withRecording(file);
-        try (SmallSimulation simulation = new SmallSimulation();
-                StudioServer studio = StudioServer.start(simulation.start(), 0, AccessToken.random(), folders)) {
+        try (TestSimulator simulation = new TestSimulator();
+                StudioServer studio = StudioServer.start(simulation.control(), 0, AccessToken.random(), folders)) {
             browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light#replay/my%20game");
 
             browser.await("studio.replay?.file?.name === 'my game' && studio.replay.file.isWhole");

@@ -21,10 +21,9 @@ class CoursePageTest {
     private Path folder;
 
     private final Chromium browser;
-    private final SmallSimulation freePitch = new SmallSimulation();
-    private final SmallSimulation pitchOfTrial = new SmallSimulation();
-    private final ShownSimulation shown = new ShownSimulation(freePitch);
-    private final SmallCourse course = new SmallCourse(freePitch, pitchOfTrial, shown);
+    private final TestSimulator freePitch = new TestSimulator();
+    private final ShownSimulation shown = new ShownSimulation(freePitch.control());
+    private final SmallCourse course = new SmallCourse(shown, freePitch.control());
     private StudioServer studio;
 
     CoursePageTest(Chromium browser) {
@@ -35,15 +34,13 @@ class CoursePageTest {
     void open() throws IOException {
         StudioFolders folders = new StudioFolders(folder.resolve("motions"), Optional.empty());
         studio = StudioServer.start(shown, 0, AccessToken.random(), folders, course);
-        freePitch.start();
-        pitchOfTrial.withRobot().start();
     }
 
     @AfterEach
     void close() {
         studio.close();
+        course.close();
         freePitch.close();
-        pitchOfTrial.close();
     }
 
     private void visit() {
@@ -182,7 +179,7 @@ class CoursePageTest {
     @Tag("slow")
     @Test
     void studioWithoutExercisesDoesNotOfferThem() throws IOException {
-        try (StudioServer other = StudioServer.start(freePitch, 0, AccessToken.random())) {
+        try (StudioServer other = StudioServer.start(freePitch.control(), 0, AccessToken.random())) {
             browser.visit(other.oneTimeAddress() + "&quality=lowest");
             browser.await("studio.state.frame && studio.view.drawCalls > 0");
 

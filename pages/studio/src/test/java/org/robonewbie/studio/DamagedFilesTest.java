@@ -28,7 +28,7 @@ class DamagedFilesTest {
     @TempDir
     private static Path place;
 
-    private static final SmallSimulation simulation = new SmallSimulation();
+    private static final TestSimulator simulation = new TestSimulator();
     private static Path runs;
     private static byte[] whole;
     private static StudioServer studio;
@@ -42,7 +42,7 @@ class DamagedFilesTest {
         whole = Files.readAllBytes(recording);
         StudioFolders folders =
                 new StudioFolders(place.resolve("motions"), Optional.of(new RecordingRepository(runs, 1_000_000_000)));
-        studio = StudioServer.start(simulation.start(), 0, AccessToken.random(), folders);
+        studio = StudioServer.start(simulation.control(), 0, AccessToken.random(), folders);
         cookie = StudioCookie.of(studio.oneTimeAddress());
     }
 

@@ -32,7 +32,7 @@ class FieldDrawingPageTest {
     private static final int LINE_CORNERS = 6;
 
     private final Chromium browser;
-    private final SmallSimulation simulation = new SmallSimulation()
+    private final TestSimulator simulation = new TestSimulator()
             .withRobot(RobotType.TYPE_0, TeamSide.LEFT, 1, -2, -1, 90, Posture.STANDING)
             .withRobot(RobotType.TYPE_4, TeamSide.RIGHT, 2, 2, -1, 180, Posture.STANDING);
     private StudioServer studio;
@@ -43,7 +43,7 @@ class FieldDrawingPageTest {
 
     @BeforeEach
     void open() throws IOException {
-        studio = StudioServer.start(simulation.start(), 0, AccessToken.random());
+        studio = StudioServer.start(simulation.control(), 0, AccessToken.random());
         visit();
         browser.evaluate("localStorage.removeItem('robonewbie-drawings-off')");
         visit();
@@ -71,11 +71,11 @@ class FieldDrawingPageTest {
     private void drawBoth() {
         simulation.awaitTrue(() -> {
             draw(
-                    "Blue Newbies",
+                    "Blue_Newbies",
                     1,
                     new Drawing.Circle(new Vector3(2, 0, -0.5), 0.5, "cyan"),
                     new Drawing.Text(new Vector3(2, 0, -0.5), "ball", "yellow"));
-            draw("Orange Rockets", 2, new Drawing.Line(new Vector3(1, 0, 0), new Vector3(1, 1, 0), "#f0f"));
+            draw("Orange_Rockets", 2, new Drawing.Line(new Vector3(1, 0, 0), new Vector3(1, 1, 0), "#f0f"));
             return browser.evaluate(CORNERS + " === " + (CIRCLE_CORNERS + LINE_CORNERS))
                     .getAsBoolean();
         });
@@ -129,16 +129,16 @@ class FieldDrawingPageTest {
                 .isTrue();
         drawBoth();
         browser.click("#drawings summary");
-        browser.await("document.querySelector('.layer-tree').innerText.includes('Orange Rockets 2')");
+        browser.await("document.querySelector('.layer-tree').innerText.includes('Orange_Rockets 2')");
 
-        browser.click("[data-layer='Blue Newbies\t1\tcircle']");
+        browser.click("[data-layer='Blue_Newbies\t1\tcircle']");
         browser.await(CORNERS + " === " + LINE_CORNERS + " && " + DRAWN + ".texts.children.length === 1");
-        browser.click("[data-layer='Blue Newbies\t1']");
+        browser.click("[data-layer='Blue_Newbies\t1']");
         browser.await(DRAWN + ".texts.children.length === 0");
         visit();
         simulation.awaitTrue(() -> {
-            draw("Orange Rockets", 2, new Drawing.Point(Vector3.ZERO, "no colour"));
-            draw("Blue Newbies", 1, new Drawing.Point(Vector3.ZERO, "red"));
+            draw("Orange_Rockets", 2, new Drawing.Point(Vector3.ZERO, "no colour"));
+            draw("Blue_Newbies", 1, new Drawing.Point(Vector3.ZERO, "red"));
             return browser.evaluate("document.querySelectorAll('.layer-tree > .check').length === 2" + " && " + CORNERS
                             + " === 16 * 6")
                     .getAsBoolean();

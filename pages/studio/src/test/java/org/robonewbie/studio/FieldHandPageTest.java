@@ -23,7 +23,7 @@ class FieldHandPageTest {
     private static final int CONTROL = 2;
 
     private final Chromium browser;
-    private final SmallSimulation simulation = new SmallSimulation();
+    private final TestSimulator simulation = new TestSimulator();
     private StudioServer studio;
 
     FieldHandPageTest(Chromium browser) {
@@ -35,7 +35,7 @@ class FieldHandPageTest {
         simulation
                 .withRobot(RobotType.TYPE_0, TeamSide.LEFT, 1, -1, 0.5, 0, Posture.STANDING)
                 .withRobot(RobotType.TYPE_0, TeamSide.RIGHT, 7, 2, 1, 180, Posture.STANDING);
-        studio = StudioServer.start(simulation.start(), 0, AccessToken.random());
+        studio = StudioServer.start(simulation.control(), 0, AccessToken.random());
         browser.visit(studio.oneTimeAddress() + "&theme=light&quality=lowest");
         browser.await("studio.state.scene?.robots.length === 2 && studio.view.robots.poses[1]?.[2] > 0"
                 + " && studio.view.covered.bottom > 0");
@@ -69,7 +69,7 @@ class FieldHandPageTest {
     @Test
     void namesStandAboveTheRobotsUntilTheyAreSwitchedOff() {
         browser.await("[...document.querySelectorAll('.name-tag')].map(tag => tag.textContent).join()"
-                + " === 'Blue Newbies 1,Orange Rockets 7'");
+                + " === 'Blue_Newbies 1,Orange_Rockets 7'");
         browser.await(
                 "[...document.querySelectorAll('.name-tag')].every(tag => tag.checkVisibility({visibilityProperty:"
                         + " true}))");

@@ -29,7 +29,7 @@ class FieldPicturePageTest {
             + " && !document.elementFromPoint(x, y)?.closest('.panel, .bar'))";
 
     private final Chromium browser;
-    private final SmallSimulation simulation = new SmallSimulation();
+    private final TestSimulator simulation = new TestSimulator();
     private StudioServer studio;
 
     FieldPicturePageTest(Chromium browser) {
@@ -38,7 +38,7 @@ class FieldPicturePageTest {
 
     @BeforeEach
     void start() throws IOException {
-        studio = StudioServer.start(simulation.start(), 0, AccessToken.random());
+        studio = StudioServer.start(simulation.control(), 0, AccessToken.random());
     }
 
     @AfterEach

@@ -51,9 +51,9 @@ class FirstMotionTest {
         Path folder = project.resolve("motions");
         List<String> bold = boldWordsOfTheSteps();
         assertThat(bold).containsExactly("Motion", "+ New", "+ Keyframe", "▶ Play", "Try on a physical robot", "Save");
-        try (SmallSimulation simulation = new SmallSimulation().withRobot().start();
+        try (TestSimulator simulation = new TestSimulator().withRobot();
                 StudioServer studio = StudioServer.start(
-                        simulation, 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()))) {
+                        simulation.control(), 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()))) {
             browser.visit(studio.oneTimeAddress() + "&quality=lowest");
             press("Motion");
             browser.await("studio.motion && " + STATE + ".name === 'wave' && !studio.motion.stale");

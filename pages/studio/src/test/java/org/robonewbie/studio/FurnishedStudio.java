@@ -12,10 +12,9 @@ final class FurnishedStudio implements AutoCloseable {
 
     private static final int SHELF_BYTES = 10_000_000;
 
-    private final SmallSimulation simulation = new SmallSimulation().withRobot();
-    private final SmallSimulation pitchOfTrial = new SmallSimulation();
-    private final ShownSimulation shown = new ShownSimulation(simulation);
-    private final SmallCourse course = new SmallCourse(simulation, pitchOfTrial, shown);
+    private final TestSimulator simulation = new TestSimulator().withRobot();
+    private final ShownSimulation shown = new ShownSimulation(simulation.control());
+    private final SmallCourse course = new SmallCourse(shown, simulation.control());
     private final StudioServer studio;
 
     /** Starts the studio with its files in a folder: a recording named game and a motion named mine. */
@@ -24,8 +23,6 @@ final class FurnishedStudio implements AutoCloseable {
         Files.writeString(folder.resolve("mine.txt"), "200" + " 0".repeat(22) + "\n400" + " 0".repeat(22) + "\n");
         StudioFolders folders = new StudioFolders(folder, Optional.of(new RecordingRepository(folder, SHELF_BYTES)));
         studio = StudioServer.start(shown, 0, AccessToken.random(), folders, course, new SmallWorkshop(folder));
-        simulation.start();
-        pitchOfTrial.start();
     }
 
     /** Pauses the world, in which otherwise something always moves. */
@@ -39,14 +36,14 @@ final class FurnishedStudio implements AutoCloseable {
         return studio.oneTimeAddress().toString();
     }
 
-    SmallSimulation simulation() {
+    TestSimulator simulation() {
         return simulation;
     }
 
     @Override
     public void close() {
         studio.close();
+        course.close();
         simulation.close();
-        pitchOfTrial.close();
     }
 }

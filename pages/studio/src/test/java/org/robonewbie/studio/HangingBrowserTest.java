@@ -25,8 +25,8 @@ class HangingBrowserTest {
 
     @Test
     void hangingPageAffectsNoOtherPageAndCatchesUp() throws Exception {
-        try (SmallSimulation simulation = new SmallSimulation().withRobot().start();
-                StudioServer studio = StudioServer.start(simulation, 0, AccessToken.random());
+        try (TestSimulator simulation = new TestSimulator().withRobot();
+                StudioServer studio = StudioServer.start(simulation.control(), 0, AccessToken.random());
                 TestPage third = new TestPage(studio.oneTimeAddress())) {
             hanging.visit(studio.oneTimeAddress() + "&quality=lowest");
             hanging.await(SEES);

@@ -106,12 +106,12 @@ class JavaScriptTest {
 
     /** Writes a scene and its frame as the server does, and the expected values. */
     private static void writeFrame(Path folder) throws IOException {
-        try (SmallSimulation simulation = new SmallSimulation()) {
+        try (TestSimulator simulation = new TestSimulator()) {
             simulation
                     .withRobot(RobotType.TYPE_0, TeamSide.LEFT, 1, -2, 1, 30, Posture.GREETING)
                     .withRobot(RobotType.TYPE_3, TeamSide.RIGHT, 2, 2, -1, 200, Posture.STANDING)
                     .withRobot(RobotType.TYPE_4, TeamSide.RIGHT, 11, 0, 2, -90, Posture.STANDING);
-            WorldSnapshot world = simulation.afterCycles(60);
+            WorldSnapshot world = simulation.latest();
             WorldSnapshot snapshot = new WorldSnapshot(
                     world.cycle(),
                     12.34,
@@ -131,7 +131,10 @@ class JavaScriptTest {
             Files.writeString(
                     folder.resolve("scene.json"),
                     SceneDescriptionWriter.write(
-                            SceneDescription.of(simulation, new PuppetService(simulation, Optional.empty()), snapshot),
+                            SceneDescription.of(
+                                    simulation.control(),
+                                    new PuppetService(simulation.control(), Optional.empty()),
+                                    snapshot),
                             7));
             ByteBuffer frame = StateFrame.write(snapshot, 7);
             byte[] bytes = new byte[frame.remaining()];
@@ -169,9 +172,9 @@ class JavaScriptTest {
 
     /** Writes the robot's description as the server sends it to pages. */
     private static void writeRobot(Path folder) throws IOException {
-        try (SmallSimulation simulation = new SmallSimulation();
+        try (TestSimulator simulation = new TestSimulator();
                 StudioServer studio = StudioServer.start(
-                        simulation,
+                        simulation.control(),
                         0,
                         AccessToken.random(),
                         new StudioFolders(folder.resolve("none"), Optional.empty()))) {

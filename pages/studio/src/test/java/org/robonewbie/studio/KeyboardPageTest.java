@@ -133,8 +133,8 @@ class KeyboardPageTest {
     void searchIsReachable() throws IOException {
         SearchFeed board = new SearchFeed(new SearchTask("kick", "kick-distance", "m", true, 3, "3 rounds"));
         StudioFolders folders = new StudioFolders(folder, Optional.empty());
-        try (StudioServer other =
-                StudioServer.start(studio.simulation(), 0, AccessToken.random(), folders, Optional.of(board))) {
+        try (StudioServer other = StudioServer.start(
+                studio.simulation().control(), 0, AccessToken.random(), folders, Optional.of(board))) {
             browser.visit(board.page(other.oneTimeAddress()).toString());
             browser.await("search.state.task !== undefined");
 

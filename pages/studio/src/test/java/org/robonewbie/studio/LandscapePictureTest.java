@@ -55,15 +55,15 @@ class LandscapePictureTest {
     /** Places a robot at x and the first y, and a second one at the other y if it differs. */
     private BufferedImage take(Landscape landscape, double y, double x, double otherY) throws IOException {
         browser.drawSharply();
-        try (SmallSimulation simulation = new SmallSimulation(landscape)
-                .withRobot(RobotType.TYPE_0, TeamSide.LEFT, 1, x, y, 0, Posture.STANDING)) {
+        try (TestSimulator simulation =
+                new TestSimulator(landscape).withRobot(RobotType.TYPE_0, TeamSide.LEFT, 1, x, y, 0, Posture.STANDING)) {
             if (y != otherY) {
                 simulation.withRobot(RobotType.TYPE_0, TeamSide.LEFT, 2, x, otherY, 0, Posture.STANDING);
             }
             simulation.order(new Order.MoveBall(new Vector3(-0.8, 0, 0.042), Vector3.ZERO));
             simulation.afterCycles(100);
             simulation.order(new Order.Pause());
-            try (StudioServer studio = StudioServer.start(simulation.start(), 0, AccessToken.random())) {
+            try (StudioServer studio = StudioServer.start(simulation.control(), 0, AccessToken.random())) {
                 browser.visit(studio.oneTimeAddress() + "&quality=high&shadows=on&theme=light");
                 browser.await("studio.view.things.group.children.length === "
                         + landscape.things().size() + " && studio.state.frame");

@@ -8,10 +8,10 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -23,20 +23,15 @@ import org.robonewbie.simulator.SimulationControl;
 
 class LiveFeedTest {
 
-    private final SmallSimulation simulation = new SmallSimulation().withRobot();
+    private final TestSimulator simulation = new TestSimulator().withRobot();
     private StudioServer studio = open();
 
     private StudioServer open() {
         try {
-            return StudioServer.start(simulation, 0, AccessToken.random());
+            return StudioServer.start(simulation.control(), 0, AccessToken.random());
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-    }
-
-    @BeforeEach
-    void startSimulation() {
-        simulation.start();
     }
 
     @AfterEach
@@ -54,7 +49,7 @@ class LiveFeedTest {
             assertThat(scene.get("kind").getAsString()).isEqualTo("scene");
             assertThat(scene.getAsJsonObject("field").get("length").getAsDouble())
                     .isEqualTo(12);
-            assertThat(scene.getAsJsonObject("teams").get("left").getAsString()).isEqualTo("Blue Newbies");
+            assertThat(scene.getAsJsonObject("teams").get("left").getAsString()).isEqualTo("Blue_Newbies");
             JsonObject robot = scene.getAsJsonArray("robots").get(0).getAsJsonObject();
             assertThat(robot.get("side").getAsString()).isEqualTo("left");
             assertThat(robot.get("number").getAsInt()).isEqualTo(1);
@@ -94,12 +89,12 @@ class LiveFeedTest {
     void pageThatAnswersLateGetsTheNewestFrame() throws InterruptedException {
         try (TestPage slow = new TestPage(studio.oneTimeAddress())) {
             slow.nextFrame();
-            long before = simulation.latest().cycle();
-            awaitCycle(before + 20);
+            long reached = simulation.afterCycles(20).cycle();
+            simulation.afterCycles(1);
 
             slow.seen();
 
-            assertThat(TestPage.cycleOf(slow.nextFrame())).isGreaterThanOrEqualTo(before + 20);
+            assertThat(TestPage.cycleOf(slow.nextFrame())).isGreaterThanOrEqualTo(reached);
         }
     }
 
@@ -235,6 +230,9 @@ class LiveFeedTest {
 
     @Test
     void ballIsDropped() {
+        simulation.order(new Order.KickOff(Optional.of(TeamSide.LEFT)));
+        await(() -> simulation.latest().playMode() == PlayMode.KICK_OFF_LEFT);
+
         refereeSays("{'do':'dropBall'}", PlayMode.PLAY_ON);
     }
 
@@ -290,10 +288,6 @@ class LiveFeedTest {
 
             assertThat(page.closeCode()).isEqualTo(1001);
         }
-    }
-
-    private void awaitCycle(long cycle) {
-        await(() -> simulation.latest().cycle() >= cycle);
     }
 
     private void await(BooleanSupplier condition) {

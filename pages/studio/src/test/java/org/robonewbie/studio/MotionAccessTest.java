@@ -28,7 +28,7 @@ class MotionAccessTest {
     @TempDir
     private Path place;
 
-    private final SmallSimulation simulation = new SmallSimulation();
+    private final TestSimulator simulation = new TestSimulator();
     private Path folder = Path.of(".");
     private StudioServer studio;
     private String cookie = "";
@@ -37,7 +37,8 @@ class MotionAccessTest {
     void start() throws IOException {
         folder = Files.createDirectory(place.resolve("motions"));
         Files.writeString(place.resolve("secret.txt"), "secret");
-        studio = StudioServer.start(simulation, 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()));
+        studio = StudioServer.start(
+                simulation.control(), 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()));
         cookie = "Cookie: " + StudioCookie.of(studio.oneTimeAddress());
     }
 
@@ -187,8 +188,8 @@ class MotionAccessTest {
 
         assertThat(listed()).containsExactly("good");
         assertThat(list)
-                .contains("folder.txt is a folder", "dead.txt does not exist", "zero.txt is no regular file")
-                .contains("huge.txt is larger than 2 MB", "pipe.txt is no regular file but a device or a pipe")
+                .contains("folder.txt is a folder", "dead.txt does not exist", "zero.txt is not a regular file")
+                .contains("huge.txt is larger than 2 MB", "pipe.txt is not a regular file but a device or a pipe")
                 .contains("The name of the file what?.txt contains \\\"?\\\"");
         for (String name : List.of("huge", "pipe", "folder")) {
             assertThat(asPage("GET /api/motions/" + name, ""))

@@ -31,7 +31,7 @@ class MotionFilesPageTest {
     private Path folder;
 
     private final Chromium browser;
-    private final SmallSimulation simulation = new SmallSimulation().withRobot();
+    private final TestSimulator simulation = new TestSimulator().withRobot();
     private StudioServer studio;
 
     MotionFilesPageTest(Chromium browser) {
@@ -44,7 +44,7 @@ class MotionFilesPageTest {
         Files.writeString(folder.resolve("mine.txt"), TWO_KEYFRAMES);
         RecordingRepository repository = new RecordingRepository(folder, 1_000_000);
         studio = StudioServer.start(
-                simulation.start(), 0, AccessToken.random(), new StudioFolders(folder, Optional.of(repository)));
+                simulation.control(), 0, AccessToken.random(), new StudioFolders(folder, Optional.of(repository)));
     }
 
     @AfterEach

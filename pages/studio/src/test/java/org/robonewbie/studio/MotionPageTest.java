@@ -35,7 +35,7 @@ class MotionPageTest {
     @TempDir
     private Path folder;
 
-    private final SmallSimulation simulation = new SmallSimulation().withRobot();
+    private final TestSimulator simulation = new TestSimulator().withRobot();
     private StudioServer studio;
 
     MotionPageTest(Chromium browser) {
@@ -45,7 +45,7 @@ class MotionPageTest {
     @BeforeEach
     void start() throws IOException {
         studio = StudioServer.start(
-                simulation.start(), 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()));
+                simulation.control(), 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()));
     }
 
     @AfterEach
@@ -356,10 +356,11 @@ class MotionPageTest {
     @Test
     void postureOfARunBecomesAKeyframe() throws IOException {
         openFile("500 " + STANDING + "\n");
-        simulation.order(new Order.Step(150));
+        simulation.order(new Order.Pause());
         simulation.awaitTrue(() -> simulation.latest().paused());
-        simulation.awaitTrue(simulation::standsStill);
-        browser.await("studio.state.frame?.cycle === " + simulation.latest().cycle());
+        long end = simulation.latest().cycle() + 150;
+        simulation.order(new Order.Step(150));
+        browser.await("studio.state.frame?.paused && studio.state.frame.cycle >= " + end);
 
         browser.click("#take-posture");
 

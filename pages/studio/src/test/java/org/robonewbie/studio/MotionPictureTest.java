@@ -30,9 +30,9 @@ class MotionPictureTest {
         for (String name : List.of("my-kick", "my-dance")) {
             Files.writeString(folder.resolve(name + ".txt"), "// still empty\n");
         }
-        try (SmallSimulation simulation = new SmallSimulation().withRobot().start();
+        try (TestSimulator simulation = new TestSimulator().withRobot();
                 StudioServer studio = StudioServer.start(
-                        simulation, 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()));
+                        simulation.control(), 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()));
                 Chromium browser = Chromium.open(1366, 768)) {
             browser.visit(studio.oneTimeAddress() + "&quality=high&theme=light#motion/wave");
             browser.await("studio.motion && " + STATE + ".name === 'wave' && studio.motion.editor.marks");

@@ -28,7 +28,7 @@ class MotionSafetyPageTest {
     @TempDir
     private Path folder;
 
-    private final SmallSimulation simulation = new SmallSimulation().withRobot();
+    private final TestSimulator simulation = new TestSimulator().withRobot();
     private StudioServer studio;
 
     MotionSafetyPageTest(Chromium browser) {
@@ -39,7 +39,7 @@ class MotionSafetyPageTest {
     void start() throws IOException {
         Files.writeString(folder.resolve("mine.txt"), "500 " + STANDING + "\n");
         studio = StudioServer.start(
-                simulation.start(), 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()));
+                simulation.control(), 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()));
         open();
     }
 

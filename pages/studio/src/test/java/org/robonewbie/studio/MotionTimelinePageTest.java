@@ -35,7 +35,7 @@ class MotionTimelinePageTest {
     @TempDir
     private Path folder;
 
-    private final SmallSimulation simulation = new SmallSimulation().withRobot();
+    private final TestSimulator simulation = new TestSimulator().withRobot();
     private StudioServer studio;
 
     MotionTimelinePageTest(Chromium browser) {
@@ -51,7 +51,7 @@ class MotionTimelinePageTest {
         }
         Files.writeString(folder.resolve("mine.txt"), text);
         studio = StudioServer.start(
-                simulation.start(), 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()));
+                simulation.control(), 0, AccessToken.random(), new StudioFolders(folder, Optional.empty()));
         browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light#motion/mine");
         browser.await("studio.motion && " + STATE + ".name === 'mine' && !studio.motion.stale"
                 + " && studio.motion.editor.marks.length > 0 && document.querySelector('.mark')");

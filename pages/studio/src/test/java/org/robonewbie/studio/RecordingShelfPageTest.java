@@ -27,7 +27,7 @@ class RecordingShelfPageTest {
     private static Path recorded;
 
     private final Chromium browser;
-    private final SmallSimulation simulation = new SmallSimulation().withRobot();
+    private final TestSimulator simulation = new TestSimulator().withRobot();
 
     @TempDir
     private Path place;
@@ -58,7 +58,7 @@ class RecordingShelfPageTest {
                 Optional.of(new RecordingRepository(runs, 1_000_000)),
                 List.of(project),
                 Optional.empty());
-        studio = StudioServer.start(simulation.start(), 0, AccessToken.random(), folders);
+        studio = StudioServer.start(simulation.control(), 0, AccessToken.random(), folders);
         browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light#replay");
         browser.await("document.querySelector('" + GAME + " .way.ball')");
     }

@@ -33,7 +33,7 @@ class ReplayPageTest {
     @TempDir
     private Path place;
 
-    private final SmallSimulation simulation = new SmallSimulation().withRobot();
+    private final TestSimulator simulation = new TestSimulator().withRobot();
     private StudioServer studio;
 
     ReplayPageTest(Chromium browser) {
@@ -47,7 +47,7 @@ class ReplayPageTest {
         }
         RecordingRepository repository = new RecordingRepository(place, 1_000_000);
         studio = StudioServer.start(
-                simulation.start(), 0, AccessToken.random(), new StudioFolders(place, Optional.of(repository)));
+                simulation.control(), 0, AccessToken.random(), new StudioFolders(place, Optional.of(repository)));
     }
 
     @BeforeAll
@@ -339,8 +339,8 @@ class ReplayPageTest {
 
     @Test
     void replayWithoutRecordingsShowsAMessage() throws IOException {
-        try (StudioServer empty =
-                StudioServer.start(simulation, 0, AccessToken.random(), new StudioFolders(place, Optional.empty()))) {
+        try (StudioServer empty = StudioServer.start(
+                simulation.control(), 0, AccessToken.random(), new StudioFolders(place, Optional.empty()))) {
             browser.visit(empty.oneTimeAddress() + "&quality=lowest#replay");
 
             browser.await("document.querySelector('#replay').textContent.includes('Nothing is recorded yet.')");

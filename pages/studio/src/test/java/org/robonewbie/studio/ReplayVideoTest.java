@@ -25,7 +25,7 @@ class ReplayVideoTest {
                     + " HTMLAnchorElement.prototype.click = function () { window.givenName = this.download; }; })()";
 
     private final Chromium browser;
-    private final SmallSimulation simulation = new SmallSimulation().withRobot();
+    private final TestSimulator simulation = new TestSimulator().withRobot();
 
     @TempDir
     private Path place;
@@ -40,7 +40,7 @@ class ReplayVideoTest {
     void open() throws IOException {
         RecordedRun.write(place.resolve("game.rec"));
         StudioFolders folders = new StudioFolders(place, Optional.of(new RecordingRepository(place, 1_000_000)));
-        studio = StudioServer.start(simulation.start(), 0, AccessToken.random(), folders);
+        studio = StudioServer.start(simulation.control(), 0, AccessToken.random(), folders);
         browser.drawSharply();
         browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light#replay/game");
         browser.await("studio.replay?.file?.isWhole && studio.cursor.recorded");

@@ -19,7 +19,7 @@ import org.robonewbie.studio.roboviz.RoboVizPort;
 class RoboVizPageTest {
 
     private final Chromium browser;
-    private final SmallSimulation simulation = new SmallSimulation();
+    private final TestSimulator simulation = new TestSimulator();
     private StudioServer studio;
     private RoboVizPort port;
 
@@ -29,7 +29,7 @@ class RoboVizPageTest {
 
     @BeforeEach
     void open() throws IOException {
-        studio = StudioServer.start(simulation.withRobot().start(), 0, AccessToken.random());
+        studio = StudioServer.start(simulation.withRobot().control(), 0, AccessToken.random());
         port = RoboVizPort.open(0, studio.drawings());
         browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light");
         browser.await("studio.state.scene?.robots.length === 1 && studio.view.drawCalls > 0");

@@ -25,12 +25,11 @@ import org.robonewbie.protocol.telemetry.TelemetryMessage;
 @InBrowser
 class RobotPageTest {
 
-    private static final String TEAM = "Blue Newbies";
+    private static final String TEAM = "Blue_Newbies";
     private final Chromium browser;
 
-    private final SmallSimulation simulation = new SmallSimulation()
-            .withRobot()
-            .withRobot(RobotType.TYPE_4, TeamSide.LEFT, 2, -3, -1, 40, Posture.GREETING);
+    private final TestSimulator simulation =
+            new TestSimulator().withRobot().withRobot(RobotType.TYPE_4, TeamSide.LEFT, 2, -3, -1, 40, Posture.GREETING);
     private StudioServer studio;
 
     RobotPageTest(Chromium browser) {
@@ -39,7 +38,7 @@ class RobotPageTest {
 
     @BeforeEach
     void open() throws IOException {
-        studio = StudioServer.start(simulation.start(), 0, AccessToken.random());
+        studio = StudioServer.start(simulation.control(), 0, AccessToken.random());
         browser.visit(studio.oneTimeAddress() + "&quality=lowest&theme=light#robot");
         browser.await("document.querySelector('#robot-choice')?.options.length === 2");
         browser.await("studio.robot.watch.watched !== '' && document.querySelectorAll('.joint-row').length === 22");

@@ -29,7 +29,7 @@ class SearchPageTest {
     private Path folder;
 
     private final Chromium browser;
-    private final SmallSimulation simulation = new SmallSimulation();
+    private final TestSimulator simulation = new TestSimulator();
     private final SearchFeed board = new SearchFeed(new SearchTask(
             "kick-right", "kick-distance", "m", true, ROUNDS, "30 rounds of 12 candidates with 4 trials each"));
     private StudioServer studio;
@@ -42,7 +42,7 @@ class SearchPageTest {
     void open() throws IOException {
         Files.writeString(folder.resolve("kick-so-far.txt"), "200" + " 0".repeat(22) + "\n");
         StudioFolders folders = new StudioFolders(folder, Optional.empty());
-        studio = StudioServer.start(simulation.start(), 0, AccessToken.random(), folders, Optional.of(board));
+        studio = StudioServer.start(simulation.control(), 0, AccessToken.random(), folders, Optional.of(board));
         board.begins(5.612);
     }
 

@@ -18,7 +18,7 @@ class SignInPageTest {
     private static final String CHEAP = "&quality=lowest";
 
     private final Chromium browser;
-    private final SmallSimulation simulation = new SmallSimulation();
+    private final TestSimulator simulation = new TestSimulator();
     private StudioServer studio;
 
     SignInPageTest(Chromium browser) {
@@ -27,7 +27,7 @@ class SignInPageTest {
 
     @BeforeEach
     void start() throws IOException {
-        studio = StudioServer.start(simulation.start(), 0, AccessToken.random());
+        studio = StudioServer.start(simulation.control(), 0, AccessToken.random());
     }
 
     @AfterEach

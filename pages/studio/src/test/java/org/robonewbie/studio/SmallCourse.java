@@ -5,30 +5,36 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicLong;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.TrialLabel;
+import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.studio.course.Attempt;
 import org.robonewbie.studio.course.Attempt.State;
 import org.robonewbie.studio.course.CourseService;
 import org.robonewbie.studio.course.Help;
 import org.robonewbie.studio.course.Lesson;
 import org.robonewbie.studio.course.Standings;
+import org.robonewbie.trial.Controller;
+import org.robonewbie.trial.RobotStart;
+import org.robonewbie.trial.Scene;
+import org.robonewbie.trial.Trial;
+import org.robonewbie.trial.watch.WatchedTrial;
 
-/** A course of two exercises on its own pitch; the test determines the results of trials. */
-final class SmallCourse implements CourseService {
+/** A course of two exercises; the test determines the results of trials. */
+final class SmallCourse implements CourseService, AutoCloseable {
 
-    private final SimulationControl freePitch;
-    private final SmallSimulation pitchOfTrial;
     private final ShownSimulation shown;
+    private final SimulationControl freePitch;
     private final List<String> programs = new CopyOnWriteArrayList<>(List.of("Other.java"));
     private final List<String> hints = List.of("Look first.", "Then kick.");
     private volatile int open;
     private volatile String language = "en";
     private final AtomicLong begun = new AtomicLong();
     private volatile Attempt attempt = Attempt.NONE;
+    private WatchedTrial view = new WatchedTrial();
+    private Thread trial = new Thread();
 
-    SmallCourse(SimulationControl freePitch, SmallSimulation pitchOfTrial, ShownSimulation shown) {
-        this.freePitch = freePitch;
-        this.pitchOfTrial = pitchOfTrial;
+    SmallCourse(ShownSimulation shown, SimulationControl freePitch) {
         this.shown = shown;
+        this.freePitch = freePitch;
     }
 
     @Override
@@ -85,12 +91,25 @@ final class SmallCourse implements CourseService {
     @Override
     public void begin(String exercise, String program, int trials) {
         long id = begun.incrementAndGet();
-        pitchOfTrial.judging(new TrialLabel(exercise, id, 1));
         attempt = new Attempt(id, State.RUNNING, exercise, program, 3110, trials, List.of(), 0, false, "");
-        shown.show(pitchOfTrial);
+        close();
+        view = view.next(new TrialLabel(exercise, id, 1));
+        trial = new Thread(() -> play(view), "trial");
+        trial.setDaemon(true);
+        trial.start();
+        shown.show(view);
     }
 
-    /** Ends the current trial. */
+    private static void play(WatchedTrial view) {
+        Scene scene = Scene.of(RobotStart.at(-1, 0));
+        try (Trial trial = Trial.observed(scene, 1, view, RecordingTarget.NONE, start -> Controller.ofSpeeds())) {
+            while (!Thread.currentThread().isInterrupted()) {
+                trial.step();
+            }
+        }
+    }
+
+    /** Sets the result of the current trial. */
     void judge(Attempt.Judged trial, String output) {
         attempt = new Attempt(
                 attempt.id(),
@@ -107,6 +126,7 @@ final class SmallCourse implements CourseService {
 
     @Override
     public void leave() {
+        close();
         attempt = Attempt.NONE;
         shown.show(freePitch);
     }
@@ -135,5 +155,11 @@ final class SmallCourse implements CourseService {
     @Override
     public String solution(String exercise) {
         return "public class Kick extends Agent {}";
+    }
+
+    /** Ends the current trial. */
+    @Override
+    public void close() {
+        trial.interrupt();
     }
 }

@@ -12,7 +12,6 @@ import java.net.Socket;
 import java.net.URI;
 import java.util.List;
 import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -21,20 +20,15 @@ class StudioAccessTest {
 
     private static final AccessToken TOKEN = AccessToken.random();
 
-    private static final SmallSimulation simulation = new SmallSimulation();
+    private static final TestSimulator simulation = new TestSimulator();
     private static final StudioServer studio = open();
 
     private static final StudioServer open() {
         try {
-            return StudioServer.start(simulation, 0, TOKEN);
+            return StudioServer.start(simulation.control(), 0, TOKEN);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-    }
-
-    @BeforeAll
-    static void startSimulation() {
-        simulation.start();
     }
 
     @AfterAll
@@ -119,8 +113,8 @@ class StudioAccessTest {
     void studioBesideAnotherOneLetsItsBrowsersIn() throws IOException {
         String cookie = StudioCookie.of(studio.oneTimeAddress());
 
-        try (StudioServer beside = StudioServer.startBeside(simulation, studio);
-                StudioServer stranger = StudioServer.start(simulation, 0, TOKEN)) {
+        try (StudioServer beside = StudioServer.startBeside(simulation.control(), studio);
+                StudioServer stranger = StudioServer.start(simulation.control(), 0, TOKEN)) {
             assertThat(robotOf(beside, cookie)).startsWith("HTTP/1.1 200");
             assertThat(robotOf(stranger, cookie)).startsWith("HTTP/1.1 403");
             assertThat(robotOf(stranger, cookie + "; " + StudioCookie.of(stranger.oneTimeAddress())))
@@ -291,7 +285,7 @@ class StudioAccessTest {
     void usedPortIsReportedWithAdvice() {
         int port = studio.address().getPort();
 
-        assertThatThrownBy(() -> StudioServer.start(simulation, port, TOKEN))
+        assertThatThrownBy(() -> StudioServer.start(simulation.control(), port, TOKEN))
                 .isInstanceOf(IOException.class)
                 .hasMessage("The studio cannot use port " + port + " of 127.0.0.1; probably another program uses it. "
                         + "End that program, or choose another port (0 = any free one).");

@@ -28,7 +28,7 @@ class StudioPageTest {
 
     private final Chromium browser;
 
-    private SmallSimulation simulation = new SmallSimulation();
+    private TestSimulator simulation = new TestSimulator();
     private StudioServer studio = serve(0);
 
     StudioPageTest(Chromium browser) {
@@ -43,14 +43,13 @@ class StudioPageTest {
 
     private StudioServer serve(int port) {
         try {
-            return StudioServer.start(simulation, port, TOKEN);
+            return StudioServer.start(simulation.control(), port, TOKEN);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
     }
 
     private void openStudio() {
-        simulation.start();
         browser.visit(studio.oneTimeAddress() + CHEAP);
         browser.await("studio.state.frame && studio.view.drawCalls > 0");
     }
@@ -68,7 +67,7 @@ class StudioPageTest {
         browser.await("studio.view.robots.meshes.some(mesh => mesh.visible)");
 
         browser.await("document.querySelector('#banner').hidden");
-        browser.await("document.querySelector('.team.left').textContent === 'Blue Newbies'");
+        browser.await("document.querySelector('.team.left').textContent === 'Blue_Newbies'");
         browser.await("studio.camera.mode === 'follow'");
         assertThat(browser.complaints()).isEmpty();
     }
@@ -164,12 +163,12 @@ class StudioPageTest {
     void refereeIsControlledByButtonAndList() {
         openStudioWithRobot();
 
+        browser.fill("#play-mode", "goal_kick_left");
+        await(() -> simulation.latest().playMode() == PlayMode.GOAL_KICK_LEFT);
         browser.click("#drop-ball");
+
         await(() -> simulation.latest().playMode() == PlayMode.PLAY_ON);
         browser.await("document.querySelector('.mode').textContent === 'Play on'");
-        browser.fill("#play-mode", "goal_kick_left");
-
-        await(() -> simulation.latest().playMode() == PlayMode.GOAL_KICK_LEFT);
     }
 
     @Test
@@ -269,9 +268,7 @@ class StudioPageTest {
         studio.close();
         browser.await("document.querySelector('#banner').innerText.includes('The simulator has ended')");
         simulation.close();
-        simulation = new SmallSimulation()
-                .withRobot(RobotType.TYPE_1, TeamSide.RIGHT, 9, 1, 1, 180, Posture.STANDING)
-                .start();
+        simulation = new TestSimulator().withRobot(RobotType.TYPE_1, TeamSide.LEFT, 9, 1, 1, 180, Posture.STANDING);
         serveAgain(port);
 
         browser.await("studio.state.scene.robots[0].number === 9 && studio.state.frame");
@@ -282,7 +279,7 @@ class StudioPageTest {
     private void serveAgain(int port) {
         await(() -> {
             try {
-                studio = StudioServer.start(simulation, port, TOKEN);
+                studio = StudioServer.start(simulation.control(), port, TOKEN);
                 return true;
             } catch (IOException stillTaken) {
                 return false;

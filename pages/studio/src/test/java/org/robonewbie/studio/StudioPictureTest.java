@@ -46,7 +46,7 @@ class StudioPictureTest {
     }
 
     private static byte[] takePicture() throws IOException {
-        try (SmallSimulation simulation = new SmallSimulation()
+        try (TestSimulator simulation = new TestSimulator()
                         .withRobot(RobotType.TYPE_0, TeamSide.LEFT, 1, -3.42, 0.1, -4, Posture.GREETING)
                         .withRobot(RobotType.TYPE_0, TeamSide.RIGHT, 7, -4.7, 1.45, -60, Posture.STANDING);
                 Chromium browser = Chromium.open(WIDTH, HEIGHT)) {
@@ -54,7 +54,7 @@ class StudioPictureTest {
             simulation.afterCycles(150);
             simulation.order(new Order.DropBall());
             simulation.order(new Order.Pause());
-            try (StudioServer studio = StudioServer.start(simulation.start(), 0, AccessToken.random())) {
+            try (StudioServer studio = StudioServer.start(simulation.control(), 0, AccessToken.random())) {
                 browser.visit(studio.oneTimeAddress() + "&quality=high&shadows=on&theme=light");
                 browser.await("studio.state.scene.robots.length === 2 && studio.state.frame");
                 browser.press("1");

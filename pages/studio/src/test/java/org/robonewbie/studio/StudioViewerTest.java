@@ -41,27 +41,27 @@ class StudioViewerTest {
 
     @Test
     void nextRunHasTheSameAddress() throws IOException {
-        try (SmallSimulation simulation = new SmallSimulation()) {
+        try (TestSimulator simulation = new TestSimulator()) {
             URI first = addressOfARun(simulation, 0);
 
             assertThat(addressOfARun(simulation, first.getPort())).isEqualTo(first);
         }
     }
 
-    private URI addressOfARun(SmallSimulation simulation, int usualPort) throws IOException {
+    private URI addressOfARun(TestSimulator simulation, int usualPort) throws IOException {
         try (Viewer.View view = openAtUsual(usualPort, simulation)) {
             return view.address();
         }
     }
 
-    private Viewer.View openAtUsual(int usualPort, SmallSimulation simulation) throws IOException {
+    private Viewer.View openAtUsual(int usualPort, TestSimulator simulation) throws IOException {
         return StudioViewer.openAtUsual(
-                usualPort, simulation, new StudioFolders(home, Optional.empty()), Optional.empty());
+                usualPort, simulation.control(), new StudioFolders(home, Optional.empty()), Optional.empty());
     }
 
     @Test
     void secondRunAtTheSameTimeTakesAnotherPort() throws IOException {
-        try (SmallSimulation simulation = new SmallSimulation();
+        try (TestSimulator simulation = new TestSimulator();
                 Viewer.View first = openAtUsual(0, simulation);
                 Viewer.View second = openAtUsual(first.address().getPort(), simulation)) {
             assertThat(second.address().getPort()).isNotEqualTo(first.address().getPort());

@@ -25,8 +25,8 @@ class ThreeViewersTest {
 
     @Test
     void neitherTheSimulationNorTheThirdIsDisturbed() throws Exception {
-        try (SmallSimulation simulation = new SmallSimulation().withRobot();
-                StudioServer studio = StudioServer.start(simulation.start(), 0, AccessToken.random());
+        try (TestSimulator simulation = new TestSimulator().withRobot();
+                StudioServer studio = StudioServer.start(simulation.control(), 0, AccessToken.random());
                 TestPage frozen = new TestPage(studio.oneTimeAddress());
                 TestPage lively = new TestPage(studio.oneTimeAddress());
                 ClosedLid closed = new ClosedLid(studio.oneTimeAddress())) {

@@ -67,7 +67,7 @@ final class TouchingLimbs {
         List<double[]> pairs = new ArrayList<>();
         collisions.find((first, second, points, count) -> {
             double depth = IntStream.range(0, count)
-                    .mapToDouble(point -> points[point * OdeCollisions.NUMBERS_PER_POINT + 6])
+                    .mapToDouble(point -> points[point * OdeCollisions.DOUBLES_PER_POINT + 6])
                     .max()
                     .orElse(0);
             pairs.add(new double[] {(int) first.owner(), (int) second.owner(), depth});

@@ -17,7 +17,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.order.Order;
-import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.studio.wall.TrialWall;
 import org.robonewbie.studio.wall.WallTable;
 
@@ -32,9 +31,9 @@ class WallPageTest {
     private Path folder;
 
     private final Chromium browser;
-    private final SmallSimulation pitch = new SmallSimulation();
-    private final SmallSimulation red = new SmallSimulation().withRobot();
-    private final SmallSimulation blue = new SmallSimulation().withRobot();
+    private final TestSimulator pitch = new TestSimulator();
+    private final TestSimulator red = new TestSimulator().withRobot();
+    private final TestSimulator blue = new TestSimulator().withRobot();
     private final TrialWall wall = new TrialWall("Scoring", "The earliest goal wins.");
     private StudioServer studio;
 
@@ -45,12 +44,10 @@ class WallPageTest {
     @BeforeEach
     void open() throws IOException {
         StudioFolders folders = new StudioFolders(folder, Optional.empty());
-        studio = StudioServer.start(pitch.start(), 0, AccessToken.random(), folders, Optional.of(wall));
-        red.start();
-        blue.start();
+        studio = StudioServer.start(pitch.control(), 0, AccessToken.random(), folders, Optional.of(wall));
         wall.stands(table(0, "not yet"));
-        wall.begins("scoring-Red", List.of("Red"), red, ALONE);
-        wall.begins("scoring-Blue", List.of("Blue"), blue, ALONE);
+        wall.begins("scoring-Red", List.of("Red"), red.control(), ALONE);
+        wall.begins("scoring-Blue", List.of("Blue"), blue.control(), ALONE);
     }
 
     @AfterEach
@@ -159,7 +156,7 @@ class WallPageTest {
                 + "] circle.ball')?.getAttribute('cx') ?? 99) - " + x + ") < 0.05");
     }
 
-    private static void moveBall(SimulationControl trial, double x) {
+    private static void moveBall(TestSimulator trial, double x) {
         trial.order(new Order.MoveBall(Optional.of(new Vector3(x, 1, 0.04)), Optional.of(Vector3.ZERO)));
     }
 

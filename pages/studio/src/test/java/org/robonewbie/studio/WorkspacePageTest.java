@@ -19,7 +19,7 @@ class WorkspacePageTest {
     private static final String EDGE = "document.querySelector('.edge[aria-orientation=vertical]')";
 
     private final Chromium browser;
-    private final SmallSimulation simulation = new SmallSimulation();
+    private final TestSimulator simulation = new TestSimulator();
     private StudioServer studio;
 
     WorkspacePageTest(Chromium browser) {
@@ -28,7 +28,7 @@ class WorkspacePageTest {
 
     @BeforeEach
     void openRobotRoom() throws IOException {
-        studio = StudioServer.start(simulation.withRobot().start(), 0, AccessToken.random());
+        studio = StudioServer.start(simulation.withRobot().control(), 0, AccessToken.random());
         open("#robot");
         browser.await("document.querySelectorAll('.joint-row').length > 20 && " + EDGE);
     }

@@ -37,9 +37,9 @@ class SignInInFirefoxTest {
     @Test
     void pageFileLetsABrowserInAndTwoStudiosDoNotLogEachOtherOut() throws IOException {
         try (Firefox browser = Firefox.start(Files.createDirectory(folder.resolve("profile")));
-                SmallSimulation simulation = new SmallSimulation().withRobot().start();
-                StudioServer first = StudioServer.start(simulation, 0, AccessToken.random());
-                StudioServer second = StudioServer.start(simulation, 0, AccessToken.random())) {
+                TestSimulator simulation = new TestSimulator().withRobot();
+                StudioServer first = StudioServer.start(simulation.control(), 0, AccessToken.random());
+                StudioServer second = StudioServer.start(simulation.control(), 0, AccessToken.random())) {
             for (StudioServer studio : new StudioServer[] {first, second}) {
                 browser.visit(
                         RedirectPage.write(studio.oneTimeAddress()).toUri().toString());
@@ -57,8 +57,8 @@ class SignInInFirefoxTest {
     @Test
     void usedAddressSaysHowToGetAnotherOne() throws IOException {
         try (Firefox browser = Firefox.start(Files.createDirectory(folder.resolve("profile")));
-                SmallSimulation simulation = new SmallSimulation();
-                StudioServer studio = StudioServer.start(simulation, 0, AccessToken.random())) {
+                TestSimulator simulation = new TestSimulator();
+                StudioServer studio = StudioServer.start(simulation.control(), 0, AccessToken.random())) {
             String used = studio.oneTimeAddress().toString();
             StudioCookie.of(URI.create(used));
 

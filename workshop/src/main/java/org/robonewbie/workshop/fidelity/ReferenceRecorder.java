@@ -65,7 +65,7 @@ public final class ReferenceRecorder {
             try (ReferenceSession session = ReferenceSession.open(server)) {
                 Optional<ReferenceSession.Take> take = scenario.balls().isEmpty()
                         ? session.record(type, scenario.commands())
-                        : Optional.of(session.recordBalls(scenario.balls()));
+                        : session.recordBalls(scenario.balls());
                 if (take.isPresent()) {
                     tellNoise(take.get());
                     return take.get();

@@ -101,19 +101,23 @@ final class ReferenceSession implements AutoCloseable {
     }
 
     /**
-     * Records balls while a robot stands idle.
+     * Records balls while a robot stands idle; empty when messages to monitors were delayed.
      *
      * @param cases how they are set in motion, in order
      */
-    Take recordBalls(List<BallCase> cases) throws IOException {
+    Optional<Take> recordBalls(List<BallCase> cases) throws IOException {
         takePlace(0);
         standStill();
         BallSession balls = new BallSession(this, monitor);
         List<String> lines = new ArrayList<>();
         for (BallCase ballCase : cases) {
-            lines.addAll(balls.record(ballCase));
+            Optional<List<String>> recorded = balls.record(ballCase);
+            if (recorded.isEmpty()) {
+                return Optional.empty();
+            }
+            lines.addAll(recorded.get());
         }
-        return new Take(lines, Optional.empty(), false);
+        return Optional.of(new Take(lines, Optional.empty(), false));
     }
 
     @Override

@@ -1,15 +1,15 @@
 package org.robonewbie.nao.text;
 
-/** Writes pages that need no other file. */
+/** Self-contained HTML pages. */
 public final class Html {
 
     private Html() {}
 
     /**
-     * Escapes a text for a page.
+     * Escapes a text for HTML.
      *
      * @param plain any text
-     * @return the text without signs that mean something in HTML
+     * @return the text with HTML special characters escaped
      */
     public static String text(String plain) {
         return plain.replace("&", "&amp;")
@@ -19,11 +19,11 @@ public final class Html {
     }
 
     /**
-     * Writes a page.
+     * Creates a page.
      *
-     * @param title its title, as plain text
-     * @param style its style sheet
-     * @param body what stands in it, as HTML
+     * @param title title, as plain text
+     * @param style style sheet
+     * @param body body, as HTML
      * @return the page
      */
     public static String page(String title, String style, String body) {

@@ -53,7 +53,7 @@ public final class MonitorLog implements AutoCloseable {
         } catch (IOException e) {
             throw new IOException(
                     "Log \"" + file + "\" cannot be written (" + e.getMessage()
-                            + "). Choose a file in a folder that exists and in which you may write.",
+                            + "). Choose a file in an existing folder that you may write to.",
                     e);
         }
     }

@@ -166,7 +166,7 @@ class RecordingTest {
         assertThatThrownBy(() -> RecordingWriter.open(RecordingFile.open(file, sentence -> {}), List.of()))
                 .isInstanceOf(IOException.class)
                 .hasMessageStartingWith("The file " + file + " cannot be written: its folder does not exist")
-                .hasMessageEndingWith("Choose a file in a folder that exists and in which you may write.");
+                .hasMessageEndingWith("Choose a file in an existing folder that you may write to.");
     }
 
     private void record(Path file, Player player, int cycles, List<Vector3> torsos, List<Vector3> feet)

@@ -6,10 +6,12 @@ import java.util.List;
 import java.util.OptionalInt;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.tcp.MonitorLink;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.SimulationObserver;
 
 /** A server with the rules of the league that waits for its agents, all of which connect by TCP. */
 final class LeagueServer implements AutoCloseable {
@@ -51,6 +53,16 @@ final class LeagueServer implements AutoCloseable {
         return agent;
     }
 
+    /** Connects an agent that has been on the pitch for 60 cycles of play. */
+    TestAgent joinPlay(SimulationObserver observer) throws IOException {
+        TestAgent agent = join("Ada", 1);
+        agent.exchange("(beam -2 0 0)(syn)");
+        control().order(new Order.ChangePlayMode(PlayMode.PLAY_ON));
+        control().addObserver(observer);
+        cycles(agent, 60);
+        return agent;
+    }
+
     MonitorLink monitor() throws IOException {
         return MonitorLink.connect("127.0.0.1", simulator.monitorPort().orElseThrow());
     }
@@ -59,7 +71,7 @@ final class LeagueServer implements AutoCloseable {
         return simulator.control();
     }
 
-    /** Lets cycles pass with a single agent; tells the play mode afterwards. */
+    /** Lets cycles pass with a single agent; returns the play mode afterwards. */
     static PlayMode cycles(TestAgent agent, int count) throws IOException {
         PerceptorMessage message = agent.exchange("(syn)");
         for (int i = 1; i < count; i++) {
@@ -68,7 +80,7 @@ final class LeagueServer implements AutoCloseable {
         return message.gameState().orElseThrow().playMode().orElseThrow();
     }
 
-    /** Lets cycles pass with several agents, each of which says the same in each cycle. */
+    /** Lets cycles pass with several agents, each of which sends the same in each cycle. */
     static void cyclesOfAll(int count, String text, TestAgent... agents) throws IOException {
         for (int i = 0; i < count; i++) {
             for (TestAgent agent : agents) {

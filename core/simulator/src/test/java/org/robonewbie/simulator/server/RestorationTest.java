@@ -30,11 +30,7 @@ class RestorationTest {
     @BeforeEach
     void start() throws IOException {
         server = new LeagueServer();
-        agent = server.join("Ada", 1);
-        agent.exchange("(beam -2 0 0)(syn)");
-        server.control().order(new Order.ChangePlayMode(PlayMode.PLAY_ON));
-        server.control().addObserver(seen::add);
-        LeagueServer.cycles(agent, 60);
+        agent = server.joinPlay(seen::add);
     }
 
     @AfterEach

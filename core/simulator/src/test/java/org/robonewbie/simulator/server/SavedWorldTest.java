@@ -14,10 +14,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.kinematics.BodyState;
-import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.simulator.world.SoccerWorld;
@@ -33,11 +31,7 @@ class SavedWorldTest {
     @BeforeEach
     void start() throws IOException {
         server = new LeagueServer();
-        agent = server.join("Ada", 1);
-        agent.exchange("(beam -2 0 0)(syn)");
-        server.control().order(new Order.ChangePlayMode(PlayMode.PLAY_ON));
-        server.control().addObserver(seen::add);
-        LeagueServer.cycles(agent, 60);
+        agent = server.joinPlay(seen::add);
     }
 
     @AfterEach

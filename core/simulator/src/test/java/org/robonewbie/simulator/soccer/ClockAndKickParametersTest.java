@@ -4,6 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
@@ -25,21 +28,22 @@ class ClockAndKickParametersTest {
         assertThat(leftSeen && rightSeen).isTrue();
     }
 
-    @Test
-    void timeBeforeTheAutomaticKickOffCanBeSet() {
-        Game game = game("AutomaticKickOff=true", "WaitBeforeKickOff=2");
+    @ParameterizedTest
+    @CsvSource({"AutomaticKickOff=true, 30", "WaitBeforeKickOff=2, 2"})
+    void automaticKickOffComesAfterItsTime(String assignment, double seconds) {
+        Game game = game("AutomaticKickOff=true", assignment);
         game.join("Stars", 1);
 
-        game.cycles(1.9);
+        game.cycles(seconds - 0.1);
         PlayMode before = game.playMode();
-        game.cycles(0.2);
+        game.cycles(0.3);
 
         assertThat(before).isEqualTo(PlayMode.BEFORE_KICK_OFF);
         assertThat(game.playMode()).isEqualTo(PlayMode.KICK_OFF_LEFT);
     }
 
     @Test
-    void automaticKickOffWaitsForSomebody() {
+    void automaticKickOffWaitsForARobot() {
         Game game = game("AutomaticKickOff=true", "WaitBeforeKickOff=1");
 
         game.cycles(5);
@@ -119,16 +123,22 @@ class ClockAndKickParametersTest {
         assertThat(game.ballDistance(4, 9.958)).isLessThan(0.01);
     }
 
-    @Test
-    void timeUntilADropBallCanBeSet() {
-        Game game = playing("RuleDropBallTime=3");
-        game.match.setPlayMode(PlayMode.FREE_KICK_LEFT);
+    @ParameterizedTest
+    @CsvSource({
+        "KICK_OFF_LEFT, FreeKickRules=true, 15",
+        "CORNER_KICK_LEFT, FreeKickRules=true, 15",
+        "FREE_KICK_LEFT, RuleDropBallTime=3, 3"
+    })
+    void kickThatIsNotTakenBecomesADropBall(PlayMode kick, String assignment, double seconds) {
+        Game game = playing(assignment);
+        game.join("Stars", 1);
+        game.match.setPlayMode(kick);
 
-        game.cycles(2.9);
+        game.cycles(seconds - 0.1);
         PlayMode before = game.playMode();
         game.cycles(0.2);
 
-        assertThat(before).isEqualTo(PlayMode.FREE_KICK_LEFT);
+        assertThat(before).isEqualTo(kick);
         assertThat(game.playMode()).isEqualTo(PlayMode.PLAY_ON);
     }
 
@@ -197,18 +207,17 @@ class ClockAndKickParametersTest {
         assertThat(game.ballDistance(11, 4.05)).isLessThan(0.01);
     }
 
-    @Test
-    void playGoesOnAtOnceWhenTheKickIsTouched() {
+    @ParameterizedTest
+    @EnumSource(names = {"KICK_IN_LEFT", "CORNER_KICK_LEFT", "FREE_KICK_LEFT", "DIRECT_FREE_KICK_LEFT"})
+    void firstTouchEndsAKick(PlayMode kick) {
         Game game = playing();
         Player kicker = game.join("Stars", 2);
-        for (PlayMode kick : new PlayMode[] {
-            PlayMode.KICK_IN_LEFT, PlayMode.CORNER_KICK_LEFT, PlayMode.FREE_KICK_LEFT, PlayMode.DIRECT_FREE_KICK_LEFT
-        }) {
-            game.match.setPlayMode(kick);
-            game.cycles(1.2);
-            game.touch(kicker);
-            assertThat(game.playMode()).as("%s", kick).isEqualTo(PlayMode.PLAY_ON);
-        }
+        game.match.setPlayMode(kick);
+        game.cycles(1.2);
+
+        game.touch(kicker);
+
+        assertThat(game.playMode()).isEqualTo(PlayMode.PLAY_ON);
     }
 
     @Test
@@ -222,34 +231,25 @@ class ClockAndKickParametersTest {
         assertThat(game.ballDistance(3, 2)).isLessThan(0.01);
     }
 
-    @Test
-    void directKickMayGoIntoTheGoalAndAnIndirectOneMayNot() {
-        assertThat(afterShotFrom(PlayMode.DIRECT_FREE_KICK_LEFT)).isEqualTo(PlayMode.GOAL_LEFT);
-        assertThat(afterShotFrom(PlayMode.CORNER_KICK_LEFT)).isEqualTo(PlayMode.GOAL_LEFT);
-        assertThat(afterShotFrom(PlayMode.FREE_KICK_LEFT)).isEqualTo(PlayMode.GOAL_KICK_RIGHT);
-        assertThat(afterShotFrom(PlayMode.KICK_IN_LEFT)).isEqualTo(PlayMode.GOAL_KICK_RIGHT);
-    }
+    @ParameterizedTest
+    @CsvSource({
+        "DIRECT_FREE_KICK_LEFT, FreeKickRules=true,   14.8, GOAL_LEFT",
+        "CORNER_KICK_LEFT,      FreeKickRules=true,   14.8, GOAL_LEFT",
+        "FREE_KICK_LEFT,        FreeKickRules=true,   14.8, GOAL_KICK_RIGHT",
+        "KICK_IN_LEFT,          FreeKickRules=true,   14.8, GOAL_KICK_RIGHT",
+        "FREE_KICK_LEFT,        FreeKickRules=false,  14.8, GOAL_LEFT",
+        "DIRECT_FREE_KICK_LEFT, FreeKickRules=true,  -14.8, CORNER_KICK_RIGHT"
+    })
+    void shotFromAKickCountsOnlyIfItIsDirect(PlayMode kick, String assignment, double x, PlayMode after) {
+        Game game = threePlayers(assignment);
+        game.match.setPlayMode(kick);
+        game.cycles(1.2);
+        game.touchAndLeave(game.match.players(TeamSide.LEFT).get(0));
 
-    @Test
-    void ownGoalFromAFreeKickIsACorner() {
-        Game game = threePlayers();
-        kick(game, PlayMode.DIRECT_FREE_KICK_LEFT);
-
-        game.roll(-14.8, 0, -4, 0);
+        game.roll(x, 0, Math.signum(x) * 4, 0);
         game.cycles(0.3);
 
-        assertThat(game.playMode()).isEqualTo(PlayMode.CORNER_KICK_RIGHT);
-    }
-
-    @Test
-    void rulesForKickersCanBeSwitchedOff() {
-        Game game = threePlayers("FreeKickRules=false");
-        kick(game, PlayMode.FREE_KICK_LEFT);
-
-        game.roll(14.8, 0, 4, 0);
-        game.cycles(0.3);
-
-        assertThat(game.playMode()).isEqualTo(PlayMode.GOAL_LEFT);
+        assertThat(game.playMode()).isEqualTo(after);
     }
 
     @Test
@@ -284,20 +284,6 @@ class ClockAndKickParametersTest {
 
         assertThat(player.position().distanceTo(new Vector3(-15 + 1.2, 10 - 1.2, 0.6)))
                 .isLessThan(1e-9);
-    }
-
-    private static PlayMode afterShotFrom(PlayMode kick) {
-        Game game = threePlayers();
-        kick(game, kick);
-        game.roll(14.8, 0, 4, 0);
-        game.cycles(0.3);
-        return game.playMode();
-    }
-
-    private static void kick(Game game, PlayMode kick) {
-        game.match.setPlayMode(kick);
-        game.cycles(1.2);
-        game.touchAndLeave(game.match.players(TeamSide.LEFT).get(0));
     }
 
     private static Game threePlayers(String... assignments) {

@@ -27,7 +27,7 @@ class FoulParametersTest {
     })
     void timeThatARobotMayLieCanBeSet(String assignment, int number) {
         Game game = playing(assignment);
-        Player player = lying(game, number);
+        Player player = game.lying(number);
 
         game.cycles(0.9);
         Set<FoulType> before = types(game);
@@ -41,7 +41,7 @@ class FoulParametersTest {
     @Test
     void punishedRobotIsPutAsideAtOnceIfWanted() {
         Game game = playing("GroundMaxTime=1", "FoulHoldTime=0");
-        Player player = lying(game, 5);
+        Player player = game.lying(5);
 
         game.cycles(1.2);
 
@@ -137,7 +137,7 @@ class FoulParametersTest {
     @Test
     void selfCollisionsAreNoFoulIfWanted() {
         Game game = playing("FoulOnSelfCollisions=false");
-        hitOneself(game, 100);
+        game.hittingItself();
 
         assertThat(types(game)).isEmpty();
     }
@@ -145,7 +145,7 @@ class FoulParametersTest {
     @Test
     void deepOverlapCanBeTolerated() {
         Game game = playing("SelfCollisionsTolerance=1");
-        hitOneself(game, 100);
+        game.hittingItself();
 
         assertThat(types(game)).isEmpty();
     }
@@ -153,7 +153,7 @@ class FoulParametersTest {
     @Test
     void timeThatJointsAreFrozenCanBeSet() {
         Game game = playing("SelfCollisionJointFrozenTime=0.4", "SelfCollisionJointThawTime=1000");
-        Player player = hitOneself(game, 100);
+        Player player = game.hittingItself();
         int hinge = player.robot().model().hingeIndex(Joint.RIGHT_SHOULDER_PITCH);
 
         boolean frozen = game.match.isFrozen(player, hinge);
@@ -167,16 +167,16 @@ class FoulParametersTest {
     @Test
     void jointsFreezeAgainAfterTheirTimeOfGrace() {
         Game game = playing("SelfCollisionJointFrozenTime=0.1", "SelfCollisionJointThawTime=0.1");
-        Player player = hitOneself(game, 100);
+        Player player = game.hittingItself();
 
         for (int i = 0; i < 100; i++) {
-            turn(player, Joint.RIGHT_SHOULDER_PITCH, 0);
-            turn(player, Joint.RIGHT_ARM_ROLL, 0);
-            turn(player, Joint.RIGHT_ARM_YAW, 0);
+            Game.turn(player, Joint.RIGHT_SHOULDER_PITCH, 0);
+            Game.turn(player, Joint.RIGHT_ARM_ROLL, 0);
+            Game.turn(player, Joint.RIGHT_ARM_YAW, 0);
             game.cycle();
         }
         for (int i = 0; i < 100; i++) {
-            bendArm(player);
+            Game.bendArm(player);
             game.cycle();
         }
 
@@ -186,7 +186,7 @@ class FoulParametersTest {
     @Test
     void selfCollisionCanPutARobotOffThePitchNowAndThen() {
         Game game = playing("SelfCollisionBeamPenalty=true", "SelfCollisionBeamCooldownTime=1000");
-        Player player = hitOneself(game, 100);
+        Player player = game.hittingItself();
 
         game.cycles(0.7);
 
@@ -209,21 +209,6 @@ class FoulParametersTest {
 
     private static Set<FoulType> types(Game game) {
         return game.match.fouls().stream().map(Foul::type).collect(Collectors.toSet());
-    }
-
-    /** Lets a robot fall on its back while nothing is judged. */
-    private static Player lying(Game game, int number) {
-        Player player = game.join("Stars", number);
-        game.put(player, -5, 2);
-        game.match.setPlayMode(PlayMode.BEFORE_KICK_OFF);
-        for (int i = 0; i < 150; i++) {
-            player.robot().setMotorSpeed(Joint.LEFT_FOOT_PITCH, -3);
-            player.robot().setMotorSpeed(Joint.RIGHT_FOOT_PITCH, -3);
-            game.cycle();
-        }
-        game.match.setPlayMode(PlayMode.PLAY_ON);
-        assertThat(player.position().z()).isLessThan(0.15);
-        return player;
     }
 
     private static Player threeTouching(Game game) {
@@ -250,29 +235,7 @@ class FoulParametersTest {
         return game;
     }
 
-    /** Turns an arm into the body for some cycles, or until it is seen. */
-    private static Player hitOneself(Game game, int cycles) {
-        Player player = game.join("Stars", 2);
-        game.put(player, -5, 2);
-        game.cycles(0.5);
-        for (int i = 0; i < cycles && game.match.fouls().isEmpty(); i++) {
-            bendArm(player);
-            game.cycle();
-        }
-        return player;
-    }
-
-    private static void bendArm(Player player) {
-        turn(player, Joint.RIGHT_SHOULDER_PITCH, -81);
-        turn(player, Joint.RIGHT_ARM_ROLL, -52);
-        turn(player, Joint.RIGHT_ARM_YAW, 76);
-    }
-
-    private static void turn(Player player, Joint joint, double degrees) {
-        player.robot().setMotorSpeed(joint, 0.1 * (degrees - player.robot().jointDegrees(joint)));
-    }
-
-    /** Tells how far from another one a robot is moved whose place that one has taken. */
+    /** Returns the distance in metres between a robot and another one that is moved to the same place. */
     private static double placeBesideAnother(String assignment) {
         Game game = playing(assignment);
         List<Player> players = List.of(game.join("Stars", 2), game.join("Stars", 3));

@@ -19,9 +19,7 @@ class FoulsTest {
     @Test
     void robotThatLiesTooLongIsLiftedAndPutBesideThePitch() {
         Game quick = playing(SoccerParameters.league().with("GroundMaxTime=2"));
-        Player player = quick.join("Stars", 5);
-        quick.put(player, -5, 2);
-        layDown(quick, player);
+        Player player = quick.lying(5);
 
         quick.cycles(2.2);
         double lifted = player.position().z();
@@ -37,9 +35,7 @@ class FoulsTest {
     @Test
     void goalkeeperMayLieTwiceAsLong() {
         Game quick = playing(SoccerParameters.league().with("GroundMaxTime=1"));
-        Player keeper = quick.join("Stars", 1);
-        quick.put(keeper, -5, 2);
-        layDown(quick, keeper);
+        quick.lying(1);
 
         quick.cycles(5);
 
@@ -47,11 +43,9 @@ class FoulsTest {
     }
 
     @Test
-    void pauseForgivesLying() {
+    void lyingIsNotJudgedBeforeKickOff() {
         Game quick = playing(SoccerParameters.league().with("GroundMaxTime=2"));
-        Player player = quick.join("Stars", 5);
-        quick.put(player, -5, 2);
-        layDown(quick, player);
+        quick.lying(5);
         quick.match.setPlayMode(PlayMode.BEFORE_KICK_OFF);
 
         quick.cycles(3);
@@ -141,17 +135,9 @@ class FoulsTest {
 
     @Test
     void armThatRunsIntoTheBodyIsFrozenForASecond() {
-        Player player = game.join("Stars", 2);
-        game.put(player, -5, 2);
-        game.cycles(0.5);
+        Player player = game.hittingItself();
         int hinge = player.robot().model().hingeIndex(Joint.RIGHT_SHOULDER_PITCH);
 
-        for (int i = 0; i < 100 && types().isEmpty(); i++) {
-            turn(player, Joint.RIGHT_SHOULDER_PITCH, -81);
-            turn(player, Joint.RIGHT_ARM_ROLL, -52);
-            turn(player, Joint.RIGHT_ARM_YAW, 76);
-            game.cycle();
-        }
         boolean frozen = game.match.isFrozen(player, hinge);
         game.cycles(1.1);
 
@@ -240,23 +226,6 @@ class FoulsTest {
 
     private List<FoulType> types() {
         return game.match.fouls().stream().map(Foul::type).toList();
-    }
-
-    /** Lets a robot fall on its back. */
-    private static void layDown(Game game, Player player) {
-        PlayMode mode = game.playMode();
-        game.match.setPlayMode(PlayMode.BEFORE_KICK_OFF);
-        for (int i = 0; i < 150; i++) {
-            player.robot().setMotorSpeed(Joint.LEFT_FOOT_PITCH, -3);
-            player.robot().setMotorSpeed(Joint.RIGHT_FOOT_PITCH, -3);
-            game.cycle();
-        }
-        game.match.setPlayMode(mode);
-        assertThat(player.position().z()).isLessThan(0.15);
-    }
-
-    private static void turn(Player player, Joint joint, double degrees) {
-        player.robot().setMotorSpeed(joint, 0.1 * (degrees - player.robot().jointDegrees(joint)));
     }
 
     private void touchEachOther(Player first, Player second) {

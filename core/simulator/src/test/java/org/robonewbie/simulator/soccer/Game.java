@@ -1,5 +1,8 @@
 package org.robonewbie.simulator.soccer;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
@@ -68,6 +71,44 @@ final class Game {
         }
     }
 
+    /** Adds a robot of the left team that has fallen on its back while nothing was judged. */
+    Player lying(int number) {
+        Player player = join("Stars", number);
+        put(player, -5, 2);
+        PlayMode mode = playMode();
+        match.setPlayMode(PlayMode.BEFORE_KICK_OFF);
+        for (int i = 0; i < 150; i++) {
+            player.robot().setMotorSpeed(Joint.LEFT_FOOT_PITCH, -3);
+            player.robot().setMotorSpeed(Joint.RIGHT_FOOT_PITCH, -3);
+            cycle();
+        }
+        match.setPlayMode(mode);
+        assertThat(player.position().z()).isLessThan(0.15);
+        return player;
+    }
+
+    /** Adds a robot of the left team that presses an arm against its body until the referee calls it, or for 2 seconds. */
+    Player hittingItself() {
+        Player player = join("Stars", 2);
+        put(player, -5, 2);
+        cycles(0.5);
+        for (int i = 0; i < 100 && match.fouls().isEmpty(); i++) {
+            bendArm(player);
+            cycle();
+        }
+        return player;
+    }
+
+    static void bendArm(Player player) {
+        turn(player, Joint.RIGHT_SHOULDER_PITCH, -81);
+        turn(player, Joint.RIGHT_ARM_ROLL, -52);
+        turn(player, Joint.RIGHT_ARM_YAW, 76);
+    }
+
+    static void turn(Player player, Joint joint, double degrees) {
+        player.robot().setMotorSpeed(joint, 0.1 * (degrees - player.robot().jointDegrees(joint)));
+    }
+
     /** Lets a player touch the ball: its foot is put beside the ball and then the ball into the foot. */
     void touch(Player player) {
         Robot robot = player.robot();
@@ -87,7 +128,7 @@ final class Game {
         put(player, player.side() == TeamSide.LEFT ? -5 : 5, 5);
     }
 
-    /** Tells how far the ball is from a place on the ground. */
+    /** Returns the distance of the ball from a point on the ground in metres. */
     double ballDistance(double x, double y) {
         return Math.hypot(
                 world.ball().position().x() - x, world.ball().position().y() - y);

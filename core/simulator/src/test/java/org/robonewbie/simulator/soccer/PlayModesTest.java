@@ -5,17 +5,17 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
-import org.robonewbie.nao.Vector3;
 
 class PlayModesTest {
 
     private final Game game = new Game(SoccerParameters.league());
 
     @Test
-    void leagueWaitsForKickOffForEver() {
+    void leagueDoesNotKickOffAutomatically() {
         game.join("Stars", 1);
 
         game.cycles(40);
@@ -25,26 +25,13 @@ class PlayModesTest {
     }
 
     @Test
-    void beginnersKickOffAtOnce() {
+    void beginnersKickOffInTheFirstCycle() {
         Game beginners = new Game(SoccerParameters.beginner());
         beginners.join("Stars", 1);
 
         beginners.cycle();
 
         assertThat(beginners.playMode()).isEqualTo(PlayMode.KICK_OFF_LEFT);
-    }
-
-    @Test
-    void automaticKickOffComesAfterItsTime() {
-        Game automatic = new Game(SoccerParameters.league().with("AutomaticKickOff=true"));
-        automatic.join("Stars", 1);
-
-        automatic.cycles(29.9);
-        PlayMode before = automatic.playMode();
-        automatic.cycles(0.3);
-
-        assertThat(before).isEqualTo(PlayMode.BEFORE_KICK_OFF);
-        assertThat(automatic.playMode()).isEqualTo(PlayMode.KICK_OFF_LEFT);
     }
 
     @Test
@@ -65,19 +52,6 @@ class PlayModesTest {
 
         game.touch(player);
 
-        assertThat(game.playMode()).isEqualTo(PlayMode.PLAY_ON);
-    }
-
-    @Test
-    void kickOffThatNobodyTakesEndsAfterDropBallTime() {
-        game.join("Stars", 1);
-        game.match.kickOff(TeamSide.LEFT);
-
-        game.cycles(15);
-        PlayMode before = game.playMode();
-        game.cycles(0.1);
-
-        assertThat(before).isEqualTo(PlayMode.KICK_OFF_LEFT);
         assertThat(game.playMode()).isEqualTo(PlayMode.PLAY_ON);
     }
 
@@ -150,25 +124,30 @@ class PlayModesTest {
         assertThat(game.world.ball().position().length()).isCloseTo(0.042, within(0.01));
     }
 
-    @Test
-    void ballOverTheSideLineIsKickInForTheOtherTeam() {
+    @ParameterizedTest
+    @CsvSource({
+        "  4.0,  9.9,  0,  3, KICK_IN_RIGHT,      4.0,    9.958",
+        " 14.9,  5.0,  3,  0, GOAL_KICK_RIGHT,   14.0,    0.0",
+        "-14.9, -5.0, -3,  0, CORNER_KICK_RIGHT, -14.958, -5.483"
+    })
+    void ballThatLeavesThePitchIsPlacedForTheOtherTeam(
+            double x, double y, double speedX, double speedY, PlayMode kick, double kickX, double kickY) {
         Player player = game.join("Stars", 1);
         game.join("Moons", 1);
         game.match.setPlayMode(PlayMode.PLAY_ON);
         game.touch(player);
 
-        game.roll(4, 9.9, 0, 3);
+        game.roll(x, y, speedX, speedY);
         game.cycles(0.3);
         PlayMode out = game.playMode();
         game.cycles(1.2);
 
-        assertThat(out).isEqualTo(PlayMode.KICK_IN_RIGHT);
-        assertThat(game.world.ball().position().distanceTo(new Vector3(4, 9.958, 0.042)))
-                .isLessThan(0.02);
+        assertThat(out).isEqualTo(kick);
+        assertThat(game.ballDistance(kickX, kickY)).isLessThan(0.02);
     }
 
     @Test
-    void ballOutStaysOutWhileNobodyHasTouchedIt() {
+    void playContinuesWhenABallThatWasNeverTouchedLeavesThePitch() {
         game.join("Stars", 1);
         game.match.setPlayMode(PlayMode.PLAY_ON);
 
@@ -176,39 +155,6 @@ class PlayModesTest {
         game.cycles(1);
 
         assertThat(game.playMode()).isEqualTo(PlayMode.PLAY_ON);
-    }
-
-    @Test
-    void ballOverTheGoalLineFromAttackersIsGoalKick() {
-        Player player = game.join("Stars", 1);
-        game.join("Moons", 1);
-        game.match.setPlayMode(PlayMode.PLAY_ON);
-        game.touch(player);
-
-        game.roll(14.9, 5, 3, 0);
-        game.cycles(0.3);
-        PlayMode out = game.playMode();
-        game.cycles(1.2);
-
-        assertThat(out).isEqualTo(PlayMode.GOAL_KICK_RIGHT);
-        assertThat(game.world.ball().position().distanceTo(new Vector3(14, 0, 0.042)))
-                .isLessThan(0.02);
-    }
-
-    @Test
-    void ballOverTheGoalLineFromDefendersIsCorner() {
-        Player player = game.join("Stars", 1);
-        game.match.setPlayMode(PlayMode.PLAY_ON);
-        game.touch(player);
-
-        game.roll(-14.9, -5, -3, 0);
-        game.cycles(0.3);
-        PlayMode out = game.playMode();
-        game.cycles(1.2);
-
-        assertThat(out).isEqualTo(PlayMode.CORNER_KICK_RIGHT);
-        assertThat(game.world.ball().position().distanceTo(new Vector3(-14.958, -5.483, 0.042)))
-                .isLessThan(0.02);
     }
 
     @Test
@@ -257,16 +203,6 @@ class PlayModesTest {
     }
 
     @Test
-    void kickThatNobodyTakesBecomesDropBall() {
-        game.join("Stars", 1);
-        game.match.setPlayMode(PlayMode.CORNER_KICK_LEFT);
-
-        game.cycles(15.1);
-
-        assertThat(game.playMode()).isEqualTo(PlayMode.PLAY_ON);
-    }
-
-    @Test
     void goalKickIsOverWhenTheBallHasLeftThePenaltyArea() {
         Player player = game.join("Stars", 1);
         game.match.setPlayMode(PlayMode.PLAY_ON);
@@ -293,8 +229,7 @@ class PlayModesTest {
         game.match.setPlayMode(PlayMode.FREE_KICK_LEFT);
         game.cycles(1.1);
 
-        assertThat(game.world.ball().position().distanceTo(new Vector3(13.2, 3, 0.042)))
-                .isLessThan(0.02);
+        assertThat(game.ballDistance(13.2, 3)).isLessThan(0.02);
     }
 
     @Test
@@ -332,11 +267,7 @@ class PlayModesTest {
 
     @Test
     void kickerMayNotScoreStraightFromKickOff() {
-        Player player = game.join("Stars", 1);
-        game.join("Stars", 2);
-        game.join("Moons", 1);
-        game.match.kickOff(TeamSide.LEFT);
-        game.touchAndLeave(player);
+        kickOffBetweenTwoTeams();
 
         game.roll(14.8, 0, 4, 0);
         game.cycles(0.3);
@@ -347,12 +278,8 @@ class PlayModesTest {
 
     @Test
     void goalCountsOnceAnOpponentHasTouchedTheBallAfterKickOff() {
-        Player player = game.join("Stars", 1);
-        game.join("Stars", 2);
-        Player opponent = game.join("Moons", 1);
-        game.match.kickOff(TeamSide.LEFT);
-        game.touchAndLeave(player);
-        game.touchAndLeave(opponent);
+        kickOffBetweenTwoTeams();
+        game.touchAndLeave(game.match.players(TeamSide.RIGHT).get(0));
 
         game.roll(14.8, 0, 4, 0);
         game.cycles(0.3);
@@ -361,12 +288,8 @@ class PlayModesTest {
     }
 
     @Test
-    void kickerWhoTouchesTwiceGivesFreeKick() {
-        Player player = game.join("Stars", 1);
-        game.join("Stars", 2);
-        game.join("Moons", 1);
-        game.match.kickOff(TeamSide.LEFT);
-        game.touchAndLeave(player);
+    void secondTouchOfTheKickerGivesAFreeKick() {
+        Player player = kickOffBetweenTwoTeams();
         game.cycles(0.5);
 
         game.touch(player);
@@ -396,5 +319,15 @@ class PlayModesTest {
         game.cycle();
 
         assertThat(player.position().x()).isCloseTo(-2.5, within(0.05));
+    }
+
+    /** Lets a robot of the left team kick off; returns the robot. */
+    private Player kickOffBetweenTwoTeams() {
+        Player player = game.join("Stars", 1);
+        game.join("Stars", 2);
+        game.join("Moons", 1);
+        game.match.kickOff(TeamSide.LEFT);
+        game.touchAndLeave(player);
+        return player;
     }
 }

@@ -10,17 +10,17 @@ import java.util.stream.Stream;
 import org.robonewbie.trial.Challenge;
 
 /**
- * A challenge as a contest: an exercise, or one for this purpose. Each team tries it alone on the pitch, under the same
- * conditions as all others, once or in several rounds.
+ * Contest in which each team attempts a challenge alone on the pitch, under the same conditions as all other teams, once or in
+ * several rounds.
  *
- * @param name one word, as it stands on the command line
- * @param title a title for people
- * @param rule how it is judged, in one or two sentences
- * @param challenge makes the challenge of each trial
- * @param start what programs are told about where they start
- * @param seconds simulated time of a trial
- * @param rounds trials of each team, each with the next seed
- * @param criteria columns of the table, by which teams are compared, the most important first
+ * @param name name on the command line, one word
+ * @param title display title
+ * @param rule scoring rule, in one or two sentences
+ * @param challenge supplies a new challenge for each trial
+ * @param start start pose passed to the programs
+ * @param seconds length of a trial, simulated seconds
+ * @param rounds trials per team; the seed increases by one with each round
+ * @param criteria columns of the table in the order in which they break ties
  * @param conditions seeds and variations
  */
 public record ChallengeContest(
@@ -35,10 +35,10 @@ public record ChallengeContest(
         Conditions conditions)
         implements Contest {
 
-    /** What a team has reached, a value for each criterion. */
+    /** Totals of a team, one value per criterion. */
     private record Total(String team, List<Double> values, String last, boolean compiled, long played) {}
 
-    /** Copies the list. */
+    /** Creates the contest. */
     public ChallengeContest {
         criteria = List.copyOf(criteria);
     }

@@ -4,33 +4,33 @@ import java.util.Map;
 import java.util.Random;
 
 /**
- * What differs from one competition to the next.
+ * Seeds and variations of a competition.
  *
  * @param seed seed of all random numbers
- * @param varied whether start places depend on the seed, so that no team can prepare for them
- * @param ownSeeds seeds of teams that, to try something out, play under random conditions of their own
+ * @param varied whether start poses depend on the seed, so that teams cannot prepare for them
+ * @param ownSeeds seeds by name of the teams that play with a different seed, for experiments
  */
 public record Conditions(long seed, boolean varied, Map<String, Long> ownSeeds) {
 
     private static final double VARIED_METRES = 0.3;
     private static final double VARIED_DEGREES = 20;
 
-    /** Makes the map unmodifiable. */
+    /** Creates the conditions. */
     public Conditions {
         ownSeeds = Map.copyOf(ownSeeds);
     }
 
     /**
-     * Returns the usual conditions.
+     * Returns the default conditions.
      *
      * @param seed seed of all random numbers
-     * @return equal ones for all, the usual start places
+     * @return the same seed for all teams, and fixed start poses
      */
     public static Conditions of(long seed) {
         return new Conditions(seed, false, Map.of());
     }
 
-    /** The usual start place, or, if places vary, another one for each seed; it is the same for all teams. */
+    /** Returns the start pose for the seed, which is the same for all teams. */
     StartPlace start(StartPlace usual) {
         if (!varied) {
             return usual;
@@ -47,7 +47,7 @@ public record Conditions(long seed, boolean varied, Map<String, Long> ownSeeds) 
         return ownSeeds.getOrDefault(team, seed);
     }
 
-    /** A seed for one of several trials of the same teams. */
+    /** Derives the seed of one of several trials. */
     long seedOf(int... numbers) {
         long mixed = seed;
         for (int number : numbers) {

@@ -2,7 +2,7 @@ package org.robonewbie.competition.contest;
 
 import java.util.List;
 
-/** A kind of contest. It plans trials and ranks their results; who runs them is no matter of it. */
+/** A kind of contest, which plans trials and ranks their results. It does not run them. */
 public sealed interface Contest permits ChallengeContest, JudgedContest {
 
     /** {@return the contest's name on the command line, one word} */
@@ -15,12 +15,12 @@ public sealed interface Contest permits ChallengeContest, JudgedContest {
     String rule();
 
     /**
-     * Plans the trials that are known by now. When all of these are over, it is called again, since some contests continue if
-     * no team has won.
+     * Returns the trials that can be planned so far. It is called again when these are finished, because a contest may need
+     * further trials to break a tie.
      *
      * @param teams names of the teams
-     * @param results the results so far
-     * @return all trials, over or not, in their order
+     * @param results results of the finished trials
+     * @return all trials, finished or not, in playing order
      */
     List<ContestTrial> trials(List<String> teams, Results results);
 
@@ -28,8 +28,8 @@ public sealed interface Contest permits ChallengeContest, JudgedContest {
      * Ranks the teams.
      *
      * @param teams names of the teams
-     * @param results what is over
-     * @return the table; teams whose trials are not over stand last
+     * @param results results of the finished trials
+     * @return the table; teams without finished trials are last
      */
     Table table(List<String> teams, Results results);
 }

@@ -7,16 +7,16 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
- * One trial of a contest, fixed to the last detail before it begins.
+ * Complete specification of one trial of a contest.
  *
- * @param id its name, unique in its contest; letters, digits and hyphens, so that files can be named after it
- * @param seed start of all random numbers
+ * @param id name, unique in the contest; consists of letters, digits and hyphens, since files are named after it
+ * @param seed seed of all random numbers
  * @param parameters pitch and rules
- * @param entrants who takes part
- * @param seconds simulated seconds that it lasts at most
- * @param kickOff the side that kicks off
- * @param ball where the ball lies, as the first entrant sees the pitch, metres; empty for the centre spot
- * @param ownPlaces whether robots begin where their programs have beamed them, instead of at the places of their entrants
+ * @param entrants participating teams
+ * @param seconds time limit, simulated seconds
+ * @param kickOff side of the first kick-off
+ * @param ball position of the ball in the coordinates of the first entrant, metres; empty for the centre spot
+ * @param ownPlaces whether robots start where their programs beamed them, instead of at the poses of their entrants
  */
 public record ContestTrial(
         String id,
@@ -28,7 +28,7 @@ public record ContestTrial(
         Optional<Vector3> ball,
         boolean ownPlaces) {
 
-    /** Makes the list unmodifiable. */
+    /** Creates the trial. */
     public ContestTrial {
         entrants = List.copyOf(entrants);
     }
@@ -39,12 +39,12 @@ public record ContestTrial(
     }
 
     /**
-     * Plans a trial of one team that is alone on the pitch.
+     * Creates a trial with a single team on the pitch.
      *
-     * @param id its name
-     * @param seed start of all random numbers
-     * @param entrant who takes part
-     * @param seconds simulated seconds that it lasts at most
+     * @param id name of the trial
+     * @param seed seed of all random numbers
+     * @param entrant the team
+     * @param seconds time limit, simulated seconds
      * @return the trial
      */
     static ContestTrial alone(String id, long seed, Entrant entrant, double seconds) {

@@ -9,7 +9,7 @@ import org.robonewbie.trial.measure.Pushes;
 import org.robonewbie.trial.measure.Race;
 import org.robonewbie.trial.measure.Standing;
 
-/** All contests with their usual values. */
+/** The contests with their default parameters. */
 public final class Contests {
 
     /** Simulated seconds of a scoring trial: three minutes. */
@@ -23,7 +23,7 @@ public final class Contests {
     private Contests() {}
 
     /**
-     * The paper's competition: who scores first.
+     * Creates the scoring contest of the paper: the earliest goal wins.
      *
      * @param conditions seeds and variations
      * @param seconds simulated seconds of a trial
@@ -31,8 +31,8 @@ public final class Contests {
      */
     public static Contest scoring(Conditions conditions, double seconds) {
         String rule = "One trial of " + Math.round(seconds)
-                + " s for each team. Who scores first is first; those who do not score are ranked by how far"
-                + " the ball is from the goal at the end.";
+                + " s per team. The earliest goal wins; teams that do not score are ranked by the distance of"
+                + " the ball from the goal at the end.";
         StartPlace start = conditions.start(new StartPlace(2, -0.5, 0.4, -40));
         return new ChallengeContest(
                 "scoring",
@@ -59,11 +59,11 @@ public final class Contests {
     }
 
     /**
-     * A penalty shoot-out.
+     * Creates a penalty shoot-out.
      *
      * @param conditions seeds
-     * @param rounds rounds that are played in any case
-     * @param seconds simulated seconds that an attacker has
+     * @param rounds number of regular rounds
+     * @param seconds time limit of an attack, simulated seconds
      * @return the contest
      */
     public static JudgedContest penalties(Conditions conditions, int rounds, double seconds) {
@@ -71,7 +71,7 @@ public final class Contests {
     }
 
     /**
-     * A race.
+     * Creates a walking race.
      *
      * @param conditions seeds and variations
      * @return the contest
@@ -81,8 +81,8 @@ public final class Contests {
         return new ChallengeContest(
                 "walk",
                 "Fastest walk",
-                "3 m straight ahead towards the ball. The first to cross the line upright wins; those who do not cross"
-                        + " it are ranked by their way.",
+                "3 m straight ahead towards the ball. The fastest to cross the line upright wins; teams that do not cross"
+                        + " it are ranked by the distance walked.",
                 () -> new SoloChallenge<>(start, new Race(RACE_METRES), Contests::way),
                 start,
                 MINI_SECONDS,
@@ -100,7 +100,7 @@ public final class Contests {
     }
 
     /**
-     * A contest of kicks.
+     * Creates a kicking contest.
      *
      * @param conditions seeds and variations
      * @return the contest
@@ -110,8 +110,8 @@ public final class Contests {
         return new ChallengeContest(
                 "kick",
                 "Longest kick",
-                "The ball lies on the centre spot, the robot starts 0.8 m behind it and has 60 s. What counts is how"
-                        + " far the ball gets from the place where it left the robot.",
+                "The ball lies on the centre spot, the robot starts 0.8 m behind it and has 60 s. The score is the"
+                        + " distance of the ball from the point where it left the robot.",
                 () -> new SoloChallenge<>(start, new LongestKick(), kick -> Map.of("kickMetres", kick.value())),
                 start,
                 MINI_SECONDS,
@@ -121,7 +121,7 @@ public final class Contests {
     }
 
     /**
-     * A contest of standing firm against pushes.
+     * Creates a contest of keeping balance against pushes.
      *
      * @param conditions seeds and variations
      * @return the contest
@@ -131,8 +131,8 @@ public final class Contests {
         return new ChallengeContest(
                 "stand",
                 "Longest standing",
-                "The robot is pushed every 3 s for 0.1 s, from changing directions, each time 5 N harder. Who lies"
-                        + " last wins.",
+                "The robot is pushed every 3 s for 0.1 s, from changing directions, each time 5 N harder. The last to"
+                        + " fall wins.",
                 () -> pushed(start, conditions.seed()),
                 start,
                 SCORING_SECONDS,
@@ -154,7 +154,7 @@ public final class Contests {
     }
 
     /**
-     * A contest of gymnastics.
+     * Creates a gymnastics contest.
      *
      * @param conditions seeds and variations
      * @return the contest

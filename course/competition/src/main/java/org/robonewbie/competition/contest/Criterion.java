@@ -4,23 +4,23 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * A column of the table, by which teams are compared: the sum of a figure over all trials of a team. They are compared as
- * precisely as the table shows it, so that everybody can check the ranking with the printed table.
+ * Ranking criterion and column of the table: the sum of a figure over all trials of a team. Values are compared as rounded in the
+ * table, so that the ranking can be verified from the printed table.
  *
  * @param figure name of the figure
- * @param title head of its column
- * @param format how its value is shown, as for {@link String#format}; the number comes first, and a blank after it
- * @param better 1 if more is better, -1 if less is better, 0 if it is only shown
- * @param missing what a trial counts in which it was not reached, or that is lost; not a number if the team has no value then
+ * @param title column heading
+ * @param format {@link String#format} pattern that starts with the number, followed by a space if there is a unit
+ * @param better 1 if larger is better, -1 if smaller is better, 0 if the column does not affect the ranking
+ * @param missing value of a trial without this figure; NaN leaves the team without a value
  */
 public record Criterion(String figure, String title, String format, int better, double missing) {
 
     /**
-     * Compares by something of which more is better.
+     * Creates a criterion of which larger is better.
      *
      * @param figure name of the figure
-     * @param title head of its column
-     * @param format how its value is shown
+     * @param title column heading
+     * @param format pattern of the value
      * @return the criterion
      */
     public static Criterion most(String figure, String title, String format) {
@@ -28,11 +28,11 @@ public record Criterion(String figure, String title, String format, int better, 
     }
 
     /**
-     * Compares by something of which less is better.
+     * Creates a criterion of which smaller is better.
      *
      * @param figure name of the figure
-     * @param title head of its column
-     * @param format how its value is shown
+     * @param title column heading
+     * @param format pattern of the value
      * @return the criterion
      */
     public static Criterion least(String figure, String title, String format) {
@@ -40,11 +40,11 @@ public record Criterion(String figure, String title, String format, int better, 
     }
 
     /**
-     * Compares by points, of which a lost trial has none.
+     * Creates a criterion of points; a lost trial counts 0.
      *
      * @param figure name of the figure
-     * @param title head of its column
-     * @param most what can be reached in all trials
+     * @param title column heading
+     * @param most maximum over all trials
      * @return the criterion
      */
     public static Criterion points(String figure, String title, int most) {
@@ -52,7 +52,7 @@ public record Criterion(String figure, String title, String format, int better, 
     }
 
     /**
-     * Keeps the column in the table, but compares by other ones.
+     * Returns this column without effect on the ranking.
      *
      * @return a changed copy
      */
@@ -60,18 +60,17 @@ public record Criterion(String figure, String title, String format, int better, 
         return new Criterion(figure, title, format, 0, missing);
     }
 
-    /** What one trial adds. */
     double valueIn(Optional<TeamResult> result) {
         return result.map(found -> found.figure(figure).orElse(missing)).orElse(missing);
     }
 
-    /** A place in the order of teams: the smallest first; those without a value stand behind all others. */
+    /** Sort key: smaller is better; teams without a value are last. */
     double order(double value) {
         if (better == 0 || Double.isNaN(value)) {
             return better == 0 ? 0 : value;
         }
         double shown = Double.parseDouble(text(value).split(" ", 2)[0]);
-        return 0.0 - better * shown; // so that there is only one zero
+        return 0.0 - better * shown; // avoids -0.0
     }
 
     String text(double value) {

@@ -1,29 +1,29 @@
 package org.robonewbie.competition.contest;
 
-/** How a trial ended for a team. Whatever is not {@link #PLAYED} has lost it the trial. */
+/** Outcome of a trial for a team. Any outcome but {@link #PLAYED} loses the trial. */
 public enum Ending {
-    /** Its program ran until the trial was over. */
+    /** The program ran to the end of the trial. */
     PLAYED("played to the end"),
-    /** Its sources have mistakes. */
+    /** The program does not compile. */
     NOT_COMPILED("its program does not compile"),
-    /** Its files were refused. */
+    /** The files of the team were refused. */
     REFUSED("its program was refused"),
-    /** Its program brought no robot onto the pitch. */
-    NOT_STARTED("its program brought no robot onto the pitch"),
-    /** Its program ended by itself. */
-    STOPPED("its program ended before the trial was over"),
-    /** Its program kept the world waiting. */
-    SILENT("its program kept the world waiting and was taken out"),
-    /** Its program needed too much memory. */
-    TOO_MUCH_MEMORY("its program needed more memory than is allowed"),
-    /** Its program needed too much processor time. */
-    TOO_MUCH_TIME("its program needed more computing time than is allowed"),
-    /** Its program started too many processes. */
-    TOO_MANY_PROCESSES("its program started more processes than are allowed"),
-    /** Its program came through the door of another team. */
+    /** The program did not join with a robot. */
+    NOT_STARTED("no robot joined"),
+    /** The program exited early. */
+    STOPPED("its program exited before the end of the trial"),
+    /** The program did not respond in time. */
+    SILENT("its program did not respond and was removed"),
+    /** The program exceeded the memory limit. */
+    TOO_MUCH_MEMORY("its program exceeded the memory limit"),
+    /** The program exceeded the limit of processor time. */
+    TOO_MUCH_TIME("its program exceeded the limit of processor time"),
+    /** The program exceeded the limit of processes. */
+    TOO_MANY_PROCESSES("its program exceeded the limit of processes"),
+    /** The program connected to the port of another team. */
     INTRUDED("its program connected to the port of another team"),
-    /** It had more robots on the pitch than it may have; that takes a match or a penalty kick. */
-    TOO_MANY_ROBOTS("its program brought more robots onto the pitch than are allowed");
+    /** The team had too many robots on the pitch, in a match or a penalty shoot-out. */
+    TOO_MANY_ROBOTS("more robots joined than are allowed");
 
     private final String sentence;
 
@@ -31,7 +31,7 @@ public enum Ending {
         this.sentence = sentence;
     }
 
-    /** {@return the ending as a sentence without full stop} */
+    /** {@return the outcome as a sentence without a full stop} */
     public String sentence() {
         return sentence;
     }

@@ -3,26 +3,26 @@ package org.robonewbie.competition.contest;
 import java.util.List;
 
 /**
- * A team's part in a trial.
+ * Participation of a team in a trial.
  *
  * @param team name of the team
- * @param role what its program has to be
- * @param places where its robots start; as many robots may it have
+ * @param role role of its program
+ * @param places start poses of its robots, one per robot
  */
 public record Entrant(String team, Role role, List<StartPlace> places) {
 
-    /** Makes the list unmodifiable. */
+    /** Creates the participation. */
     public Entrant {
         places = List.copyOf(places);
     }
 
     /**
-     * Enters a team with one robot.
+     * Creates the participation of a team with one robot.
      *
      * @param team name of the team
-     * @param role what its program has to be
-     * @param place where its robot starts
-     * @return its part
+     * @param role role of its program
+     * @param place start pose of its robot
+     * @return the participation
      */
     public static Entrant of(String team, Role role, StartPlace place) {
         return new Entrant(team, role, List.of(place));

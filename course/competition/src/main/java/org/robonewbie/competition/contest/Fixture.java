@@ -5,25 +5,25 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * A meeting of two teams that is over.
+ * Result of a fixture of two teams.
  *
- * @param home one team
- * @param away the other team
- * @param homeGoals goals of the one
- * @param awayGoals goals of the other
+ * @param home home team
+ * @param away away team
+ * @param homeGoals goals of the home team
+ * @param awayGoals goals of the away team
  */
 public record Fixture(String home, String away, int homeGoals, int awayGoals) {
 
     /**
-     * Two teams that have to meet.
+     * Pairing of two teams.
      *
-     * @param home one team
-     * @param away the other team
-     * @param number counts the meetings from 1
+     * @param home home team
+     * @param away away team
+     * @param number index of the fixture, from 1
      */
     record Pair(String home, String away, int number) {
 
-        /** The second meeting, on the other team's pitch. */
+        /** Returns the return match, with home and away swapped. */
         Pair again(int meeting) {
             String host = away;
             String guest = home;
@@ -31,7 +31,7 @@ public record Fixture(String home, String away, int homeGoals, int awayGoals) {
         }
     }
 
-    /** Pairs every team with every other team once, in the order of the list. */
+    /** Returns a single round robin in the order of the list. */
     static List<Pair> pairs(List<String> teams) {
         List<Pair> pairs = new ArrayList<>();
         IntStream.range(0, teams.size())

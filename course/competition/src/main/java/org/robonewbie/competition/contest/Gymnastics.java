@@ -11,8 +11,8 @@ import org.robonewbie.trial.measure.SustainedCondition;
 import org.robonewbie.trial.measure.Turn;
 
 /**
- * How many of six elements the robot has shown, in any order: both arms up, a squat, a stand on one leg, a bow, a full turn,
- * and lying down and getting up again.
+ * Number of gymnastic elements that the robot has performed, in any order: both arms up, a squat, a stand on one leg, a bow, a full
+ * turn, and lying down and getting up again.
  */
 final class Gymnastics implements Measure {
 
@@ -59,7 +59,7 @@ final class Gymnastics implements Measure {
         elements = shown;
     }
 
-    /** Turns on the feet add up; in a fall and on the ground nothing counts. */
+    /** Accumulates turns while the robot stands; rotations during a fall or on the ground do not count. */
     private void watchTurn(WorldState state) {
         if (state.robot().isStanding()) {
             turn.see(state);
@@ -90,7 +90,7 @@ final class Gymnastics implements Measure {
         return elements;
     }
 
-    /** The number of elements, and when the last one was shown if there was one. */
+    /** Returns the number of elements, and the time of the last one if there was any. */
     Map<String, Double> figures() {
         return elements == 0
                 ? Map.of("elements", 0.0)

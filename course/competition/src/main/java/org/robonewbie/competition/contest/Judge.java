@@ -3,22 +3,22 @@ package org.robonewbie.competition.contest;
 import java.util.Map;
 import org.robonewbie.simulator.WorldSnapshot;
 
-/** Watches one trial, cycle by cycle, and counts. */
+/** Scorer of one trial, which observes the world in each cycle. */
 public interface Judge {
 
     /** Name of the figure with a team's goals. */
     String GOALS = "goals";
 
     /**
-     * Looks at the world after a cycle.
+     * Evaluates the world after a cycle.
      *
-     * @param world what is true now
+     * @param world current state of the world
      * @return whether the trial is decided
      */
     boolean watch(WorldSnapshot world);
 
     /**
-     * Returns what a team has reached so far.
+     * Returns the figures of a team so far.
      *
      * @param team name of the team
      * @return figures by name
@@ -28,7 +28,7 @@ public interface Judge {
     /**
      * Returns whether a team is on the pitch.
      *
-     * @param world what is true now
+     * @param world current state of the world
      * @param team name of the team
      * @return whether it has a robot
      */
@@ -39,7 +39,7 @@ public interface Judge {
     /**
      * Returns the goals of a team that is on the pitch.
      *
-     * @param world what is true now
+     * @param world current state of the world
      * @param team name of the team
      * @return its goals
      */

@@ -1,13 +1,13 @@
 package org.robonewbie.competition.contest;
 
-/** A contest on the pitch, where programs play as in a game and a judge watches. */
+/** Contest of games with a simulator, in which a judge scores each trial. */
 public non-sealed interface JudgedContest extends Contest {
 
     /**
-     * Sends a judge to a trial.
+     * Creates the judge of a trial.
      *
      * @param trial one of the trials
-     * @return its judge
+     * @return a new judge
      */
     Judge judge(ContestTrial trial);
 }

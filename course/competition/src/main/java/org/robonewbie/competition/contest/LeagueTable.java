@@ -9,9 +9,8 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 
 /**
- * The table of a league: three points for a victory, one for a draw; among equal points the goal difference decides, then the
- * number of goals, then points and goal difference of the meetings between those that are equal. Teams that are equal in all of
- * that share a place.
+ * League table: three points for a win, one for a draw. Ties are broken by goal difference, goals scored, then points and goal
+ * difference in the fixtures among the tied teams. Teams that are still tied share a rank.
  */
 final class LeagueTable {
 
@@ -20,7 +19,7 @@ final class LeagueTable {
 
     private LeagueTable() {}
 
-    /** What a team has reached. */
+    /** Record of a team. */
     record Line(String team, int won, int drawn, int lost, int goals, int against) {
 
         int points() {
@@ -56,11 +55,11 @@ final class LeagueTable {
     /**
      * Creates the table of a contest.
      *
-     * @param contest whose title and rule it carries
+     * @param contest source of title and rule
      * @param teams all teams
-     * @param fixtures the fixtures that are over
-     * @param results what is over
-     * @param trialsOf returns the names of a team's trials
+     * @param fixtures finished fixtures
+     * @param results results of the finished trials
+     * @param trialsOf names of the trials by team
      */
     static Table table(
             Contest contest,
@@ -81,7 +80,7 @@ final class LeagueTable {
         return new Table(contest.title(), contest.rule(), COLUMNS, rows);
     }
 
-    /** Ranks teams by the meetings that are over; those whose programs do not compile stand last. */
+    /** Ranks teams by finished fixtures; teams whose programs do not compile are last. */
     static List<Ranked<Line>> of(List<String> teams, List<Fixture> fixtures, Predicate<String> compiled) {
         List<Line> lines = teams.stream().map(team -> line(team, fixtures)).toList();
         Comparator<Line> inAll = Comparator.comparing((Line line) -> !compiled.test(line.team()))

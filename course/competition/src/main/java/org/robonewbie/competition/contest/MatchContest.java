@@ -5,12 +5,12 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * Matches of teams: every team plays every other team. A team whose program fails loses the match 0:3, or higher if it was
- * behind by more; if both fail, neither gets points.
+ * Round robin of matches. A team whose program fails forfeits the match 0:3, or by its current deficit if that is larger; if both
+ * fail, neither gets points.
  *
- * @param kind pitch, rules and how often two teams meet
- * @param players robots of each team, 1 to 11
- * @param seconds simulated seconds of a match, in one half
+ * @param kind pitch, rules and number of fixtures per pair of teams
+ * @param players robots per team, 1 to 11
+ * @param seconds length of a match in one half, simulated seconds
  * @param conditions seeds
  */
 public record MatchContest(MatchKind kind, int players, double seconds, Conditions conditions)
@@ -18,7 +18,7 @@ public record MatchContest(MatchKind kind, int players, double seconds, Conditio
 
     private static final int FORFEIT_GOALS = 3;
 
-    /** Where robots begin, in the order of their numbers; the centre circle is free. */
+    /** Start positions by robot number; the centre circle stays free. */
     private static final double[][] LINE_UP = {
         {-5, 0},
         {-1.6, 0},
@@ -46,8 +46,8 @@ public record MatchContest(MatchKind kind, int players, double seconds, Conditio
     @Override
     public String rule() {
         return kind.pairing() + " for " + Math.round(seconds)
-                + " s. Three points for a victory, one for a draw; then the difference of goals, then the goals,"
-                + " then the matches between those that are equal decide.";
+                + " s. Three points for a win, one for a draw. Ties are broken by goal difference, then goals scored,"
+                + " then the matches among the tied teams.";
     }
 
     @Override
@@ -70,7 +70,7 @@ public record MatchContest(MatchKind kind, int players, double seconds, Conditio
         return LeagueTable.table(this, teams, fixtures, results, team -> idsOf(pairs, team, results));
     }
 
-    /** The result that counts; empty if both teams have failed. */
+    /** Returns the official result; empty if both teams failed. */
     static Optional<Fixture> fixture(Fixture.Pair pair, TrialResult result) {
         TeamResult home = result.of(pair.home());
         TeamResult away = result.of(pair.away());

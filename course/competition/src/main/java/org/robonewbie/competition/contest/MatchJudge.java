@@ -4,7 +4,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.robonewbie.simulator.WorldSnapshot;
 
-/** Counts the goals of a match. It ends at once when a team has no robot left. */
+/** Judge that counts the goals of a match and ends it when a team has no robot left. */
 final class MatchJudge implements Judge {
 
     private final Map<String, Double> goals = new TreeMap<>();

@@ -6,17 +6,17 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
-/** What is different between the matches of a course and those of a league. */
+/** Differences between the matches of a course and those of a league. */
 public enum MatchKind {
-    /** Small teams on the small pitch without fouls; two teams meet once. */
+    /** Small teams on the small pitch without fouls; single round robin. */
     MATCHES("matches", "Matches", "Every team plays every other team once"),
-    /** Whole teams on the league's pitch under the league's rules; two teams meet twice, the second time with changed sides. */
+    /** Full teams on the league's pitch under its rules; double round robin with swapped sides. */
     LEAGUE("league", "League", "Every team plays every other team twice, home and away,");
 
-    /** So much longer than a match is its half, so that the contest and not the referee ends it. */
+    /** Margin of the half time over the match length, so that the contest and not the referee ends the match. */
     private static final double SPARE_SECONDS = 60;
 
-    private static final double MOST_PLAYERS = 11;
+    private static final double MAX_PLAYERS = 11;
 
     private final String word;
     private final String title;
@@ -37,27 +37,26 @@ public enum MatchKind {
         return title;
     }
 
-    /** Who meets whom, as the beginning of a sentence. */
+    /** Description of the pairings, as the beginning of a sentence. */
     String pairing() {
         return pairing;
     }
 
-    /** Pitch and rules of a match that lasts as long as is said. */
+    /** Returns pitch and rules of a match of the given length. */
     SoccerParameters parameters(double seconds) {
         return this == LEAGUE ? league(seconds) : beginners();
     }
 
-    /** Whether robots begin where their programs have beamed them. */
+    /** Returns whether robots start where their programs beamed them. */
     boolean hasOwnPlaces() {
         return this == LEAGUE;
     }
 
-    /** Who has the first kick-off: in a league the team at home, else each side in turn. */
+    /** Returns the side of the first kick-off: the home team in a league, otherwise alternating. */
     TeamSide kickOff(Fixture.Pair pair) {
         return this == LEAGUE || pair.number() % 2 == 0 ? TeamSide.LEFT : TeamSide.RIGHT;
     }
 
-    /** All meetings, in their order. */
     List<Fixture.Pair> pairs(List<String> teams) {
         List<Fixture.Pair> once = Fixture.pairs(teams);
         if (this != LEAGUE) {
@@ -75,13 +74,13 @@ public enum MatchKind {
                 .with(SoccerParameter.BEAM_GRACE_TIME, 0);
     }
 
-    /** The league's rules, but robots may all be of one type, so that every program can take part. */
+    /** Returns the league's rules without the limits on robot types, so that every program can take part. */
     private static SoccerParameters league(double seconds) {
         return SoccerParameters.league()
                 .with(SoccerParameter.SINGLE_HALF_TIME, 1)
                 .with(SoccerParameter.RULE_HALF_TIME, seconds + SPARE_SECONDS)
-                .with(SoccerParameter.MAX_ROBOT_TYPE_COUNT, MOST_PLAYERS)
+                .with(SoccerParameter.MAX_ROBOT_TYPE_COUNT, MAX_PLAYERS)
                 .with(SoccerParameter.MIN_ROBOT_TYPES_COUNT, 1)
-                .with(SoccerParameter.MAX_SUM_TWO_ROBOT_TYPES, MOST_PLAYERS);
+                .with(SoccerParameter.MAX_SUM_TWO_ROBOT_TYPES, MAX_PLAYERS);
     }
 }

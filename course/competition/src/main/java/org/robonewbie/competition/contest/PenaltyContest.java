@@ -12,11 +12,11 @@ import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
- * Penalty kicks: every team meets every other team in a shoot-out in which both attack and both keep the goal. The ball lies 2.5 m
- * before the goal, the attacker starts 0.8 m behind it, in each round a little more to the left or right; for both teams alike.
+ * Round robin of penalty shoot-outs, in which both teams attack and defend. The ball lies 2.5 m in front of the goal; the attacker
+ * starts 0.8 m behind it with a lateral offset that varies by round and is the same for both teams.
  *
- * @param shootOut how many rounds
- * @param seconds simulated seconds that an attacker has
+ * @param shootOut number of rounds
+ * @param seconds time limit of an attack, simulated seconds
  * @param conditions seeds
  */
 record PenaltyContest(ShootOut shootOut, double seconds, Conditions conditions) implements JudgedContest {
@@ -41,9 +41,9 @@ record PenaltyContest(ShootOut shootOut, double seconds, Conditions conditions) 
     @Override
     public String rule() {
         return "Every team meets every other team: " + shootOut.rounds()
-                + " rounds in which both attack once and keep the goal once, each for " + Math.round(seconds)
+                + " rounds in which both attack once and defend once, each for " + Math.round(seconds)
                 + " s; then up to " + shootOut.suddenDeathRounds()
-                + " further rounds until one is ahead. Three points for a victory, one for a draw.";
+                + " rounds of sudden death. Three points for a win, one for a draw.";
     }
 
     @Override
@@ -82,7 +82,7 @@ record PenaltyContest(ShootOut shootOut, double seconds, Conditions conditions) 
                 played.stream().mapToInt(ShootOut.Round::away).sum());
     }
 
-    /** The rounds of which both kicks are over. */
+    /** Returns the rounds in which both teams have attacked. */
     private static List<ShootOut.Round> played(Fixture.Pair pair, Results results) {
         List<ShootOut.Round> played = new ArrayList<>();
         for (int round = 1; ; round++) {

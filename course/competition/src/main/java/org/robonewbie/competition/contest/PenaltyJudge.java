@@ -4,8 +4,8 @@ import java.util.Map;
 import org.robonewbie.simulator.WorldSnapshot;
 
 /**
- * Sees whether the attacker scores before its time is over, the ball is out, or it has left the pitch. Who asks for pass mode wins no time by
- * it: the attack goes on.
+ * Judge of a penalty kick. The attack ends with a goal, when the ball is out, or when the attacker leaves the pitch; pass mode does not
+ * interrupt it.
  */
 final class PenaltyJudge implements Judge {
 

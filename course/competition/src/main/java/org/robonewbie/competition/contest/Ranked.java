@@ -5,21 +5,21 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * A place in a ranking. Equally good ones share a place, and the next place is counted as if they had not: 1, 2, 2, 4.
+ * Entry of a ranking. Ties share a rank, and the ranks after them are skipped: 1, 2, 2, 4.
  *
- * @param rank 1 is the best
- * @param who who has this place
- * @param <T> what is ranked
+ * @param rank rank, from 1 for the best
+ * @param who the ranked item
+ * @param <T> type of the items
  */
 public record Ranked<T>(int rank, T who) {
 
     /**
-     * Ranks.
+     * Ranks items.
      *
-     * @param candidates who is ranked; among equals their order stays
-     * @param order the better ones first; equal means the same place
-     * @param <T> what is ranked
-     * @return the places, the best first
+     * @param candidates the items; ties keep their order
+     * @param order comparator with the best first; equal items share a rank
+     * @param <T> type of the items
+     * @return the ranking, best first
      */
     public static <T> List<Ranked<T>> ranking(List<T> candidates, Comparator<T> order) {
         List<T> sorted = candidates.stream().sorted(order).toList();

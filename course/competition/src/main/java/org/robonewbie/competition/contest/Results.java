@@ -4,27 +4,27 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-/** The trials that are over. */
+/** Results of the finished trials. */
 @FunctionalInterface
 public interface Results {
 
-    /** How trials end for a program that cannot be started. */
+    /** Outcomes of programs that cannot be started. */
     Set<Ending> NEVER_STARTED = Set.of(Ending.NOT_COMPILED, Ending.REFUSED);
 
     /**
-     * Looks up a result.
+     * Finds the result of a trial.
      *
      * @param trialId name of the trial
-     * @return its result, or empty if it is not over
+     * @return the result; empty if the trial is not finished
      */
     Optional<TrialResult> find(String trialId);
 
     /**
-     * Looks whether a team could take part in any trial that is over.
+     * Returns whether a team could take part in any finished trial.
      *
      * @param team name of the team
      * @param trialIds names of its trials
-     * @return false if its program has never compiled, or was refused
+     * @return false if its program never compiled or was refused
      */
     default boolean hasCompiled(String team, List<String> trialIds) {
         List<TeamResult> over = trialIds.stream()
@@ -35,11 +35,11 @@ public interface Results {
     }
 
     /**
-     * Looks whether a team has played any trial to its end.
+     * Returns whether a team played any trial to the end.
      *
      * @param team name of the team
      * @param trialIds names of its trials
-     * @return false if it has lost all that are over, or none is over
+     * @return false if it lost all finished trials, or none is finished
      */
     default boolean hasPlayed(String team, List<String> trialIds) {
         return trialIds.stream()

@@ -2,16 +2,16 @@ package org.robonewbie.competition.contest;
 
 import java.util.Locale;
 
-/** The role of a program in a trial. A team may have a program of its own for each role. */
+/** Role of a program in a trial. A team may provide a separate program for each role. */
 public enum Role {
-    /** Whatever the contest asks for. */
+    /** Any contest without special roles. */
     MAIN,
-    /** Shoots penalties. */
+    /** Attacker in a penalty shoot-out. */
     ATTACKER,
-    /** Keeps the goal against penalties. */
+    /** Goalkeeper in a penalty shoot-out. */
     GOALKEEPER;
 
-    /** {@return the word for it in a file of teams, such as {@code attacker}} */
+    /** {@return the name in a file of teams, such as {@code attacker}} */
     public String key() {
         return name().toLowerCase(Locale.ROOT);
     }

@@ -3,18 +3,18 @@ package org.robonewbie.competition.contest;
 import java.util.List;
 
 /**
- * A penalty shoot-out of two teams: some rounds in which each of them attacks once, then, while they are equal, further rounds one
- * by one.
+ * Penalty shoot-out of two teams: a number of rounds in which each team attacks once, followed by sudden death while the score is
+ * level.
  *
- * @param rounds rounds that are played in any case
- * @param suddenDeathRounds rounds that are added at most
+ * @param rounds number of regular rounds
+ * @param suddenDeathRounds maximum number of sudden-death rounds
  */
 record ShootOut(int rounds, int suddenDeathRounds) {
 
-    /** What both teams did in one round: goals are 1 or 0. */
+    /** Goals of both teams in one round, each 0 or 1. */
     record Round(int home, int away) {}
 
-    /** The number of rounds that are needed, as known from the ones played. */
+    /** Returns the number of rounds needed, given the rounds played. */
     int roundsNeeded(List<Round> played) {
         if (played.size() < rounds || !isEqual(played) || played.size() >= rounds + suddenDeathRounds) {
             return Math.max(rounds, played.size());
@@ -22,7 +22,7 @@ record ShootOut(int rounds, int suddenDeathRounds) {
         return played.size() + 1;
     }
 
-    /** Whether the shoot-out is decided. */
+    /** Returns whether the shoot-out is decided. */
     boolean isOver(List<Round> played) {
         return played.size() >= roundsNeeded(played);
     }

@@ -13,18 +13,18 @@ import org.robonewbie.trial.TrialHook;
 import org.robonewbie.trial.WorldState;
 
 /**
- * A robot alone on the pitch, with the ball on the centre spot, and what it is measured by.
+ * Challenge of a single robot with the ball on the centre spot, scored by a measure.
  *
- * @param start where the robot starts
- * @param measure decides when the trial is over
- * @param hook what happens to the robot
- * @param results reads the measure at the end
+ * @param start start pose of the robot
+ * @param measure measure that also ends the trial
+ * @param hook disturbances of the robot
+ * @param results extracts the figures from the measure
  * @param <M> type of the measure
  */
 record SoloChallenge<M extends Measure>(
         StartPlace start, M measure, TrialHook hook, Function<M, Map<String, Double>> results) implements Challenge {
 
-    /** Creates a challenge in which nothing happens but what the robot does. */
+    /** Creates a challenge without disturbances. */
     SoloChallenge(StartPlace start, M measure, Function<M, Map<String, Double>> results) {
         this(start, measure, trial -> {}, results);
     }

@@ -5,21 +5,20 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 
 /**
- * Where a robot of a team starts, in its team's own coordinates: the origin is the centre spot, x points to the opponents' goal
- * and y to the left of that.
+ * Start pose of a robot in its team's coordinates: the origin is the centre spot, x points to the opponents' goal and y to the left.
  *
- * @param number the robot's number, 1 to 11
+ * @param number number of the robot, 1 to 11
  * @param x metres
  * @param y metres
- * @param degrees its heading; 0 is towards the opponents' goal, positive is left
+ * @param degrees heading; 0 is towards the opponents' goal, positive is left
  */
 public record StartPlace(int number, double x, double y, double degrees) {
 
-    /** Height of the torso of a robot that stands. */
+    /** Torso height of a standing robot. */
     private static final double TORSO_METRES = 0.4;
 
     /**
-     * Writes the place as agents take it with {@code --pose}.
+     * Formats the pose for the agents' option {@code --pose}.
      *
      * @return such as {@code -0.5,0.4,-40}
      */

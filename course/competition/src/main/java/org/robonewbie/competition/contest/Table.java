@@ -3,33 +3,33 @@ package org.robonewbie.competition.contest;
 import java.util.List;
 
 /**
- * The result of a contest.
+ * Result table of a contest.
  *
- * @param title of the contest
- * @param rule how it was judged
- * @param columns what the cells of each row mean
- * @param rows one for each team, the best first
+ * @param title title of the contest
+ * @param rule scoring rule
+ * @param columns column headings
+ * @param rows one row per team, best first
  */
 public record Table(String title, String rule, List<String> columns, List<Row> rows) {
 
-    /** Makes the lists unmodifiable. */
+    /** Creates the table. */
     public Table {
         columns = List.copyOf(columns);
         rows = List.copyOf(rows);
     }
 
     /**
-     * One team in the table.
+     * Row of one team.
      *
-     * @param rank its place, 1 is the best; shared by equals
-     * @param team its name
-     * @param cells one text for each column
+     * @param rank rank from 1, shared by ties
+     * @param team name of the team
+     * @param cells one text per column
      * @param trials names of its trials
-     * @param certified whether it gets a certificate; a program that has lost all its trials does not
+     * @param certified whether the team gets a certificate, which requires a trial played to the end
      */
     public record Row(int rank, String team, List<String> cells, List<String> trials, boolean certified) {
 
-        /** Makes the lists unmodifiable. */
+        /** Creates the row. */
         public Row {
             cells = List.copyOf(cells);
             trials = List.copyOf(trials);
@@ -38,9 +38,9 @@ public record Table(String title, String rule, List<String> columns, List<Row> r
         /**
          * Creates the row of a team that took part.
          *
-         * @param rank its place
-         * @param team its name
-         * @param cells one text for each column
+         * @param rank rank from 1
+         * @param team name of the team
+         * @param cells one text per column
          * @param trials names of its trials
          */
         public Row(int rank, String team, List<String> cells, List<String> trials) {

@@ -12,18 +12,18 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 
 /**
- * What a trial has shown of one team.
+ * Result of a trial for one team.
  *
  * @param team name of the team
- * @param ending how the trial ended for it
- * @param figures what was measured, by name; without meaning if the team has lost the trial
+ * @param ending outcome for the team
+ * @param figures measured figures by name; meaningless if the team lost the trial
  */
 public record TeamResult(String team, Ending ending, SortedMap<String, Double> figures) {
 
     private static final String EXIT_CODE = "exitCode";
     private static final Map<String, String> UNITS = Map.of("Metres", " m", "Seconds", " s", "Degrees", "°");
 
-    /** Makes the map unmodifiable. */
+    /** Creates the result. */
     public TeamResult {
         figures = Collections.unmodifiableSortedMap(new TreeMap<>(figures));
     }
@@ -32,24 +32,24 @@ public record TeamResult(String team, Ending ending, SortedMap<String, Double> f
      * Creates a result.
      *
      * @param team name of the team
-     * @param ending how the trial ended for it
-     * @param figures what was measured
+     * @param ending outcome for the team
+     * @param figures measured figures by name
      * @return the result
      */
     public static TeamResult of(String team, Ending ending, Map<String, Double> figures) {
         return new TeamResult(team, ending, new TreeMap<>(figures));
     }
 
-    /** {@return whether the team took part to the end, so that its figures count} */
+    /** {@return whether the team played to the end, so that its figures count} */
     public boolean isPlayed() {
         return ending == Ending.PLAYED;
     }
 
     /**
-     * Reads a figure.
+     * Returns a figure.
      *
-     * @param name its name
-     * @return its value, or empty if it was not reached or the trial is lost
+     * @param name name of the figure
+     * @return its value; empty if it was not measured or the trial was lost
      */
     public OptionalDouble figure(String name) {
         Double value = figures.get(name);
@@ -57,10 +57,10 @@ public record TeamResult(String team, Ending ending, SortedMap<String, Double> f
     }
 
     /**
-     * Notes how a program has ended that ended by itself.
+     * Adds the exit code of a program that exited early.
      *
-     * @param exitCode the exit code of its process; empty if that is not known
-     * @return a changed copy; the same if the program has not ended by itself
+     * @param exitCode exit code of its process; empty if unknown
+     * @return a copy with the exit code; this result if {@code exitCode} is empty
      */
     public TeamResult withExitCode(OptionalInt exitCode) {
         if (ending != Ending.STOPPED || exitCode.isEmpty()) {
@@ -71,13 +71,13 @@ public record TeamResult(String team, Ending ending, SortedMap<String, Double> f
         return new TeamResult(team, ending, more);
     }
 
-    /** {@return how the trial ended for the team, with the exit code of a program that has ended by itself} */
+    /** {@return the outcome as text, with the exit code of a program that exited early} */
     public String endingInWords() {
         Double exitCode = figures.get(EXIT_CODE);
         return ending.sentence() + (exitCode == null || isPlayed() ? "" : " (exit code " + exitCode.intValue() + ")");
     }
 
-    /** {@return what the team has reached, or why it has lost the trial, for people} */
+    /** {@return the figures, or the reason for losing the trial, as display text} */
     public String inWords() {
         String measured = figures.entrySet().stream()
                 .map(figure -> inWords(figure.getKey(), figure.getValue()))
@@ -85,7 +85,7 @@ public record TeamResult(String team, Ending ending, SortedMap<String, Double> f
         return team + ": " + (isPlayed() && !measured.isEmpty() ? measured : endingInWords());
     }
 
-    /** A figure is named for what it is and its unit: {@code wayMetres} becomes {@code way 3 m}. */
+    /** Formats a figure by the unit in its name: {@code wayMetres} becomes {@code way 3 m}. */
     private static String inWords(String name, double value) {
         String number = BigDecimal.valueOf(value)
                 .setScale(2, RoundingMode.HALF_UP)

@@ -4,16 +4,16 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * What a trial has shown. Nothing in it depends on the computer, so that the same trial gives the same result.
+ * Result of a trial. It is independent of the computer: the same trial gives the same result.
  *
  * @param id name of the trial
- * @param seed start of all random numbers
+ * @param seed seed of all random numbers
  * @param seconds simulated seconds from the start to the decision
- * @param teams one result for each team that took part
+ * @param teams one result per participating team
  */
 public record TrialResult(String id, long seed, double seconds, List<TeamResult> teams) {
 
-    /** Makes the list unmodifiable. */
+    /** Creates the result. */
     public TrialResult {
         teams = List.copyOf(teams);
     }
@@ -21,8 +21,8 @@ public record TrialResult(String id, long seed, double seconds, List<TeamResult>
     /**
      * Returns a team's result.
      *
-     * @param name name of a team that took part
-     * @return its result
+     * @param name name of a participating team
+     * @return the result of the team
      */
     public TeamResult of(String name) {
         return teams.stream()
@@ -31,7 +31,7 @@ public record TrialResult(String id, long seed, double seconds, List<TeamResult>
                 .orElseThrow();
     }
 
-    /** {@return what each team has reached, for people} */
+    /** {@return the results of all teams as display text} */
     public String inWords() {
         return teams.stream().map(TeamResult::inWords).collect(Collectors.joining("; "));
     }

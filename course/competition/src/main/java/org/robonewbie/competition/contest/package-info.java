@@ -1,5 +1,5 @@
 /**
- * Which contests there are: what is tried, who watches, how it is ranked. Start reading with {@link org.robonewbie.competition.contest.Contest}.
+ * Contests: their trials, judges and ranking. Read {@link org.robonewbie.competition.contest.Contest} first.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

@@ -7,7 +7,7 @@ import org.robonewbie.competition.team.TeamEntry;
 import org.robonewbie.nao.text.Html;
 
 /**
- * A team's certificate, made for one sheet of A4 in landscape; place, date and signature are written by hand.
+ * Certificate of a team for one sheet of A4 in landscape; place, date and signature are added by hand.
  *
  * @param team the team
  * @param table the table of the contest
@@ -41,7 +41,7 @@ record Certificate(TeamEntry team, Table table, Table.Row row) {
             <p>In the contest &ldquo;%s&rdquo; the team</p>
             <div class="team">%s</div>
             <div class="members">%s</div>
-            <div class="rank">has taken the %s place of %d</div>
+            <div class="rank">finished %s of %d</div>
             <p>%s</p>
             <div class="signatures"><div>Place and date</div><div>For the organisers</div></div>
             </main>

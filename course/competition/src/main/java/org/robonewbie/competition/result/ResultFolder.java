@@ -23,12 +23,12 @@ import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.programs.Fingerprint;
 
 /**
- * The folder in which a contest keeps everything: each finished trial in a file of its own, written atomically, so that an
- * interrupted contest continues where it was.
+ * Result folder of a contest. Each finished trial is a separate file that is written atomically, so an interrupted contest can
+ * resume.
  */
 public final class ResultFolder implements Results, AutoCloseable {
 
-    /** The file that one contest at a time holds. */
+    /** Lock file. */
     private static final String LOCK = "competition.lock";
 
     private final Path folder;
@@ -42,12 +42,12 @@ public final class ResultFolder implements Results, AutoCloseable {
     }
 
     /**
-     * Opens a folder for one contest at a time.
+     * Opens and locks a folder.
      *
-     * @param folder the folder; it is made if it does not exist
+     * @param folder the folder; created if it does not exist
      * @return the open folder
-     * @throws IOException if it cannot be written to
-     * @throws CalledWronglyException if another program is using it
+     * @throws IOException if it is not writable
+     * @throws CalledWronglyException if another process uses it
      */
     public static ResultFolder open(Path folder) throws IOException {
         for (String part : new String[] {"trials", "recordings", "logs", "work", "certificates"}) {
@@ -55,14 +55,14 @@ public final class ResultFolder implements Results, AutoCloseable {
         }
         FolderLock lock = FolderLock.take(folder.resolve(LOCK))
                 .orElseThrow(() -> new CalledWronglyException("Another competition is using the folder " + folder
-                        + ". Wait for its end, or choose another folder with --results."));
+                        + ". Wait until it ends, or choose another folder with --results."));
         return new ResultFolder(folder, lock);
     }
 
     /**
-     * Returns the path of a file of the results.
+     * Returns a file in the folder.
      *
-     * @param name its name in this folder
+     * @param name name of the file
      * @return the file
      */
     public Path file(String name) {
@@ -70,7 +70,7 @@ public final class ResultFolder implements Results, AutoCloseable {
     }
 
     /**
-     * Returns where a trial writes its files.
+     * Returns the output files of a trial.
      *
      * @param trial the trial
      * @return its files
@@ -83,18 +83,18 @@ public final class ResultFolder implements Results, AutoCloseable {
      * Returns the recording of a trial.
      *
      * @param trialId name of the trial
-     * @return the file, which {@code robonewbie studio} opens
+     * @return the file, for {@code robonewbie studio}
      */
     public Path recording(String trialId) {
         return folder.resolve("recordings").resolve(trialId + ".rec");
     }
 
     /**
-     * Looks whether a trial is over, under the same circumstances.
+     * Loads the result of a trial if it was saved under the same circumstances.
      *
      * @param trialId name of the trial
-     * @param circumstances checksum of all that it depends on
-     * @return whether its result is there now
+     * @param circumstances checksum of everything that the result depends on
+     * @return whether the result is available
      * @throws IOException if the folder cannot be read
      */
     public boolean load(String trialId, String circumstances) throws IOException {
@@ -110,10 +110,10 @@ public final class ResultFolder implements Results, AutoCloseable {
     }
 
     /**
-     * Keeps a result.
+     * Saves a result.
      *
      * @param result the result
-     * @param circumstances checksum of all that it depends on
+     * @param circumstances checksum of everything that the result depends on
      * @throws IOException if it cannot be written
      */
     public void save(TrialResult result, String circumstances) throws IOException {
@@ -127,10 +127,10 @@ public final class ResultFolder implements Results, AutoCloseable {
     }
 
     /**
-     * Returns the checksum that the recording of a trial had when the trial was over.
+     * Returns the checksum of a recording as of the end of its trial.
      *
      * @param trialId name of the trial
-     * @return its SHA-256; empty if it was not recorded
+     * @return the SHA-256; empty if the trial was not recorded
      */
     public Optional<String> recordingSha256(String trialId) {
         return Optional.ofNullable(finished.get(trialId))
@@ -139,9 +139,9 @@ public final class ResultFolder implements Results, AutoCloseable {
     }
 
     /**
-     * Looks for files that somebody else has changed while the contest ran, and restores the results.
+     * Detects files that were modified by others during the contest, and restores the results.
      *
-     * @return a sentence about each
+     * @return one sentence per modified file
      * @throws IOException if a file cannot be read or written
      */
     public List<String> repair() throws IOException {
@@ -150,21 +150,21 @@ public final class ResultFolder implements Results, AutoCloseable {
             Path file = trialFile(trial.getKey());
             if (!holds(file, trial.getValue().getBytes(StandardCharsets.UTF_8))) {
                 AtomicFile.write(file, trial.getValue());
-                sentences.add("Somebody has changed " + file + " while the contest ran; it is as it was again.");
+                sentences.add("The file " + file + " was modified during the contest and has been restored.");
             }
             Path recording = recording(trial.getKey());
             Optional<String> sum = recordingSha256(trial.getKey());
             if (sum.isPresent()
                     && Files.isRegularFile(recording)
                     && !Fingerprint.sha256(recording).equals(sum.get())) {
-                sentences.add("Somebody has changed " + recording
-                        + " since its trial; the checksum in the table is that of the trial.");
+                sentences.add("The recording " + recording
+                        + " was modified after its trial; the checksum in the table is the original one.");
             }
         }
         return sentences;
     }
 
-    /** What a program has put in place of a result may be huge, or a pipe. */
+    /** Compares a file safely: a program may have replaced it by a huge file or a pipe. */
     private static boolean holds(Path file, byte[] content) {
         try {
             return Arrays.equals(RegularFile.read(file, content.length), content);

@@ -14,7 +14,7 @@ import org.robonewbie.competition.team.TeamEntry;
 import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.text.Csv;
 
-/** Writes the table of a contest as a page, as CSV and as JSON, and a certificate for each team. */
+/** Writer for the table of a contest as HTML, CSV and JSON, and for the certificates. */
 public final class TableFiles {
 
     private static final String CHECKSUMS = "recordings.sha256";
@@ -25,8 +25,8 @@ public final class TableFiles {
     /**
      * Creates a writer.
      *
-     * @param folder where to write
-     * @param teams the teams, for their titles and members
+     * @param folder target folder
+     * @param teams the teams, with titles and members
      */
     public TableFiles(ResultFolder folder, List<TeamEntry> teams) {
         this.folder = folder;
@@ -38,7 +38,7 @@ public final class TableFiles {
      *
      * @param table the table
      * @param seed the seed of the contest
-     * @param notes sentences about how it was held
+     * @param notes notes on how it was run
      * @throws IOException if a file cannot be written
      */
     public void write(Table table, long seed, List<String> notes) throws IOException {
@@ -56,7 +56,7 @@ public final class TableFiles {
         }
     }
 
-    /** The recordings of the table with their checksums, as {@code sha256sum --check} reads them. */
+    /** Returns the checksums of the recordings in the format of {@code sha256sum --check}. */
     private String checksums(Table table) {
         return table.rows().stream()
                 .flatMap(row -> row.trials().stream())
@@ -89,9 +89,9 @@ public final class TableFiles {
         json.addProperty("contest", table.title());
         json.addProperty("rule", table.rule());
         json.addProperty("seed", seed);
-        JsonArray told = new JsonArray();
-        notes.forEach(told::add);
-        json.add("notes", told);
+        JsonArray noteTexts = new JsonArray();
+        notes.forEach(noteTexts::add);
+        json.add("notes", noteTexts);
         JsonArray rows = new JsonArray();
         for (Table.Row row : table.rows()) {
             JsonObject own = new JsonObject();

@@ -6,7 +6,7 @@ import org.robonewbie.competition.contest.Table;
 import org.robonewbie.competition.team.TeamEntry;
 import org.robonewbie.nao.text.Html;
 
-/** The table as a page that can be shown on a wall or printed. */
+/** HTML page of the table, for display and print. */
 final class TablePage {
 
     private static final String STYLE = """
@@ -40,8 +40,8 @@ final class TablePage {
             <tbody>
             %s</tbody>
             </table>
-            <p class="note">Seed %d. To watch a trial again, write its line below “replay” into a terminal, in the folder of
-            this page. The file recordings.sha256 has the checksums of all recordings.</p>
+            <p class="note">Seed %d. To replay a trial, run its command under “replay” in a terminal, in the folder of this
+            page. The file recordings.sha256 contains the checksums of all recordings.</p>
             <p class="note">%s</p>
             """.formatted(
                         Html.text(table.title()),
@@ -74,7 +74,7 @@ final class TablePage {
                         row.certified() ? "<a href=\"certificates/" + row.team() + ".html\">certificate</a>" : "");
     }
 
-    /** What shows the recordings of a team's trials in the studio. */
+    /** Returns the commands that replay a team's trials. */
     private static String replays(Table.Row row) {
         if (row.trials().isEmpty()) {
             return "";

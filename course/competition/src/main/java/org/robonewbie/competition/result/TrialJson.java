@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.robonewbie.competition.contest.TeamResult;
 import org.robonewbie.competition.contest.TrialResult;
 
-/** Writes and reads finished trials as JSON. */
+/** JSON format of finished trials. */
 final class TrialJson {
 
     static final Gson PRETTY =
@@ -18,7 +18,7 @@ final class TrialJson {
 
     private TrialJson() {}
 
-    /** A finished trial, and a checksum of all that it depends on. */
+    /** A finished trial with the checksum of everything that it depends on. */
     private record Finished(
             String trial,
             String circumstances,
@@ -27,13 +27,13 @@ final class TrialJson {
             List<TeamResult> teams,
             @Nullable String recordingSha256) {}
 
-    /** A result with the checksum of its recording, empty if there is none. */
+    /** A result with the checksum of its recording, which is empty if there is none. */
     record Kept(TrialResult result, String recordingSha256) {}
 
     /**
      * Writes a result.
      *
-     * @param circumstances checksum of all that the trial depends on
+     * @param circumstances checksum of everything that the result depends on
      */
     static String write(Kept kept, String circumstances) {
         TrialResult result = kept.result();
@@ -47,7 +47,7 @@ final class TrialJson {
                 + "\n";
     }
 
-    /** Reads a result; empty if it was made under other circumstances or cannot be read, so that the trial is run again. */
+    /** Reads a result; empty if it was saved under other circumstances or is damaged, so that the trial is repeated. */
     static Optional<Kept> read(String text, String circumstances) {
         try {
             Finished found = PRETTY.fromJson(text, Finished.class);

@@ -1,5 +1,6 @@
 /**
- * What is kept of a contest: finished trials, the table as page, CSV and JSON, certificates. Start reading with {@link org.robonewbie.competition.result.ResultFolder}.
+ * Results of a contest on disk: finished trials, the table as HTML, CSV and JSON, and certificates. Read {@link
+ * org.robonewbie.competition.result.ResultFolder} first.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

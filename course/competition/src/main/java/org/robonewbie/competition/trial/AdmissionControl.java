@@ -25,8 +25,9 @@ import org.robonewbie.programs.process.ProcessTree;
 import org.robonewbie.programs.process.Sandbox;
 
 /**
- * Starts the programs of one trial, and knows which may come through which door. In a sandbox a door is a file that only its team sees. Without,
- * it is a TCP port; on Linux the owner of a connection is known.
+ * Admission control of one trial: starts the programs and decides which of them may connect to which port. In a sandbox, a port is a
+ * Unix domain socket that only its team sees. Without a sandbox it is a TCP port; on Linux the process behind a connection is
+ * checked.
  */
 final class AdmissionControl implements AutoCloseable {
 
@@ -43,13 +44,13 @@ final class AdmissionControl implements AutoCloseable {
     private final Set<String> intruders = new ConcurrentSkipListSet<>();
 
     /**
-     * Prepares the doors of a trial.
+     * Creates the ports of a trial.
      *
-     * @param sandbox where programs run, if there is a sandbox
-     * @param programs of all teams of the contest
-     * @param limits what each may use
-     * @param files where the trial puts what it writes
-     * @param log takes what is noticed
+     * @param sandbox sandbox of the programs
+     * @param programs programs of all teams of the contest
+     * @param limits resource limits per program
+     * @param files output files of the trial
+     * @param log receives reports of refused connections
      */
     AdmissionControl(
             Sandbox sandbox, Map<String, TeamProgram> programs, Limits limits, TrialFiles files, Consumer<String> log)
@@ -62,7 +63,7 @@ final class AdmissionControl implements AutoCloseable {
         this.folder = sandbox.isUp() ? Optional.of(TemporaryFiles.folder("doors")) : Optional.empty();
     }
 
-    /** The file of a team's door; empty if it is a TCP port. */
+    /** Returns the socket file of a team; empty if its port is a TCP port. */
     Optional<Path> file(String team) {
         return folder.map(place -> place.resolve(team));
     }
@@ -70,8 +71,8 @@ final class AdmissionControl implements AutoCloseable {
     /**
      * Starts a process of a team.
      *
-     * @param start what it receives
-     * @param name how the names of its files begin
+     * @param start parameters of the program
+     * @param name prefix of its file names
      * @throws IOException if it cannot be started
      */
     ChildProcess start(Start start, String name) throws IOException {
@@ -91,7 +92,7 @@ final class AdmissionControl implements AutoCloseable {
         return process;
     }
 
-    /** What a team does not see: the results, the programs of others. */
+    /** Returns the paths hidden from a team: the results and the programs of other teams. */
     private List<Path> hidden(String team) {
         List<Path> unseen = new ArrayList<>(files.hidden());
         programs.forEach((other, program) -> {
@@ -103,12 +104,12 @@ final class AdmissionControl implements AutoCloseable {
         return unseen;
     }
 
-    /** The processes of a team in the order in which they have been started. */
+    /** Returns the processes of a team in start order. */
     List<ChildProcess> processes(String team) {
         return processes.getOrDefault(team, List.of());
     }
 
-    /** Why a program has ended, for whose end a moment is waited; empty if it is still running. */
+    /** Returns why a program ended, after a short wait for its exit; empty if it is still running. */
     static Optional<Ending> ending(ChildProcess process) {
         boolean hasEnded = process.excess().isPresent() || process.awaitEnd(SECONDS_TO_END);
         return hasEnded
@@ -125,24 +126,23 @@ final class AdmissionControl implements AutoCloseable {
         };
     }
 
-    /** How a program has ended by itself. One that has just closed its connection is given a moment to end. */
+    /** Returns the exit code of a program, after a short wait for its exit. */
     static OptionalInt exitCode(ChildProcess process) {
         process.awaitEnd(SECONDS_TO_END);
         return process.exitCode();
     }
 
-    /** All processes. */
     List<ChildProcess> processes() {
         return processes.values().stream().flatMap(List::stream).toList();
     }
 
-    /** Whether a connection may pass. Who tries another team's door is remembered. */
-    boolean isWelcome(String team, int port, InetSocketAddress guest) {
-        if (!ProcessTree.hasConnections() || isOf(team, port, guest)) {
+    /** Returns whether a connection is allowed. A team that connects to the port of another one is recorded as an intruder. */
+    boolean isAllowed(String team, int port, InetSocketAddress client) {
+        if (!ProcessTree.hasConnections() || isOf(team, port, client)) {
             return true;
         }
         Optional<String> intruder = processes.keySet().stream()
-                .filter(other -> !other.equals(team) && isOf(other, port, guest))
+                .filter(other -> !other.equals(team) && isOf(other, port, client))
                 .findFirst();
         intruder.ifPresent(intruders::add);
         log.accept("A connection to the port of " + team + " came from "
@@ -151,11 +151,11 @@ final class AdmissionControl implements AutoCloseable {
         return false;
     }
 
-    private boolean isOf(String team, int port, InetSocketAddress guest) {
-        return processes(team).stream().anyMatch(process -> process.holds(guest.getPort(), port));
+    private boolean isOf(String team, int port, InetSocketAddress client) {
+        return processes(team).stream().anyMatch(process -> process.holds(client.getPort(), port));
     }
 
-    /** Teams whose programs tried the door of another one. */
+    /** Returns the teams whose programs connected to the port of another team. */
     Set<String> intruders() {
         return intruders;
     }

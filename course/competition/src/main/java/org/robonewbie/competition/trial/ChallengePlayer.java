@@ -20,7 +20,7 @@ import org.robonewbie.trial.Challenge;
 import org.robonewbie.trial.TrialListener;
 import org.robonewbie.trial.watch.WatchedTrial;
 
-/** Plays the trials of a {@link ChallengeContest}, with the teams' programs as guests. */
+/** Player for the trials of a {@link ChallengeContest}, whose robots are controlled by the teams' programs. */
 public final class ChallengePlayer implements TrialPlayer {
 
     private final Supplier<? extends Challenge> challenge;
@@ -30,13 +30,13 @@ public final class ChallengePlayer implements TrialPlayer {
     private final Spectators spectators;
 
     /**
-     * Creates a player of trials.
+     * Creates a player.
      *
-     * @param challenge makes the challenge of each trial
-     * @param programs of the teams, by name
-     * @param limits of time and memory of a program
-     * @param sandbox where programs run, if there is a sandbox
-     * @param spectators who watches
+     * @param challenge supplies a new challenge for each trial
+     * @param programs programs by team name
+     * @param limits resource limits per program
+     * @param sandbox sandbox of the programs
+     * @param spectators live viewers
      */
     public ChallengePlayer(
             Supplier<? extends Challenge> challenge,
@@ -60,16 +60,16 @@ public final class ChallengePlayer implements TrialPlayer {
         if (program instanceof TeamProgram.Broken broken) {
             return result(trial, 0, broken.ending(), Map.of(), OptionalInt.empty());
         }
-        List<String> noticed = new CopyOnWriteArrayList<>();
-        try (AdmissionControl doorkeeper = new AdmissionControl(sandbox, programs, limits, files, noticed::add);
-                RemoteAgents guests = new RemoteAgents(trial, files, limits, doorkeeper)) {
-            return play(trial, files, guests);
+        List<String> notices = new CopyOnWriteArrayList<>();
+        try (AdmissionControl admission = new AdmissionControl(sandbox, programs, limits, files, notices::add);
+                RemoteAgents agents = new RemoteAgents(trial, files, limits, admission)) {
+            return play(trial, files, agents);
         } finally {
-            files.tell(trial.id(), noticed);
+            files.writeNotices(trial.id(), notices);
         }
     }
 
-    private TrialResult play(ContestTrial trial, TrialFiles files, RemoteAgents guests) throws IOException {
+    private TrialResult play(ContestTrial trial, TrialFiles files, RemoteAgents agents) throws IOException {
         WatchedTrial watched = new WatchedTrial();
         Runnable leaving = spectators.watch(watched, trial);
         Challenge tried = challenge.get();
@@ -78,12 +78,12 @@ public final class ChallengePlayer implements TrialPlayer {
                     trial.seconds(),
                     trial.seed(),
                     trial.entrants().get(0).team(),
-                    guests::next,
+                    agents::next,
                     spectators.isNobody() ? TrialListener.NONE : watched,
                     RecordingFile.openIfWanted(files.recording(), sentence -> {}));
             return result(trial, seconds, Ending.PLAYED, tried.figures(), OptionalInt.empty());
         } catch (AbsentProgramException absent) {
-            return result(trial, 0, guests.end(absent), Map.of(), guests.exitCode());
+            return result(trial, 0, agents.end(absent), Map.of(), agents.exitCode());
         } finally {
             leaving.run();
         }

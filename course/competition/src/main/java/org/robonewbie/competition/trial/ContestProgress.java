@@ -5,11 +5,11 @@ import org.robonewbie.competition.contest.Table;
 import org.robonewbie.competition.contest.TrialResult;
 
 /**
- * How a contest stands while it is held.
+ * Intermediate state of a contest.
  *
- * @param over the number of trials that are over
- * @param planned the number of trials that are known by now
- * @param table the table as it would be if the contest ended now
- * @param last the trial that has just ended; empty at the beginning
+ * @param over number of finished trials
+ * @param planned number of trials planned so far
+ * @param table current table
+ * @param last the trial that finished last; empty at the beginning
  */
 public record ContestProgress(int over, int planned, Table table, Optional<TrialResult> last) {}

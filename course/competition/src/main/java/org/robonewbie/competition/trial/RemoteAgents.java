@@ -23,8 +23,7 @@ import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.SensorReadings;
 
 /**
- * The processes of a team's program in one trial, one for each of its robots. Whoever comes through their door when no robot is
- * expected waits there until the trial is over.
+ * Processes of a team's program in one trial, one per robot. Connections that are not expected wait until the trial ends.
  */
 final class RemoteAgents implements AutoCloseable {
 
@@ -32,14 +31,14 @@ final class RemoteAgents implements AutoCloseable {
     private final TrialFiles files;
     private final Limits limits;
     private final GuestDoor door;
-    private final AdmissionControl doorkeeper;
+    private final AdmissionControl admission;
     private final String team;
     private OptionalInt exitCode = OptionalInt.empty();
 
-    /** Opens the door; nobody is there yet. */
-    RemoteAgents(ContestTrial trial, TrialFiles files, Limits limits, AdmissionControl doorkeeper) throws IOException {
+    /** Opens the port. */
+    RemoteAgents(ContestTrial trial, TrialFiles files, Limits limits, AdmissionControl admission) throws IOException {
         this.trial = trial;
-        this.doorkeeper = doorkeeper;
+        this.admission = admission;
         this.team = trial.entrants().get(0).team();
         this.files = files;
         this.limits = limits;
@@ -47,11 +46,11 @@ final class RemoteAgents implements AutoCloseable {
     }
 
     private GuestDoor openDoor() throws IOException {
-        SocketAddress address = doorkeeper
+        SocketAddress address = admission
                 .file(team)
                 .<SocketAddress>map(UnixDomainSocketAddress::of)
                 .orElse(new InetSocketAddress(InetAddress.getByAddress(new byte[] {127, 0, 0, 1}), 0));
-        return GuestDoor.open(address, guest -> doorkeeper.isWelcome(team, port(), guest));
+        return GuestDoor.open(address, client -> admission.isAllowed(team, port(), client));
     }
 
     private int port() {
@@ -59,11 +58,11 @@ final class RemoteAgents implements AutoCloseable {
     }
 
     private List<ChildProcess> processes() {
-        return doorkeeper.processes(team);
+        return admission.processes(team);
     }
 
-    /** A program that moves a robot, and whose turns are timed. */
-    private record Guest(Controller controller, ChildProcess process) implements Controller {
+    /** Controller in another process, whose computing time is measured per turn. */
+    private record TimedController(Controller controller, ChildProcess process) implements Controller {
 
         @Override
         public void awake(SensorReadings readings) {
@@ -84,7 +83,7 @@ final class RemoteAgents implements AutoCloseable {
         }
     }
 
-    /** Starts the program for the next robot, and waits until it comes. */
+    /** Starts the program of the next robot and waits until it joins. */
     Controller next() {
         Entrant entrant = trial.entrants().get(0);
         StartPlace place = entrant.places().get(0);
@@ -95,12 +94,12 @@ final class RemoteAgents implements AutoCloseable {
                 entrant.role(),
                 List.of(new StartPlace(place.number() + index, place.x(), place.y(), place.degrees())));
         try {
-            ChildProcess process = doorkeeper.start(start, trial.id());
+            ChildProcess process = admission.start(start, trial.id());
             Controller controller = await(process);
             process.passTurn();
-            return new Guest(controller, process);
+            return new TimedController(controller, process);
         } catch (IOException unstartable) {
-            throw new AbsentProgramException("The program cannot be started: " + unstartable, unstartable);
+            throw new AbsentProgramException("The program could not be started: " + unstartable, unstartable);
         }
     }
 
@@ -108,18 +107,20 @@ final class RemoteAgents implements AutoCloseable {
         try {
             return door.await(() -> process.isRunning() && process.waitedSeconds() < limits.startSeconds());
         } catch (AbsentProgramException absent) {
-            throw process.isRunning() ? new AbsentProgramException("The program asked for no robot.", absent) : absent;
+            throw process.isRunning()
+                    ? new AbsentProgramException("The program did not create a robot.", absent)
+                    : absent;
         }
     }
 
-    /** Sends the rest away when one is absent, tells in the log what was noticed, and returns why it is so. */
+    /** Stops all processes after one is absent, appends the reason to the log, and returns the outcome. */
     Ending end(AbsentProgramException absent) throws IOException {
         Ending reason = processes().stream()
                 .flatMap(process -> AdmissionControl.ending(process).stream())
                 .findFirst()
                 .orElse(Ending.STOPPED);
-        boolean came = !processes().isEmpty() && processes().stream().allMatch(ChildProcess::hasJoined);
-        Ending ending = !came && reason == Ending.STOPPED ? Ending.NOT_STARTED : reason;
+        boolean allJoined = !processes().isEmpty() && processes().stream().allMatch(ChildProcess::hasJoined);
+        Ending ending = !allJoined && reason == Ending.STOPPED ? Ending.NOT_STARTED : reason;
         exitCode = reason != Ending.STOPPED
                 ? OptionalInt.empty()
                 : processes().stream()
@@ -137,7 +138,7 @@ final class RemoteAgents implements AutoCloseable {
         return ending;
     }
 
-    /** The exit code of the first program that has ended; empty before {@link #end}. */
+    /** Returns the exit code of the first program that exited; empty before {@link #end}. */
     OptionalInt exitCode() {
         return exitCode;
     }

@@ -4,10 +4,10 @@ import java.io.IOException;
 import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.simulator.SimulationControl;
 
-/** Those who look at trials while they run. */
+/** Live viewers of trials. */
 public interface Spectators {
 
-    /** No spectators, so trials run as fast as they can. */
+    /** No viewers; trials run as fast as possible. */
     Spectators NOBODY = new Spectators() {
         @Override
         public Runnable watch(SimulationControl simulation, ContestTrial trial) {
@@ -25,22 +25,22 @@ public interface Spectators {
      *
      * @param simulation the simulation to show
      * @param trial the trial
-     * @return what to do at the end of the trial
+     * @return action to run at the end of the trial
      * @throws IOException if it cannot be shown
      */
     Runnable watch(SimulationControl simulation, ContestTrial trial) throws IOException;
 
     /**
-     * Is told how the contest stands, when it begins or goes on, and after each trial; by one thread at a time.
+     * Receives the state of the contest at its start and after each trial. Calls do not overlap.
      *
-     * @param progress how it stands
+     * @param progress current state
      */
     default void stands(ContestProgress progress) {}
 
     /**
-     * Returns whether there are no spectators.
+     * Returns whether there are no viewers.
      *
-     * @return whether trials need not keep real time
+     * @return whether trials may run faster than real time
      */
     default boolean isNobody() {
         return false;

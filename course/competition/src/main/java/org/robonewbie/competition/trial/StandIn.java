@@ -7,7 +7,7 @@ import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.simulator.server.Simulator;
 
-/** An agent without a robot that always agrees, so that the world does not wait for those who never come. */
+/** Agent without a robot that acknowledges every cycle, so that the simulator does not wait for agents that never join. */
 final class StandIn {
 
     private StandIn() {}

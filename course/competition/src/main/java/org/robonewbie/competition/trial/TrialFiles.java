@@ -8,24 +8,24 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * Where a trial puts what it writes.
+ * Output files of a trial.
  *
- * @param recording file for the recording
- * @param logs folder for what programs print
- * @param work folder in which programs work, deleted afterwards
+ * @param recording file of the recording
+ * @param logs folder for the output of programs
+ * @param work working folder of programs, deleted afterwards
  */
 public record TrialFiles(Optional<Path> recording, Path logs, Path work) {
 
-    /** What programs must not see: the folder with all results, in which they work. */
+    /** Returns the paths hidden from programs: the result folder, which contains their working folder. */
     List<Path> hidden() {
         return List.of(
                 Objects.requireNonNullElse(work.toAbsolutePath().normalize().getParent(), work));
     }
 
-    /** Keeps what was noticed at the doors, if anything was. */
-    void tell(String trial, List<String> noticed) throws IOException {
-        if (!noticed.isEmpty()) {
-            Files.write(logs.resolve(trial + "-doors.txt"), noticed);
+    /** Writes the reports of refused connections, if there are any. */
+    void writeNotices(String trial, List<String> notices) throws IOException {
+        if (!notices.isEmpty()) {
+            Files.write(logs.resolve(trial + "-doors.txt"), notices);
         }
     }
 }

@@ -4,15 +4,15 @@ import java.io.IOException;
 import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.competition.contest.TrialResult;
 
-/** Plays the trials of a contest; several at the same time, from several threads. */
+/** Player for the trials of a contest. Implementations are thread-safe. */
 @FunctionalInterface
 public interface TrialPlayer {
 
     /**
-     * Runs a trial to its end.
+     * Runs a trial.
      *
      * @param trial the trial
-     * @param files where to put what is written
+     * @param files output files of the trial
      * @return its result
      * @throws IOException if no simulator or process can be started
      * @throws InterruptedException if this thread is interrupted

@@ -34,8 +34,8 @@ import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.server.TeamDoor;
 
 /**
- * Runs one trial: a simulator that waits for all programs and runs as fast as it can, and the programs of the teams. The world
- * begins when all are there, so that it does not matter how quickly a program starts.
+ * Player for trials with a simulator: it starts the simulator and the programs of the teams. The world starts when all robots have
+ * joined, so the start time of a program has no effect.
  */
 public final class TrialRunner implements TrialPlayer {
 
@@ -50,11 +50,11 @@ public final class TrialRunner implements TrialPlayer {
     /**
      * Creates a runner.
      *
-     * @param contest judges the trials
-     * @param programs the program of each team
-     * @param limits what programs may use
-     * @param sandbox where programs run, if there is a sandbox
-     * @param spectators who watches the trials live
+     * @param contest supplies the judges
+     * @param programs programs by team name
+     * @param limits resource limits per program
+     * @param sandbox sandbox of the programs
+     * @param spectators live viewers
      */
     public TrialRunner(
             JudgedContest contest,
@@ -72,48 +72,48 @@ public final class TrialRunner implements TrialPlayer {
     @Override
     public TrialResult run(ContestTrial trial, TrialFiles files) throws IOException, InterruptedException {
         Judge judge = contest.judge(trial);
-        List<String> noticed = new CopyOnWriteArrayList<>();
-        try (AdmissionControl doorkeeper = new AdmissionControl(sandbox, programs, limits, files, noticed::add)) {
-            return play(trial, files, judge, doorkeeper);
+        List<String> notices = new CopyOnWriteArrayList<>();
+        try (AdmissionControl admission = new AdmissionControl(sandbox, programs, limits, files, notices::add)) {
+            return play(trial, files, judge, admission);
         } finally {
-            files.tell(trial.id(), noticed);
+            files.writeNotices(trial.id(), notices);
         }
     }
 
-    /** Plays until the umpire has decided or the time is over. */
-    private TrialResult play(ContestTrial trial, TrialFiles files, Judge judge, AdmissionControl doorkeeper)
+    /** Plays until the trial is decided or the time limit is reached. */
+    private TrialResult play(ContestTrial trial, TrialFiles files, Judge judge, AdmissionControl admission)
             throws IOException, InterruptedException {
         Path log = files.logs().resolve(trial.id() + "-simulator.txt");
         AtomicReference<Simulator> running = new AtomicReference<>();
         List<TeamDoor> doors = trial.entrants().stream()
-                .map(entrant -> door(entrant, doorkeeper, running))
+                .map(entrant -> door(entrant, admission, running))
                 .toList();
         try (PrintWriter console = new PrintWriter(Files.newBufferedWriter(log, StandardCharsets.UTF_8), true);
                 Simulator simulator = Simulator.start(settings(trial, files, doors), console::println)) {
             running.set(simulator);
-            TrialSupervisor umpire =
-                    new TrialSupervisor(trial, judge, simulator.control(), simulator::robotsOf, doorkeeper.intruders());
-            simulator.control().addObserver(umpire);
+            TrialSupervisor supervisor =
+                    new TrialSupervisor(trial, judge, simulator.control(), simulator::robotsOf, admission.intruders());
+            simulator.control().addObserver(supervisor);
             Runnable leaving = spectators.watch(simulator.control(), trial);
             try {
-                startAll(trial, simulator, doorkeeper);
-                lead(trial, simulator, umpire, doorkeeper);
+                startAll(trial, simulator, admission);
+                supervise(trial, simulator, supervisor, admission);
             } finally {
                 leaving.run();
             }
-            return result(trial, judge, umpire, simulator, doorkeeper);
+            return result(trial, judge, supervisor, simulator, admission);
         }
     }
 
-    /** Nobody knocks before the simulator runs, since the programs are started after it. */
-    private static TeamDoor door(Entrant entrant, AdmissionControl doorkeeper, AtomicReference<Simulator> running) {
+    /** Creates the port of a team. Programs are started after the simulator, so no connection arrives before it runs. */
+    private static TeamDoor door(Entrant entrant, AdmissionControl admission, AtomicReference<Simulator> running) {
         String team = entrant.team();
         return new TeamDoor(
                 team,
                 entrant.places().size(),
-                doorkeeper.file(team),
-                guest -> Optional.ofNullable(running.get())
-                        .map(simulator -> doorkeeper.isWelcome(team, simulator.agentPort(team), guest))
+                admission.file(team),
+                client -> Optional.ofNullable(running.get())
+                        .map(simulator -> admission.isAllowed(team, simulator.agentPort(team), client))
                         .orElse(false));
     }
 
@@ -130,7 +130,7 @@ public final class TrialRunner implements TrialPlayer {
                 .build();
     }
 
-    private void startAll(ContestTrial trial, Simulator simulator, AdmissionControl doorkeeper) throws IOException {
+    private void startAll(ContestTrial trial, Simulator simulator, AdmissionControl admission) throws IOException {
         for (Entrant entrant : trial.entrants()) {
             String team = entrant.team();
             TeamProgram program = programs.get(team);
@@ -139,10 +139,10 @@ public final class TrialRunner implements TrialPlayer {
                 continue;
             }
             for (Start start : starts(program, entrant, simulator.agentPort(team))) {
-                doorkeeper.start(start, trial.id() + "-" + team);
+                admission.start(start, trial.id() + "-" + team);
             }
         }
-        StandIn.connect(simulator); // keeps the clock running when all others are gone
+        StandIn.connect(simulator); // keeps the clock running when all other agents have left
     }
 
     private static List<Start> starts(TeamProgram program, Entrant entrant, int port) {
@@ -153,19 +153,20 @@ public final class TrialRunner implements TrialPlayer {
                 .toList();
     }
 
-    /** Waits for the decision, and ensures that no program keeps the world from reaching it. */
-    private void lead(ContestTrial trial, Simulator simulator, TrialSupervisor umpire, AdmissionControl doorkeeper)
+    /** Waits for the decision, and replaces programs that would block the simulator. */
+    private void supervise(
+            ContestTrial trial, Simulator simulator, TrialSupervisor supervisor, AdmissionControl admission)
             throws InterruptedException {
-        long beginning = System.nanoTime();
-        boolean tooLate = false;
-        Set<ChildProcess> gone = new HashSet<>();
-        while (!umpire.await(LOOK_MILLISECONDS)) {
-            double seconds = (System.nanoTime() - beginning) / 1e9;
+        long startNanos = System.nanoTime();
+        boolean timedOut = false;
+        Set<ChildProcess> ended = new HashSet<>();
+        while (!supervisor.await(LOOK_MILLISECONDS)) {
+            double seconds = (System.nanoTime() - startNanos) / 1e9;
             if (simulator.cycles() == 0) {
-                replaceTheGone(trial, simulator, doorkeeper, gone);
+                replaceEnded(trial, simulator, admission, ended);
             }
-            if (simulator.cycles() == 0 && seconds > limits.startSeconds() && !tooLate) {
-                tooLate = true;
+            if (simulator.cycles() == 0 && seconds > limits.startSeconds() && !timedOut) {
+                timedOut = true;
                 for (int i = 0; i < trial.robots(); i++) {
                     StandIn.connect(simulator);
                 }
@@ -176,20 +177,20 @@ public final class TrialRunner implements TrialPlayer {
         }
     }
 
-    /** The world does not wait for programs that have ended before it began. */
-    private static void replaceTheGone(
-            ContestTrial trial, Simulator simulator, AdmissionControl doorkeeper, Set<ChildProcess> gone) {
+    /** Replaces programs that ended before the world started. */
+    private static void replaceEnded(
+            ContestTrial trial, Simulator simulator, AdmissionControl admission, Set<ChildProcess> ended) {
         for (Entrant entrant : trial.entrants()) {
-            List<ChildProcess> own = doorkeeper.processes(entrant.team());
+            List<ChildProcess> own = admission.processes(entrant.team());
             for (ChildProcess process : own) {
-                if (!process.isRunning() && gone.add(process)) {
+                if (!process.isRunning() && ended.add(process)) {
                     standInFor(trial, own, simulator);
                 }
             }
         }
     }
 
-    /** Fills up for the robots of a process that has ended. */
+    /** Connects a stand-in for each robot of an ended process. */
     private static void standInFor(ContestTrial trial, List<ChildProcess> own, Simulator simulator) {
         int robots = trial.robots() / trial.entrants().size() / own.size();
         for (int i = 0; i < Math.max(1, robots); i++) {
@@ -198,46 +199,50 @@ public final class TrialRunner implements TrialPlayer {
     }
 
     private TrialResult result(
-            ContestTrial trial, Judge judge, TrialSupervisor umpire, Simulator simulator, AdmissionControl doorkeeper) {
+            ContestTrial trial,
+            Judge judge,
+            TrialSupervisor supervisor,
+            Simulator simulator,
+            AdmissionControl admission) {
         List<TeamResult> teams = new ArrayList<>();
         for (Entrant entrant : trial.entrants()) {
             String team = entrant.team();
-            Ending ending = ending(team, umpire, simulator, doorkeeper);
-            OptionalInt exitCode = doorkeeper.processes(team).stream()
+            Ending ending = ending(team, supervisor, simulator, admission);
+            OptionalInt exitCode = admission.processes(team).stream()
                     .filter(process -> ending == Ending.STOPPED)
                     .map(AdmissionControl::exitCode)
                     .findFirst()
                     .orElse(OptionalInt.empty());
             teams.add(TeamResult.of(team, ending, judge.figures(team)).withExitCode(exitCode));
         }
-        return new TrialResult(trial.id(), trial.seed(), rounded(umpire.seconds()), teams);
+        return new TrialResult(trial.id(), trial.seed(), rounded(supervisor.seconds()), teams);
     }
 
-    private Ending ending(String team, TrialSupervisor umpire, Simulator simulator, AdmissionControl doorkeeper) {
+    private Ending ending(String team, TrialSupervisor supervisor, Simulator simulator, AdmissionControl admission) {
         if (programs.get(team) instanceof TeamProgram.Broken broken) {
             return broken.ending();
         }
-        if (doorkeeper.intruders().contains(team)) {
+        if (admission.intruders().contains(team)) {
             return Ending.INTRUDED;
         }
-        if (umpire.isGreedy(team)) {
+        if (supervisor.hasTooManyRobots(team)) {
             return Ending.TOO_MANY_ROBOTS;
         }
-        if (umpire.isDecided() && umpire.isPresent(team)) {
+        if (supervisor.isDecided() && supervisor.isPresent(team)) {
             return Ending.PLAYED;
         }
         if (simulator.wasSilent(team)) {
             return Ending.SILENT;
         }
-        Ending reason = doorkeeper.processes(team).stream()
+        Ending reason = admission.processes(team).stream()
                 .map(process -> AdmissionControl.ending(process).orElse(Ending.SILENT))
                 .findFirst()
                 .orElse(Ending.NOT_STARTED);
         boolean unclear = reason == Ending.SILENT || reason == Ending.STOPPED;
-        if (!umpire.isDecided()) {
+        if (!supervisor.isDecided()) {
             return reason == Ending.SILENT ? Ending.TOO_MUCH_TIME : reason;
         }
-        return umpire.seconds() == 0 && unclear ? Ending.NOT_STARTED : reason;
+        return supervisor.seconds() == 0 && unclear ? Ending.NOT_STARTED : reason;
     }
 
     private static double rounded(double seconds) {

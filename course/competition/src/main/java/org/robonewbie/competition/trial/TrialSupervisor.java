@@ -24,26 +24,26 @@ import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
 
 /**
- * Leads a trial on the simulation's thread: waits for the robots, lets them begin from their places, asks the judge in each
- * cycle, and stops the world when the trial is decided, always in the same cycle.
+ * Supervisor of a trial on the simulation thread: waits for the robots, enforces their start poses, calls the judge in each cycle, and
+ * pauses the world in the cycle in which the trial is decided.
  */
 final class TrialSupervisor implements SimulationObserver {
 
     private static final long CYCLES_TO_TAKE_PLACES = 25;
     private static final long CYCLES_TO_JOIN = 150;
 
-    /** A program that comes again has two robots for a moment. */
-    private static final int CYCLES_OF_A_CROWD = 10;
+    /** A reconnecting program briefly has two robots. */
+    private static final int EXTRA_ROBOT_CYCLES = 10;
 
     private static final double PLACE_METRES = 0.4;
 
     private final ContestTrial trial;
     private final Judge judge;
     private final SimulationControl control;
-    private final ToIntFunction<String> robotsThroughDoor;
+    private final ToIntFunction<String> connectedRobots;
     private final Set<String> intruders;
     private final CountDownLatch decided = new CountDownLatch(1);
-    private final TreeSet<String> greedy = new TreeSet<>();
+    private final TreeSet<String> teamsWithTooManyRobots = new TreeSet<>();
     private final Map<String, Integer> robots = new TreeMap<>();
     private final Map<String, Integer> crowdedCycles = new TreeMap<>();
     private long lastCycle;
@@ -52,18 +52,18 @@ final class TrialSupervisor implements SimulationObserver {
     private double seconds;
 
     /**
-     * Prepares for a trial.
+     * Creates a supervisor.
      *
-     * @param robotsThroughDoor how many robots came through a team's door, playing or not
-     * @param intruders teams whose programs tried the doors of others
+     * @param connectedRobots number of robots connected to a team's port, playing or not
+     * @param intruders teams whose programs connected to the port of another team
      */
     TrialSupervisor(
             ContestTrial trial,
             Judge judge,
             SimulationControl control,
-            ToIntFunction<String> robotsThroughDoor,
+            ToIntFunction<String> connectedRobots,
             Set<String> intruders) {
-        this.robotsThroughDoor = robotsThroughDoor;
+        this.connectedRobots = connectedRobots;
         this.intruders = intruders;
         this.trial = trial;
         this.judge = judge;
@@ -87,24 +87,24 @@ final class TrialSupervisor implements SimulationObserver {
         return decided.getCount() == 0;
     }
 
-    /** Waits for the decision; returns whether it has come. */
+    /** Waits for the decision; returns false on timeout. */
     boolean await(long milliseconds) throws InterruptedException {
         return decided.await(milliseconds, TimeUnit.MILLISECONDS);
     }
 
-    /** Simulated seconds from the beginning to the decision. */
+    /** Returns the simulated seconds from the start to the decision. */
     double seconds() {
         return seconds;
     }
 
-    /** Whether a team had a robot on the pitch when the trial was decided. */
+    /** Returns whether a team had a robot on the pitch when the trial was decided. */
     boolean isPresent(String team) {
         return robots.getOrDefault(team, 0) > 0;
     }
 
-    /** Whether a team had more robots than it may have. */
-    boolean isGreedy(String team) {
-        return greedy.contains(team);
+    /** Returns whether a team had more robots than allowed. */
+    boolean hasTooManyRobots(String team) {
+        return teamsWithTooManyRobots.contains(team);
     }
 
     private void lineUp(WorldSnapshot world) {
@@ -142,7 +142,7 @@ final class TrialSupervisor implements SimulationObserver {
         }
     }
 
-    /** Moves robots that have chosen other places to their own. */
+    /** Moves robots that beamed elsewhere to their start poses. */
     private void correctPlaces(Entrant entrant, WorldSnapshot world) {
         for (RobotSnapshot robot : robotsOf(entrant, world)) {
             TeamSide side = robot.side().orElseThrow();
@@ -165,7 +165,10 @@ final class TrialSupervisor implements SimulationObserver {
     private void watch(WorldSnapshot world) {
         double now = (world.cycle() - beginning) * Cycle.SECONDS;
         count(world);
-        if (judge.watch(world) || now >= trial.seconds() - 1e-9 || !greedy.isEmpty() || !intruders.isEmpty()) {
+        if (judge.watch(world)
+                || now >= trial.seconds() - 1e-9
+                || !teamsWithTooManyRobots.isEmpty()
+                || !intruders.isEmpty()) {
             decide(now);
         }
     }
@@ -174,11 +177,11 @@ final class TrialSupervisor implements SimulationObserver {
         for (Entrant entrant : trial.entrants()) {
             int count = robotsOf(entrant, world).size();
             robots.put(entrant.team(), count);
-            boolean crowd = robotsThroughDoor.applyAsInt(entrant.team())
+            boolean tooMany = connectedRobots.applyAsInt(entrant.team())
                     > entrant.places().size();
-            crowdedCycles.merge(entrant.team(), 1, (before, one) -> crowd ? before + one : 0);
-            if (count > entrant.places().size() || crowdedCycles.getOrDefault(entrant.team(), 0) > CYCLES_OF_A_CROWD) {
-                greedy.add(entrant.team());
+            crowdedCycles.merge(entrant.team(), 1, (before, one) -> tooMany ? before + one : 0);
+            if (count > entrant.places().size() || crowdedCycles.getOrDefault(entrant.team(), 0) > EXTRA_ROBOT_CYCLES) {
+                teamsWithTooManyRobots.add(entrant.team());
             }
         }
     }

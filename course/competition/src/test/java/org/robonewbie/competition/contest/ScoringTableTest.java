@@ -61,7 +61,7 @@ class ScoringTableTest {
                 .containsExactly(
                         List.of("41.23 s", "0.000 m", "0.000 m", "played to the end"),
                         List.of("–", "1.500 m", "0.750 m", "played to the end"),
-                        List.of("–", "–", "–", "its program ended before the trial was over"));
+                        List.of("–", "–", "–", "its program exited before the end of the trial"));
     }
 
     @Test

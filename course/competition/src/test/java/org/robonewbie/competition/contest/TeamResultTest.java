@@ -25,7 +25,7 @@ class TeamResultTest {
                 TeamResult.of("Crash", Ending.STOPPED, Map.of("goals", 1.0)).withExitCode(OptionalInt.of(7));
 
         assertThat(new TrialResult("walk-Crash", 1, 0, List.of(crashed)).inWords())
-                .isEqualTo("Crash: its program ended before the trial was over (exit code 7)");
+                .isEqualTo("Crash: its program exited before the end of the trial (exit code 7)");
     }
 
     @Test
@@ -35,7 +35,7 @@ class TeamResultTest {
 
         assertThat(played.withExitCode(OptionalInt.of(0))).isEqualTo(played);
         assertThat(silent.withExitCode(OptionalInt.of(137)).endingInWords())
-                .isEqualTo("its program kept the world waiting and was taken out");
+                .isEqualTo("its program did not respond and was removed");
     }
 
     @Test

@@ -44,11 +44,11 @@ class TableFilesTest {
                         "Ada &amp; Alan",
                         "41.20 s",
                         "certificates/Blue.html",
-                        "Programs were not fenced in (too far).")
+                        "Programs ran without a sandbox (too far).")
                 .containsOnlyOnce(">robonewbie studio recordings/scoring-Red.rec</a>")
                 .doesNotContain("http", "<b>");
-        assertThat(text("certificates/Red.html")).contains("has taken the 1st place of 2", "@page", "41.20 s");
-        assertThat(text("certificates/Blue.html")).contains("has taken the 2nd place of 2");
+        assertThat(text("certificates/Red.html")).contains("finished 1st of 2", "@page", "41.20 s");
+        assertThat(text("certificates/Blue.html")).contains("finished 2nd of 2");
     }
 
     @Test
@@ -83,10 +83,10 @@ class TableFilesTest {
             assertThat(text("trials/scoring-Red.json")).contains(sum).contains("41.2");
             assertThat(told)
                     .containsExactly(
-                            "Somebody has changed " + folder.resolve("trials/scoring-Red.json")
-                                    + " while the contest ran; it is as it was again.",
-                            "Somebody has changed " + results.recording("scoring-Red")
-                                    + " since its trial; the checksum in the table is that of the trial.");
+                            "The file " + folder.resolve("trials/scoring-Red.json")
+                                    + " was modified during the contest and has been restored.",
+                            "The recording " + results.recording("scoring-Red")
+                                    + " was modified after its trial; the checksum in the table is the original one.");
         }
     }
 
@@ -130,7 +130,7 @@ class TableFilesTest {
     private void write(String... teams) throws IOException {
         try (ResultFolder results = ResultFolder.open(folder)) {
             new TableFiles(results, TeamList.parse(List.of(teams)))
-                    .write(TABLE, 1, List.of("Programs were not fenced in (too far)."));
+                    .write(TABLE, 1, List.of("Programs ran without a sandbox (too far)."));
         }
     }
 

@@ -63,9 +63,9 @@ class ChallengePlayerTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-            FallsAsleep | 60  | 0.5 | SILENT      | its program kept the world waiting and was taken out.
-            HasNoRobot  | 0.5 | 60  | NOT_STARTED | onto the pitch. The program asked for no robot.
-            Leaves      | 60  | 60  | STOPPED     | trial was over. The program has ended in the middle of the trial.
+            FallsAsleep | 60  | 0.5 | SILENT      | its program did not respond and was removed.
+            HasNoRobot  | 0.5 | 60  | NOT_STARTED | no robot joined. The program did not create a robot.
+            Leaves      | 60  | 60  | STOPPED     | end of the trial. The program has ended in the middle of the trial.
             """)
     void lostTrialTellsWhy(String program, double startSeconds, double silentSeconds, Ending ending, String reason)
             throws Exception {
@@ -75,7 +75,7 @@ class ChallengePlayerTest {
         TrialResult result = play(type, limits, folder.resolve("work"));
 
         assertThat(result.of("Red").ending()).isEqualTo(ending);
-        assertThat(log()).contains("The trial is lost: its program ").contains(reason);
+        assertThat(log()).contains("The trial is lost: ").contains(reason);
     }
 
     @Test
@@ -86,10 +86,10 @@ class ChallengePlayerTest {
 
         assertThat(result.of("Red").ending()).isEqualTo(Ending.STOPPED);
         assertThat(log()).contains("during the trial. Its exit code is 1.");
-        assertThat(result.inWords()).isEqualTo("Red: its program ended before the trial was over (exit code 1)");
+        assertThat(result.inWords()).isEqualTo("Red: its program exited before the end of the trial (exit code 1)");
         assertThat(contest.table(List.of("Red"), id -> Optional.of(result)).rows())
                 .singleElement()
-                .matches(row -> row.cells().contains("its program ended before the trial was over (exit code 1)"))
+                .matches(row -> row.cells().contains("its program exited before the end of the trial (exit code 1)"))
                 .matches(row -> !row.certified());
     }
 
@@ -100,7 +100,7 @@ class ChallengePlayerTest {
         TrialResult result = play(BringsTwo.class, LIMITS, noFolder);
 
         assertThat(result.of("Red").ending()).isEqualTo(Ending.NOT_STARTED);
-        assertThat(log()).contains("its program brought no robot onto the pitch. The program cannot be started: ");
+        assertThat(log()).contains("no robot joined. The program could not be started: ");
     }
 
     private TrialResult play(Class<?> program, Limits limits, Path work) throws IOException {

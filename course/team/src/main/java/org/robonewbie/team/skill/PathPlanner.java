@@ -54,7 +54,7 @@ public final class PathPlanner {
 
     private static Optional<Obstacle> firstInTheWay(Translation2d from, Translation2d to, List<Obstacle> obstacles) {
         return obstacles.stream()
-                .filter(obstacle -> obstacle.centre.distanceToWay(from, to)
+                .filter(obstacle -> obstacle.centre.distanceToSegment(from, to)
                         < Math.min(obstacle.radius, leastDistance(from, obstacle)))
                 .min(Comparator.comparingDouble(obstacle -> obstacle.centre.distanceTo(from)));
     }

@@ -119,7 +119,7 @@ public final class KickChoice {
         double seconds = DRIBBLE_METRES / DRIBBLE_SPEED + Footwork.aroundSeconds(world, degrees);
         double keeps = 1;
         for (Translation2d opponent : world.opponents()) {
-            double near = opponent.distanceToWay(world.ball(), end);
+            double near = opponent.distanceToSegment(world.ball(), end);
             keeps *= 1 - 0.5 * PortableMath.exp(-near * near);
         }
         Plan plan = new Plan(TeamRole.STRIKER, Plan.Action.DRIBBLE, end, degrees, 0);
@@ -212,7 +212,7 @@ public final class KickChoice {
         double free = 1;
         for (Translation2d opponent : world.opponents()) {
             double lane = LANE_METRES + LANE_SLOPE * opponent.distanceTo(from);
-            double near = opponent.distanceToWay(from, to) / lane;
+            double near = opponent.distanceToSegment(from, to) / lane;
             double stops = kind.isHigh(opponent.distanceTo(from)) ? STOPS_HIGH : STOPS;
             free *= 1 - stops * PortableMath.exp(-near * near);
         }

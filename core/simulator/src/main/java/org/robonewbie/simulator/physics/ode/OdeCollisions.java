@@ -20,16 +20,16 @@ import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.physics.Collider;
 
 /**
- * Collision detection by ode4j, for a world that computes its motion itself.
+ * Collision detection by ode4j for a world with its own dynamics.
  *
- * <p>Shapes are kept in nested spaces as in SimSpark, a space for each group, since that determines the order in which pairs are found.
+ * <p>As in SimSpark each group of shapes has its own nested space, because that determines the order in which pairs are found.
  */
 public final class OdeCollisions implements Restorable {
 
-    /** How many numbers describe a point: its place, the normal that looks towards the first shape, and the depth. */
-    public static final int NUMBERS_PER_POINT = 7;
+    /** Number of elements per contact point: position, normal towards the first shape, and depth. */
+    public static final int DOUBLES_PER_POINT = 7;
 
-    /** How many points of a pair of shapes are found at most. */
+    /** Maximum number of contact points per pair of shapes. */
     public static final int MAX_POINTS = 4;
 
     private static final long MOVABLE = 1;
@@ -42,71 +42,53 @@ public final class OdeCollisions implements Restorable {
     private final DHashSpace space = OdeHelper.createHashSpace();
     private final Group scenery = new Group(space);
     private final List<Group> groups = new ArrayList<>();
-    private final Place place = new Place();
+    private final DVector3 position = new DVector3();
+    private final DMatrix3 rotation = new DMatrix3();
     private int searches;
     private final DContactBuffer buffer = new DContactBuffer(MAX_POINTS);
     private final DContactGeomBuffer found = buffer.getGeomBuffer();
     private final DGeom.DNearCallback collision = this::collide;
-    private final double[] points = new double[MAX_POINTS * NUMBERS_PER_POINT];
+    private final double[] points = new double[MAX_POINTS * DOUBLES_PER_POINT];
 
-    /** Receives every pair of shapes that touch. */
+    /** Receives each pair of touching shapes. */
     public interface Listener {
 
         /**
-         * Takes a pair.
+         * Reports a pair.
          *
-         * @param first the one collider
-         * @param second the other collider
-         * @param points {@link #NUMBERS_PER_POINT} numbers for each point; only valid during the call
-         * @param count how many points there are, at most {@link #MAX_POINTS}
+         * @param first the first collider
+         * @param second the second collider
+         * @param points {@link #DOUBLES_PER_POINT} elements per point; valid only during the call
+         * @param count number of points, at most {@link #MAX_POINTS}
          */
-        void touch(Collider first, Collider second, double[] points, int count);
+        void onContact(Collider first, Collider second, double[] points, int count);
     }
 
-    /** A shape that can be put somewhere. */
-    public static final class Geometry {
+    /** Collision shape with a pose. */
+    public final class Geometry {
 
         private final DGeom geometry;
-        private final Place place;
-        private int firstSearch;
+        private int firstSearch = searches;
 
-        private Geometry(DGeom geometry, Place place, int firstSearch) {
+        private Geometry(DGeom geometry) {
             this.geometry = geometry;
-            this.place = place;
-            this.firstSearch = firstSearch;
         }
 
         /**
-         * Moves the shape.
+         * Sets the pose of the shape.
          *
-         * @param position its centre, metres
-         * @param rotation the nine elements of its rotation matrix in row-major order
+         * @param centre position of the centre in metres
+         * @param r rotation matrix, nine elements in row-major order
          */
-        public void place(double[] position, double[] rotation) {
-            place.position.set(position[0], position[1], position[2]);
-            place.rotation.set(
-                    rotation[0],
-                    rotation[1],
-                    rotation[2],
-                    rotation[3],
-                    rotation[4],
-                    rotation[5],
-                    rotation[6],
-                    rotation[7],
-                    rotation[8]);
-            geometry.setPosition(place.position);
-            geometry.setRotation(place.rotation);
+        public void place(double[] centre, double[] r) {
+            position.set(centre[0], centre[1], centre[2]);
+            rotation.set(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]);
+            geometry.setPosition(position);
+            geometry.setRotation(rotation);
         }
     }
 
-    /** A place on its way into ODE, which copies it. */
-    private static final class Place {
-
-        private final DVector3 position = new DVector3();
-        private final DMatrix3 rotation = new DMatrix3();
-    }
-
-    /** Shapes that never touch each other, but for those of the scenery. */
+    /** Group of shapes that do not collide with each other, except in the scenery. */
     public final class Group {
 
         private final DHashSpace space;
@@ -119,22 +101,22 @@ public final class OdeCollisions implements Restorable {
         /**
          * Adds a shape.
          *
-         * @param shape what it looks like
-         * @param collider what is reported when it touches something
-         * @param movable whether it can move; two shapes that cannot are not looked at
-         * @return the shape, at the world's origin
+         * @param shape its shape
+         * @param collider the collider to report on contact
+         * @param movable whether the shape can move; pairs of static shapes are ignored
+         * @return the new geometry at the origin
          */
         public Geometry add(Shape shape, Collider collider, boolean movable) {
             DGeom geometry = geometry(space, shape);
             geometry.setCategoryBits(movable ? MOVABLE : FIXED);
             geometry.setCollideBits(movable ? MOVABLE | FIXED : MOVABLE);
             geometry.setData(collider);
-            Geometry added = new Geometry(geometry, place, searches);
+            Geometry added = new Geometry(geometry);
             shapes.add(added);
             return added;
         }
 
-        /** Takes all its shapes out. */
+        /** Removes the group and its shapes. */
         public void remove() {
             groups.remove(this);
             space.destroy();
@@ -171,18 +153,13 @@ public final class OdeCollisions implements Restorable {
         }
     }
 
-    /**
-     * Starts a group whose shapes never touch each other.
-     *
-     * @return the empty group
-     */
+    /** {@return a new empty group whose shapes do not collide with each other} */
     public Group addGroup() {
         Group group = new Group(OdeHelper.createHashSpace(space));
         groups.add(group);
         return group;
     }
 
-    /** Creates a geometry of ODE. */
     static DGeom geometry(DHashSpace space, Shape shape) {
         if (shape instanceof Shape.Box box) {
             return OdeHelper.createBox(
@@ -195,15 +172,15 @@ public final class OdeCollisions implements Restorable {
         return OdeHelper.createCapsule(space, capsule.radius(), capsule.length());
     }
 
-    /** {@return the group whose shapes also touch each other} */
+    /** {@return the group whose shapes also collide with each other} */
     public Group scenery() {
         return scenery;
     }
 
     /**
-     * Finds the pairs that touch.
+     * Finds all pairs of touching shapes.
      *
-     * @param listener receives each of them
+     * @param listener receives each pair
      */
     public void find(Listener listener) {
         searches++;
@@ -218,14 +195,14 @@ public final class OdeCollisions implements Restorable {
         int count = OdeHelper.collide(first, second, MAX_POINTS, found);
         if (count > 0) {
             copyPoints(count);
-            ((Listener) listener).touch((Collider) first.getData(), (Collider) second.getData(), points, count);
+            ((Listener) listener).onContact((Collider) first.getData(), (Collider) second.getData(), points, count);
         }
     }
 
     private void copyPoints(int count) {
         for (int i = 0; i < count; i++) {
             DContactGeom point = buffer.get(i).geom;
-            int at = i * NUMBERS_PER_POINT;
+            int at = i * DOUBLES_PER_POINT;
             for (int axis = 0; axis < 3; axis++) {
                 points[at + axis] = point.pos.get(axis);
                 points[at + 3 + axis] = point.normal.get(axis);
@@ -235,8 +212,8 @@ public final class OdeCollisions implements Restorable {
     }
 
     /**
-     * Writes the order of ODE's lists, on which the order of pairs hangs, and which shapes no search has seen yet, for those
-     * keep their places in the lists when they are moved.
+     * Saves the order of ODE's lists, which determines the order of pairs, and the shapes that have not taken part in a search
+     * yet, because moving those does not change their position in the lists.
      */
     @Override
     public void save(StateWriter out) {
@@ -245,7 +222,7 @@ public final class OdeCollisions implements Restorable {
         saveOrder(space, members(), out);
     }
 
-    /** Takes on a state after all shapes have been put in their places; their number must be as it was then. */
+    /** Restores the state. Call after all shapes are positioned; the shape count must match. */
     @Override
     public void restore(StateReader in) {
         space.cleanGeoms();
@@ -270,8 +247,8 @@ public final class OdeCollisions implements Restorable {
         }
     }
 
-    /** Brings shapes and groups into the order that was saved: whatever moves comes to the front. */
-    @SuppressWarnings("deprecation") // there is no other way to look into a group
+    /** Restores the saved order of shapes and groups. Moving a geometry puts it at the front of its list. */
+    @SuppressWarnings("deprecation") // the only way to access the members of a group
     private void arrange(List<DGeom> members, StateReader in) {
         DGeom[] order = new DGeom[members.size()];
         Arrays.setAll(order, i -> members.get(in.getIndex(order.length)));

@@ -1,5 +1,5 @@
 /**
- * Collision detection by ode4j, the Java edition of the Open Dynamics Engine that SimSpark uses. Nothing else imports ode4j.
+ * Collision detection by ode4j, the Java port of the Open Dynamics Engine that SimSpark uses. No other package imports ode4j.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

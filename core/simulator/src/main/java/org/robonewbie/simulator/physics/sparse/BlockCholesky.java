@@ -3,11 +3,11 @@ package org.robonewbie.simulator.physics.sparse;
 import java.util.Arrays;
 
 /**
- * The matrix A of an island in blocks, and its Cholesky factor L with A = L Lᵀ.
+ * Left-looking block Cholesky factorization A = L Lᵀ of an island's system matrix.
  *
- * <p>Only free rows take part: a row at its limit is replaced by one of the unit matrix. Columns are computed from left to
- * right, each from its own blocks of A and the finished columns that reach into it; when some rows change their state, only the
- * columns that depend on them are recomputed.
+ * <p>Only free rows take part: a row at its limit is replaced by a row of the identity matrix. Each column is computed from its
+ * own blocks of A and the earlier columns that update it. When rows change their state, only the columns that depend on them are
+ * recomputed.
  */
 final class BlockCholesky {
 
@@ -18,9 +18,9 @@ final class BlockCholesky {
     private double[] inverseDiagonal = {};
     private boolean[] changed = {};
 
-    /** Builds the matrix: J M⁻¹ Jᵀ and the softness on the diagonal. */
-    void assemble(SymbolicFactorization newPlan, ConstraintRows rows) {
-        factorization = newPlan;
+    /** Assembles J M⁻¹ Jᵀ with the softness on the diagonal. */
+    void assemble(SymbolicFactorization newFactorization, ConstraintRows rows) {
+        factorization = newFactorization;
         int length = capacity.fit(factor.length, factorization.size());
         if (length != factor.length) {
             matrix = new double[length];
@@ -32,9 +32,9 @@ final class BlockCholesky {
         }
         Arrays.fill(matrix, 0, factorization.size(), 0);
         int[] overlaps = factorization.overlaps;
-        for (int i = 0; i < factorization.overlapsEnd; i += SymbolicFactorization.OVERLAP_NUMBERS) {
+        for (int i = 0; i < factorization.overlapsEnd; i += SymbolicFactorization.INTS_PER_OVERLAP) {
             double[] response = overlaps[i + 1] == 0 ? rows.firstResponse : rows.secondResponse;
-            double[] jacobian = overlaps[i + 3] == 0 ? rows.first : rows.second;
+            double[] jacobian = overlaps[i + 3] == 0 ? rows.firstJacobian : rows.secondJacobian;
             if (rows.hinge[overlaps[i + 2]]) {
                 addOverlapOfHinge(overlaps[i], response, overlaps[i + 2], jacobian, overlaps[i + 4]);
             } else {
@@ -50,7 +50,6 @@ final class BlockCholesky {
         allRowsChanged();
     }
 
-    /** Marks all rows as changed. */
     void allRowsChanged() {
         Arrays.fill(changed, 0, factorization.joints(), true);
     }
@@ -82,10 +81,7 @@ final class BlockCholesky {
         }
     }
 
-    /**
-     * The same where the rows are those of a hinge, without the half of the products that are zero. Of a diagonal block's upper half
-     * nothing is used, so that it may hold anything.
-     */
+    /** Like {@link #addOverlap} for hinge rows, without the products that are zero. A diagonal block's upper half is undefined. */
     private void addOverlapOfHinge(int column, double[] response, int row, double[] jacobian, int offset) {
         int width = factorization.rows(column);
         HingeKernels.addTimes(
@@ -99,14 +95,14 @@ final class BlockCholesky {
                 6 * factorization.firstRow[column]);
     }
 
-    /** Marks a row as changed, so that the joint's column is recomputed. */
+    /** Marks a row of a joint as changed, so that the joint's column is recomputed. */
     void rowChanged(int joint) {
         changed[joint] = true;
     }
 
     /**
-     * Computes all columns that are not valid any more. A column changes with every earlier one that has a block in it; it is enough to
-     * tell the first below a block, since that one has blocks at all others.
+     * Recomputes the invalid columns. A column depends on every earlier column that has a block in its row. Invalidating the
+     * first row below the diagonal is enough, since it is the parent in the elimination tree.
      */
     void factorise(byte[] state) {
         for (int k = 0; k < factorization.joints(); k++) {
@@ -128,7 +124,7 @@ final class BlockCholesky {
         int[] updates = factorization.updates;
         for (int i = factorization.updatesStart[column];
                 i < factorization.updatesStart[column + 1];
-                i += SymbolicFactorization.UPDATE_NUMBERS) {
+                i += SymbolicFactorization.INTS_PER_UPDATE) {
             int inner = factorization.rows(updates[i]);
             BlockKernels.subtractProduct(
                     factor, updates[i + 1], updates[i + 2], updates[i + 3], updates[i + 4], width, inner);
@@ -145,7 +141,7 @@ final class BlockCholesky {
     /**
      * Solves L Lᵀ x = b for the free rows.
      *
-     * @param x holds b and receives the solution; at rows that are not free it is set to 0
+     * @param x b on entry, the solution on return; 0 at rows that are not free
      */
     void solve(double[] x, byte[] state) {
         for (int k = 0; k < factorization.joints(); k++) {

@@ -1,16 +1,16 @@
 package org.robonewbie.simulator.physics.sparse;
 
 /**
- * Arithmetic on small dense matrices that are stored in one array, each in row-major order. Heights and widths are multiples of three,
- * since each joint has three rows or some more threes; sums of three rows at a time do not wait for one another.
+ * Dense kernels for small row-major matrices in a shared array. Heights and widths are multiples of three, as are the row counts
+ * of all joints. Three rows are processed at a time, because their sums are independent of one another.
  */
 final class BlockKernels {
 
     private BlockKernels() {}
 
     /**
-     * target -= left · rightᵀ, where left is height × inner, right width × inner and target height × width. If left and
-     * right are the same, the result is symmetric and of its upper half nothing is used; it may hold anything then.
+     * target -= left · rightᵀ, where left is height × inner, right width × inner and target height × width. If left and right
+     * are the same block, the result is symmetric and its upper half is undefined.
      */
     static void subtractProduct(double[] m, int left, int right, int target, int height, int width, int inner) {
         if (inner == 6) {
@@ -29,7 +29,7 @@ final class BlockKernels {
         }
     }
 
-    /** Turns row and column of a diagonal block, and the column in all that is below it, into those of a unit matrix. */
+    /** Replaces a row and column of a diagonal block, and the column in the blocks below, by those of the identity matrix. */
     static void replaceByUnit(double[] m, int start, int width, int height, int index) {
         for (int c = 0; c < index; c++) {
             m[start + index * width + c] = 0;
@@ -40,10 +40,7 @@ final class BlockKernels {
         }
     }
 
-    /**
-     * Cholesky factorisation of a block column: of its diagonal block, of which only the lower half counts, and of the rows below it.
-     * Columns are finished three at a time, since width and height are multiples of three.
-     */
+    /** Cholesky factorization of a block column, three columns at a time. The upper half of the diagonal block is ignored. */
     static void factorise(double[] m, int start, int width, int height, double[] inverseDiagonal, int inverseStart) {
         if (width == 6) {
             HingeKernels.factorise(m, start, start + 6 * height, inverseDiagonal, inverseStart);
@@ -60,7 +57,7 @@ final class BlockKernels {
         }
     }
 
-    /** Takes from three columns, from their corner downwards, what three finished columns so far to their left add to the product. */
+    /** Subtracts the outer product of three finished columns, at a distance to the left, from the three columns below a corner. */
     private static void subtractFinished(double[] m, int corner, int width, int end, int distance) {
         int first = corner - distance;
         double a0 = m[first];
@@ -85,7 +82,7 @@ final class BlockKernels {
         }
     }
 
-    /** Cholesky factorisation of three rows and columns. */
+    /** Cholesky factorization of a 3 × 3 tile. */
     private static void factoriseTile(double[] m, int corner, int width, double[] inverse, int at) {
         int second = corner + width;
         int third = second + width;
@@ -103,7 +100,7 @@ final class BlockKernels {
         inverse[at + 2] = 1 / m[third + 2];
     }
 
-    /** Multiplies all rows below three factorised ones by the inverse of their transpose. */
+    /** Multiplies the rows below a factorized 3 × 3 tile by the inverse transpose of the tile. */
     private static void divideByTile(double[] m, int corner, int width, int end, double[] inverse, int at) {
         double b0 = m[corner + width];
         double c0 = m[corner + 2 * width];

@@ -4,94 +4,99 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Solves the linear complementarity problem of the constraint forces: each row is satisfied or its force is at a limit.
+ * Block principal pivoting solver for the linear complementarity problem (LCP) of the constraint forces: every row is either
+ * satisfied or has its force at a limit.
  *
- * <p>Block principal pivoting: start from an initial basis of free rows, solve for their forces, and find the infeasible rows:
- * a free row whose force is beyond a limit, or a row at its limit that separates. All of them are pivoted together; that nearly
- * always converges in one or two rounds. Without progress only the last infeasible row is pivoted (Murty's rule), which
- * converges because A is positive definite, given enough rounds. Source: Júdice and Pires, "A block principal pivoting algorithm for
- * large-scale strictly monotone linear complementarity problems" (1994).
+ * <p>The solver starts from an initial basis of free rows, solves for their forces and looks for infeasible rows: a free row
+ * whose force exceeds a limit, or a row at its limit whose residual has the wrong sign. All infeasible rows are pivoted
+ * together, which nearly always converges in one or two iterations. When their number stops decreasing, only the last one is
+ * pivoted (Murty's rule). That converges because A is positive definite, but may take many iterations.
+ *
+ * <p>Source: Júdice and Pires, "A block principal pivoting algorithm for large-scale strictly monotone linear complementarity
+ * problems" (1994).
  */
 final class BlockPivotingLcpSolver {
 
-    private static final int ROUNDS_WITHOUT_PROGRESS = 10;
-    private static final int MAX_ROUNDS = 1000;
-    private static final int MIN_ROUNDS = 40;
-    private static final int MAX_ROUNDS_TIMES_ROWS = 200_000;
-    private static final int MAX_ROWS_OF_A_ROBOT = 250;
-    private static final int ROUNDS_NEARBY = 20;
-    private static final double DOUBT = 1e-6;
-    private static final double SMALL_SHARE = 0.5;
-    private static final double MIN_LIMIT = 1;
+    private static final int MAX_PIVOTS_WITHOUT_PROGRESS = 10;
+    private static final int MAX_ITERATIONS = 1000;
+    private static final int MIN_ITERATIONS = 40;
+    private static final int MAX_ITERATIONS_TIMES_ROWS = 200_000;
+    private static final int MAX_WARM_START_ROWS = 250;
+    private static final int MAX_WARM_START_ITERATIONS = 20;
+    private static final double DEGENERACY_MARGIN = 1e-6;
+    private static final double PIVOT_THRESHOLD = 0.5;
+    private static final double MIN_LIMIT_SCALE = 1;
     private static final double FORCE_TOLERANCE = 1e-10;
-    private static final double MOTION_TOLERANCE = 1e-9;
+    private static final double RESIDUAL_TOLERANCE = 1e-9;
 
     private final ConstraintRows rows;
     private final Accelerations accelerations;
     private final BlockCholesky cholesky = new BlockCholesky();
-    private int[] limited = {};
-    private int[] limitedJoint = {};
-    /** Where those joints are in the island. */
-    private int[] limitedBy = {};
-    /** How far a limited row is beyond what its state allows, in newtons or m/s²; below 0 if it is feasible. */
+    /** Rows with a finite limit. */
+    private int[] bounded = {};
+    /** Elimination index of the joint of each bounded row. */
+    private int[] columns = {};
+    /** Island index of the joint of each bounded row. */
+    private int[] boundedJoints = {};
+    /** Infeasibility of each bounded row in newtons or m/s²; negative if the row is feasible. */
     private double[] infeasibility = {};
 
-    private int limits;
+    private int boundedCount;
 
     BlockPivotingLcpSolver(ConstraintRows rows) {
         this.rows = rows;
         accelerations = new Accelerations(rows);
     }
 
-    /** Solves; afterwards the rows hold the forces and the bodies the accelerations that come from them. */
+    /** Solves the LCP and stores the forces in the rows and the resulting accelerations in the bodies. */
     void solve(SymbolicFactorization factorization, List<ConstraintJoint> joints, List<Body> bodies) {
         cholesky.assemble(factorization, rows);
         accelerations.begin(joints, bodies.size());
-        findLimits(factorization, joints);
-        if (rows.count > MAX_ROWS_OF_A_ROBOT || !searchNearby(factorization, joints)) {
-            search(factorization);
+        findBoundedRows(factorization, joints);
+        if (rows.count > MAX_WARM_START_ROWS || !solveFromWarmStart(factorization, joints)) {
+            solveFromColdStart(factorization);
         }
-        accelerations.watchAll(true);
-        accelerations.addAll();
-        accelerations.tell(bodies);
+        accelerations.selectAll(true);
+        accelerations.sumAll();
+        accelerations.writeTo(bodies);
     }
 
     /**
-     * Searches in fewer rounds: starts with the basis of the last step and pivots the most infeasible rows first. The solution is
-     * unique, so the forces do not depend on the path.
+     * Starts from the basis of the previous step and pivots the most infeasible rows first, which takes fewer iterations. The
+     * solution of the LCP is unique, so the forces do not depend on the pivoting order.
      *
-     * @return whether it converged with no row so close to another state that rounding could decide
+     * @return whether the solver converged to a basis that rounding errors cannot change
      */
-    private boolean searchNearby(SymbolicFactorization factorization, List<ConstraintJoint> joints) {
+    private boolean solveFromWarmStart(SymbolicFactorization factorization, List<ConstraintJoint> joints) {
         setInitialBasis();
         for (int i = 0; i < joints.size(); i++) {
             joints.get(i).setInitialBasis(rows);
         }
-        for (int round = ROUNDS_NEARBY; round > 0; round--) {
+        for (int iteration = MAX_WARM_START_ITERATIONS; iteration > 0; iteration--) {
             computeForces(factorization);
             if (countInfeasible() == 0) {
-                return isBeyondDoubt();
+                return isNonDegenerate();
             }
             pivotMostInfeasible();
         }
         return false;
     }
 
-    private boolean isBeyondDoubt() {
-        for (int i = 0; i < limits; i++) {
-            if (infeasibility[i] > -DOUBT) {
+    private boolean isNonDegenerate() {
+        for (int i = 0; i < boundedCount; i++) {
+            if (infeasibility[i] > -DEGENERACY_MARGIN) {
                 return false;
             }
         }
         return true;
     }
 
-    private void search(SymbolicFactorization factorization) {
+    private void solveFromColdStart(SymbolicFactorization factorization) {
         cholesky.allRowsChanged();
         setInitialBasis();
         int fewest = Integer.MAX_VALUE;
-        int patience = ROUNDS_WITHOUT_PROGRESS;
-        for (int round = mostRounds(); round > 0; round--) {
+        int pivotsLeft = MAX_PIVOTS_WITHOUT_PROGRESS;
+        for (int iteration = maxIterations(); iteration > 0; iteration--) {
             computeForces(factorization);
             int infeasible = countInfeasible();
             if (infeasible == 0) {
@@ -99,49 +104,48 @@ final class BlockPivotingLcpSolver {
             }
             if (infeasible < fewest) {
                 fewest = infeasible;
-                patience = ROUNDS_WITHOUT_PROGRESS;
+                pivotsLeft = MAX_PIVOTS_WITHOUT_PROGRESS;
             } else {
-                patience--;
+                pivotsLeft--;
             }
-            pivot(patience < 0);
+            pivot(pivotsLeft < 0);
         }
     }
 
-    /** Limits the time that a pile of interpenetrating robots, which no forces separate well, can take. */
-    private int mostRounds() {
-        int affordable = MAX_ROUNDS_TIMES_ROWS / Math.max(1, rows.count);
-        return Math.max(MIN_ROUNDS, Math.min(MAX_ROUNDS, affordable));
+    /** Bounds the time that a pile of interpenetrating robots can take, since its LCP converges badly. */
+    private int maxIterations() {
+        int affordable = MAX_ITERATIONS_TIMES_ROWS / Math.max(1, rows.count);
+        return Math.max(MIN_ITERATIONS, Math.min(MAX_ITERATIONS, affordable));
     }
 
-    /** Sets all rows free except those that cannot push at all. */
+    /** Frees all rows except those whose limits leave no range. */
     private void setInitialBasis() {
         Arrays.fill(rows.state, 0, rows.count, ConstraintRows.FREE);
-        for (int i = 0; i < limits; i++) {
-            if (!(rows.lower[limited[i]] < rows.upper[limited[i]])) {
-                rows.state[limited[i]] = ConstraintRows.LOW;
+        for (int i = 0; i < boundedCount; i++) {
+            if (!(rows.lower[bounded[i]] < rows.upper[bounded[i]])) {
+                rows.state[bounded[i]] = ConstraintRows.LOW;
             }
         }
     }
 
-    /** Finds the rows with limits; all others stay free. */
-    private void findLimits(SymbolicFactorization factorization, List<ConstraintJoint> joints) {
-        if (limited.length < rows.count) {
-            limited = new int[rows.state.length];
-            limitedJoint = new int[limited.length];
-            limitedBy = new int[limited.length];
-            infeasibility = new double[limited.length];
+    private void findBoundedRows(SymbolicFactorization factorization, List<ConstraintJoint> joints) {
+        if (bounded.length < rows.count) {
+            bounded = new int[rows.state.length];
+            columns = new int[bounded.length];
+            boundedJoints = new int[bounded.length];
+            infeasibility = new double[bounded.length];
         }
-        limits = 0;
+        boundedCount = 0;
         for (int k = 0; k < factorization.joints(); k++) {
             ConstraintJoint joint = joints.get(factorization.order[k]);
             int end = factorization.firstRow[k + 1];
-            for (int row = factorization.firstRow[k] + joint.firstLimit();
+            for (int row = factorization.firstRow[k] + joint.firstBoundedRow();
                     row < end;
-                    row += ConstraintJoint.ROWS_PER_LIMIT) {
+                    row += ConstraintJoint.BOUNDED_ROW_STRIDE) {
                 if (rows.lower[row] != Double.NEGATIVE_INFINITY || rows.upper[row] != Double.POSITIVE_INFINITY) {
-                    limited[limits] = row;
-                    limitedBy[limits] = factorization.order[k];
-                    limitedJoint[limits++] = k;
+                    bounded[boundedCount] = row;
+                    boundedJoints[boundedCount] = factorization.order[k];
+                    columns[boundedCount++] = k;
                 }
             }
         }
@@ -149,13 +153,13 @@ final class BlockPivotingLcpSolver {
 
     private void computeForces(SymbolicFactorization factorization) {
         cholesky.factorise(rows.state);
-        if (setLimits()) {
-            accelerations.addPushes();
+        if (applyLimitForces()) {
+            accelerations.sumPushing();
             for (int k = 0; k < factorization.joints(); k++) {
-                demand(factorization.order[k], factorization.firstRow[k], factorization.firstRow[k + 1]);
+                computeRightHandSide(factorization.order[k], factorization.firstRow[k], factorization.firstRow[k + 1]);
             }
         } else {
-            System.arraycopy(rows.wanted, 0, rows.solution, 0, rows.count);
+            System.arraycopy(rows.rightHandSide, 0, rows.solution, 0, rows.count);
         }
         cholesky.solve(rows.solution, rows.state);
         for (int row = 0; row < rows.count; row++) {
@@ -165,26 +169,26 @@ final class BlockPivotingLcpSolver {
         }
     }
 
-    /** What is left to the free rows of a joint when rows at their limits push. Bodies that are not pushed spare the sums. */
-    private void demand(int joint, int from, int to) {
-        boolean moved = accelerations.isWatched(joint);
+    /** Right-hand side of a joint's rows after subtracting the forces at limits. Bodies without such forces skip the sums. */
+    private void computeRightHandSide(int joint, int from, int to) {
+        boolean pushed = accelerations.isSelected(joint);
         for (int row = from; row < to; row++) {
-            rows.solution[row] = moved ? -accelerations.excess(joint, row) : -(0 - rows.wanted[row]);
+            rows.solution[row] = pushed ? -accelerations.residual(joint, row) : -(0 - rows.rightHandSide[row]);
         }
     }
 
-    /** Sets the forces of all rows at a limit, clears the others, watches bodies that are pushed; returns whether any is. */
-    private boolean setLimits() {
+    /** Sets the forces of rows at a limit, clears all others and selects the affected bodies; returns whether there are any. */
+    private boolean applyLimitForces() {
         Arrays.fill(rows.force, 0, rows.count, 0);
-        accelerations.stopPushing();
-        accelerations.watchAll(false);
+        accelerations.clearPushing();
+        accelerations.selectAll(false);
         boolean pushed = false;
-        for (int i = 0; i < limits; i++) {
-            int row = limited[i];
+        for (int i = 0; i < boundedCount; i++) {
+            int row = bounded[i];
             if (rows.state[row] != ConstraintRows.FREE) {
                 rows.force[row] = rows.state[row] == ConstraintRows.LOW ? rows.lower[row] : rows.upper[row];
                 if (rows.force[row] != 0) {
-                    accelerations.push(limitedBy[i]);
+                    accelerations.markPushing(boundedJoints[i]);
                     pushed = true;
                 }
             }
@@ -192,25 +196,25 @@ final class BlockPivotingLcpSolver {
         return pushed;
     }
 
-    /** Only bodies that are held by a row at its limit need their accelerations for this. */
+    /** Only bodies with a row at its limit need their accelerations here. */
     private int countInfeasible() {
-        accelerations.watchAll(false);
+        accelerations.selectAll(false);
         boolean any = false;
-        for (int i = 0; i < limits; i++) {
-            if (rows.state[limited[i]] != ConstraintRows.FREE) {
-                accelerations.watch(limitedBy[i]);
+        for (int i = 0; i < boundedCount; i++) {
+            if (rows.state[bounded[i]] != ConstraintRows.FREE) {
+                accelerations.select(boundedJoints[i]);
                 any = true;
             }
         }
         if (any) {
-            accelerations.addAll();
+            accelerations.sumAll();
         }
         int infeasible = 0;
-        for (int i = 0; i < limits; i++) {
-            int row = limited[i];
-            infeasibility[i] = infeasibility(limitedBy[i], row);
-            rows.next[row] = nextState(row, infeasibility[i]);
-            infeasible += rows.next[row] == rows.state[row] ? 0 : 1;
+        for (int i = 0; i < boundedCount; i++) {
+            int row = bounded[i];
+            infeasibility[i] = infeasibility(boundedJoints[i], row);
+            rows.nextState[row] = nextState(row, infeasibility[i]);
+            infeasible += rows.nextState[row] == rows.state[row] ? 0 : 1;
         }
         return infeasible;
     }
@@ -222,13 +226,13 @@ final class BlockPivotingLcpSolver {
         if (rows.lower[row] == rows.upper[row]) {
             return Double.NEGATIVE_INFINITY;
         }
-        double excess = accelerations.excess(joint, row);
-        return rows.state[row] == ConstraintRows.LOW ? -excess : excess;
+        double residual = accelerations.residual(joint, row);
+        return rows.state[row] == ConstraintRows.LOW ? -residual : residual;
     }
 
     private byte nextState(int row, double infeasibility) {
         if (rows.state[row] != ConstraintRows.FREE) {
-            return infeasibility > MOTION_TOLERANCE ? ConstraintRows.FREE : rows.state[row];
+            return infeasibility > RESIDUAL_TOLERANCE ? ConstraintRows.FREE : rows.state[row];
         }
         if (rows.force[row] < rows.lower[row] - FORCE_TOLERANCE) {
             return ConstraintRows.LOW;
@@ -236,38 +240,39 @@ final class BlockPivotingLcpSolver {
         return rows.force[row] > rows.upper[row] + FORCE_TOLERANCE ? ConstraintRows.HIGH : ConstraintRows.FREE;
     }
 
-    /** Releases all rows that separate, but fixes at a limit only rows that are far beyond it. */
+    /** Frees all infeasible rows at a limit, but moves a free row to its limit only if it is among the most infeasible. */
     private void pivotMostInfeasible() {
         double most = 0;
-        for (int i = 0; i < limits; i++) {
-            if (isBeyondLimit(limited[i])) {
-                most = Math.max(most, urgency(i));
+        for (int i = 0; i < boundedCount; i++) {
+            if (violatesLimit(bounded[i])) {
+                most = Math.max(most, relativeViolation(i));
             }
         }
-        for (int i = 0; i < limits; i++) {
-            int row = limited[i];
-            if (rows.next[row] != rows.state[row] && !(isBeyondLimit(row) && urgency(i) < SMALL_SHARE * most)) {
-                rows.state[row] = rows.next[row];
-                cholesky.rowChanged(limitedJoint[i]);
+        for (int i = 0; i < boundedCount; i++) {
+            int row = bounded[i];
+            if (rows.nextState[row] != rows.state[row]
+                    && !(violatesLimit(row) && relativeViolation(i) < PIVOT_THRESHOLD * most)) {
+                rows.state[row] = rows.nextState[row];
+                cholesky.rowChanged(columns[i]);
             }
         }
     }
 
-    private boolean isBeyondLimit(int row) {
-        return rows.state[row] == ConstraintRows.FREE && rows.next[row] != ConstraintRows.FREE;
+    private boolean violatesLimit(int row) {
+        return rows.state[row] == ConstraintRows.FREE && rows.nextState[row] != ConstraintRows.FREE;
     }
 
-    private double urgency(int index) {
-        double limit = Math.min(Math.abs(rows.lower[limited[index]]), Math.abs(rows.upper[limited[index]]));
-        return infeasibility[index] / Math.max(limit, MIN_LIMIT);
+    private double relativeViolation(int index) {
+        double limit = Math.min(Math.abs(rows.lower[bounded[index]]), Math.abs(rows.upper[bounded[index]]));
+        return infeasibility[index] / Math.max(limit, MIN_LIMIT_SCALE);
     }
 
     private void pivot(boolean onlyLast) {
-        for (int i = limits - 1; i >= 0; i--) {
-            int row = limited[i];
-            if (rows.next[row] != rows.state[row]) {
-                rows.state[row] = rows.next[row];
-                cholesky.rowChanged(limitedJoint[i]);
+        for (int i = boundedCount - 1; i >= 0; i--) {
+            int row = bounded[i];
+            if (rows.nextState[row] != rows.state[row]) {
+                rows.state[row] = rows.nextState[row];
+                cholesky.rowChanged(columns[i]);
                 if (onlyLast) {
                     return;
                 }

@@ -12,13 +12,13 @@ import org.robonewbie.simulator.physics.RigidBody;
 import org.robonewbie.simulator.physics.RotationMatrix;
 
 /**
- * A rigid body: Newton and Euler for one lump of matter.
+ * Rigid body with Newton-Euler dynamics.
  *
- * <p>Arrays hold x, y, z; arrays of six hold a linear part and then an angular part, all along the world's axes.
+ * <p>Arrays of three hold x, y, z. Arrays of six hold a linear and then an angular part, along the world axes.
  */
 final class Body implements RigidBody, Restorable {
 
-    /** Stands where no body is known yet. */
+    /** Placeholder for the bodies of an unused contact. */
     static final Body NONE =
             new Body(new MassDistribution(1, new Vector3(1, 1, 1)), Vector3.ZERO, new UpdateSequence());
 
@@ -27,76 +27,81 @@ final class Body implements RigidBody, Restorable {
     private static final int STEPS_TO_FALL_ASLEEP = 10;
 
     double inverseMass;
-    /** Rotation from the body's axes to the world's, row by row. */
+    /** Rotation from body to world axes, row-major. */
     final double[] rotation = Rotations.identity();
-    /** The inverse of the inertia about the world's axes, row by row; as of the last {@link #prepare}. */
+    /** Inverse inertia tensor in world axes, row-major, of the present step. */
     final double[] inverseInertia = new double[9];
-    /** Linear and angular velocity. */
+
     final double[] velocity = new double[6];
-    /** Force and torque of this step, constraints not counted. */
+    /** Accumulated force and torque of this step without constraints. */
     final double[] force = new double[6];
-    /** The velocity that the step would give without constraints, per second of the step: v/h + M⁻¹f. */
+    /** Unconstrained velocity after the step divided by the step: v/h + M⁻¹ f. */
     final double[] unconstrained = new double[6];
-    /** What the constraints' forces add: M⁻¹ Jᵀ λ. */
+    /** Acceleration by the constraint forces: M⁻¹ Jᵀ λ. */
     final double[] acceleration = new double[6];
-    /** Joints that hold on to this body, hinges first, then the contacts of this step. */
+    /** Joints of this body: hinges first, then the contacts of this step. */
     final List<ConstraintJoint> joints = new ArrayList<>();
-    /** Number of this body in its island, while the island is stepped. */
+    /** Index of this body in its island, valid during the step. */
     int islandIndex;
-    /** Whether this step has put the body in an island already. */
+    /** Whether the body is already part of an island in this step. */
     boolean visited;
 
-    private final MassDistribution usual;
+    private final MassDistribution nominal;
     private double mass;
     private final double[] inertia = new double[3];
-    private final boolean evenlyHeavy;
+    private final boolean isotropic;
     private final double[] position = new double[3];
-    /** The position as it was asked for last, since it is asked for several times per step. */
-    private Vector3 seenPosition = Vector3.ZERO;
+    /** Result of the last call of {@link #position}, since it is read several times per step. */
+    private Vector3 cachedPosition = Vector3.ZERO;
 
-    private boolean hasMoved = true;
-    /** The velocity as it was asked for last. */
-    private Vector3 seenVelocity = Vector3.ZERO;
+    private boolean positionChanged = true;
+    private Vector3 cachedVelocity = Vector3.ZERO;
 
     private final double[] quaternion = {1, 0, 0, 0};
-    private final UpdateSequence order;
+    private final UpdateSequence updates;
     private final List<CollisionShape> shapes = new ArrayList<>();
     private boolean asleep;
-    private int turns;
+    private int rotationVersion;
     private int restingStepsLeft = STEPS_TO_FALL_ASLEEP;
 
-    Body(MassDistribution distribution, Vector3 position, UpdateSequence order) {
-        this.order = order;
-        usual = distribution;
+    Body(MassDistribution distribution, Vector3 position, UpdateSequence updates) {
+        this.updates = updates;
+        nominal = distribution;
         setMassFactor(1);
         Vector3 moments = distribution.inertia();
-        evenlyHeavy = moments.x() == moments.y() && moments.y() == moments.z();
+        isotropic = moments.x() == moments.y() && moments.y() == moments.z();
         set(this.position, position);
     }
 
     @Override
     public void setMassFactor(double factor) {
-        mass = factor * usual.massKg();
+        mass = factor * nominal.massKg();
         inverseMass = 1 / mass;
-        set(inertia, usual.inertia().times(factor));
+        set(inertia, nominal.inertia().times(factor));
     }
 
-    double[] place() {
+    double[] centre() {
         return position;
+    }
+
+    /** Transforms a point from the world frame to the body frame, written from an index on. */
+    void toLocal(double[] point, double[] to, int at) {
+        Rotations.applyInverse(
+                rotation, point[0] - position[0], point[1] - position[1], point[2] - position[2], to, at);
     }
 
     double[] orientation() {
         return quaternion;
     }
 
-    /** A counter of the body's rotations, which shows whether a value derived from its orientation is still valid. */
-    int turns() {
-        return turns;
+    /** Modification counter of the orientation, for values that are derived from it. */
+    int rotationVersion() {
+        return rotationVersion;
     }
 
     void attach(CollisionShape shape) {
         shapes.add(shape);
-        shape.moved(order);
+        shape.moved(updates);
     }
 
     void removeContacts() {
@@ -105,7 +110,6 @@ final class Body implements RigidBody, Restorable {
         }
     }
 
-    /** Marks body and joints as belonging to no island yet. */
     void unvisit() {
         visited = false;
         for (int i = 0; i < joints.size(); i++) {
@@ -113,8 +117,8 @@ final class Body implements RigidBody, Restorable {
         }
     }
 
-    /** Counts the steps at rest and puts the body to sleep after ten, like ODE's auto-disable. */
-    void watchRest() {
+    /** Puts the body to sleep after ten consecutive steps at rest, like ODE's auto-disable. */
+    void updateSleep() {
         if (asleep || joints.isEmpty()) {
             return;
         }
@@ -125,8 +129,8 @@ final class Body implements RigidBody, Restorable {
         }
     }
 
-    /** Takes part in the step because something awake is joined to it; its count of steps at rest continues. */
-    void stir() {
+    /** Includes the body in the step because its island is awake. The count of steps at rest continues. */
+    void resume() {
         asleep = false;
     }
 
@@ -135,16 +139,16 @@ final class Body implements RigidBody, Restorable {
                 && Rotations.dot(velocity, 3, velocity, 3) <= RESTING_SPEED_SQUARED;
     }
 
-    /** Adds weight and gyroscopic torque, and turns the inertia to the world's axes. */
-    void addOwnForces(double seconds) {
+    /** Adds weight and gyroscopic torque, and updates the inertia in world axes. */
+    void addGravityAndGyroscopicTorque(double seconds) {
         force[2] += mass * GRAVITY;
-        Rotations.turnedDiagonal(rotation, 1 / inertia[0], 1 / inertia[1], 1 / inertia[2], inverseInertia);
-        if (!evenlyHeavy) {
+        Rotations.rotateDiagonal(rotation, 1 / inertia[0], 1 / inertia[1], 1 / inertia[2], inverseInertia);
+        if (!isotropic) {
             Gyroscope.addTorque(rotation, inertia, velocity, seconds, force);
         }
     }
 
-    /** Computes what the step would do without constraints; to be called when all forces are known. */
+    /** Computes the unconstrained motion. Call after all forces have been added. */
     void prepare(double seconds) {
         double rate = 1 / seconds;
         for (int axis = 0; axis < 3; axis++) {
@@ -157,8 +161,8 @@ final class Body implements RigidBody, Restorable {
         Arrays.fill(acceleration, 0);
     }
 
-    /** Moves the body: first the velocities, then with them place and orientation (semi-implicit Euler, as ODE). */
-    void move(double seconds) {
+    /** Integrates velocities and then, with the new velocities, the pose (semi-implicit Euler, as in ODE). */
+    void integrate(double seconds) {
         for (int axis = 0; axis < 3; axis++) {
             velocity[axis] += seconds * (acceleration[axis] + force[axis] * inverseMass);
             velocity[3 + axis] +=
@@ -167,27 +171,27 @@ final class Body implements RigidBody, Restorable {
         for (int axis = 0; axis < 3; axis++) {
             position[axis] += seconds * velocity[axis];
         }
-        hasMoved = true;
-        Rotations.rotate(quaternion, velocity, seconds);
+        positionChanged = true;
+        Rotations.integrate(quaternion, velocity, seconds);
         Rotations.toMatrix(quaternion, rotation);
-        turns++;
+        rotationVersion++;
         Arrays.fill(force, 0);
-        tellForms();
+        notifyShapes();
     }
 
-    private void tellForms() {
+    private void notifyShapes() {
         for (int i = 0; i < shapes.size(); i++) {
-            shapes.get(i).moved(order);
+            shapes.get(i).moved(updates);
         }
     }
 
     @Override
     public Vector3 position() {
-        if (hasMoved) {
-            seenPosition = new Vector3(position[0], position[1], position[2]);
-            hasMoved = false;
+        if (positionChanged) {
+            cachedPosition = new Vector3(position[0], position[1], position[2]);
+            positionChanged = false;
         }
-        return seenPosition;
+        return cachedPosition;
     }
 
     @Override
@@ -225,13 +229,13 @@ final class Body implements RigidBody, Restorable {
 
     @Override
     public Vector3 velocity() {
-        if (!isVelocity(seenVelocity)) {
-            seenVelocity = new Vector3(velocity[0], velocity[1], velocity[2]);
+        if (!isVelocity(cachedVelocity)) {
+            cachedVelocity = new Vector3(velocity[0], velocity[1], velocity[2]);
         }
-        return seenVelocity;
+        return cachedVelocity;
     }
 
-    /** Compares bit by bit, so that 0 and -0 differ. */
+    /** Compares bitwise, so that 0 and -0 differ. */
     private boolean isVelocity(Vector3 vector) {
         return Double.compare(vector.x(), velocity[0]) == 0
                 && Double.compare(vector.y(), velocity[1]) == 0
@@ -244,19 +248,19 @@ final class Body implements RigidBody, Restorable {
     }
 
     @Override
-    public void setPosition(Vector3 place) {
-        set(position, place);
-        hasMoved = true;
-        tellForms();
+    public void setPosition(Vector3 centre) {
+        set(position, centre);
+        positionChanged = true;
+        notifyShapes();
     }
 
     @Override
-    public void setRotation(RotationMatrix turn) {
-        Rotations.copy(turn, rotation);
+    public void setRotation(RotationMatrix matrix) {
+        Rotations.copy(matrix, rotation);
         Rotations.toQuaternion(rotation, quaternion);
-        Rotations.straighten(rotation);
-        turns++;
-        tellForms();
+        Rotations.orthonormalise(rotation);
+        rotationVersion++;
+        notifyShapes();
     }
 
     @Override
@@ -321,17 +325,17 @@ final class Body implements RigidBody, Restorable {
         out.putInt(restingStepsLeft);
     }
 
-    /** Takes on a state; the shapes of the body take on theirs afterwards. */
+    /** Restores the state. Restore the body's shapes afterwards. */
     @Override
     public void restore(StateReader in) {
         in.getDoubles(position);
-        hasMoved = true;
+        positionChanged = true;
         in.getDoubles(quaternion);
         in.getDoubles(rotation);
         in.getDoubles(velocity);
         in.getDoubles(force);
         asleep = in.getBoolean();
         restingStepsLeft = in.getInt();
-        turns++;
+        rotationVersion++;
     }
 }

@@ -3,7 +3,6 @@ package org.robonewbie.simulator.physics.sparse;
 import org.robonewbie.nao.model.Shape;
 import org.robonewbie.simulator.physics.ode.OdeCollisions;
 
-/** A box. */
 final class BoxShape extends CollisionShape {
 
     private final double[] half;
@@ -21,18 +20,18 @@ final class BoxShape extends CollisionShape {
     }
 
     @Override
-    double reach(int axis) {
+    double halfExtent(int axis) {
         return Math.abs(rotation[3 * axis] * half[0])
                 + Math.abs(rotation[3 * axis + 1] * half[1])
                 + Math.abs(rotation[3 * axis + 2] * half[2]);
     }
 
     /**
-     * Takes the deepest corner, its neighbours along the two edges that are most level, and the corner between those (ODE:
-     * {@code dCollideBoxPlane}).
+     * Returns the deepest corner, its neighbours along the two edges that are closest to horizontal, and the corner between
+     * those (ODE: {@code dCollideBoxPlane}).
      */
     @Override
-    int touchGround(double[] points) {
+    int collideWithGround(double[] points) {
         for (int edge = 0; edge < 3; edge++) {
             drop[edge] = 2 * half[edge] * rotation[6 + edge];
         }
@@ -47,8 +46,8 @@ final class BoxShape extends CollisionShape {
                     - signedHalf(2) * rotation[3 * axis + 2];
         }
         setGroundPoint(points, 0, corner[0], corner[1], corner[2], depth);
-        int one = mostLevel(-1);
-        int two = mostLevel(one);
+        int one = mostHorizontalEdge(-1);
+        int two = mostHorizontalEdge(one);
         double depthOne = depth - Math.abs(drop[one]);
         double depthTwo = depth - Math.abs(drop[two]);
         if (depthOne < 0) {
@@ -67,12 +66,12 @@ final class BoxShape extends CollisionShape {
         return 4;
     }
 
-    /** Half the length of an edge, with the sign that leads upwards. */
+    /** Half the length of an edge, signed so that it points upwards. */
     private double signedHalf(int edge) {
         return drop[edge] > 0 ? half[edge] : -half[edge];
     }
 
-    private int mostLevel(int except) {
+    private int mostHorizontalEdge(int except) {
         int best = except == 0 ? 1 : 0;
         for (int edge = best + 1; edge < 3; edge++) {
             if (edge != except && Math.abs(drop[edge]) < Math.abs(drop[best])) {

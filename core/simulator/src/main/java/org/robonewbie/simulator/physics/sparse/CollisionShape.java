@@ -7,26 +7,26 @@ import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.physics.ode.OdeCollisions;
 
 /**
- * A surface with a shape, somewhere in the world.
+ * Collision shape with a pose.
  *
- * <p>It finds its contacts with the ground itself, since a robot has some in nearly every step; for all other pairs it has
- * an {@code odeGeometry} in ODE's collision, which is put in place only when something is near.
+ * <p>Contacts with the ground are computed here, since a robot has some in nearly every step. All other pairs use a geometry in
+ * ODE's collision space, whose pose is updated only when bounding boxes overlap.
  */
 abstract class CollisionShape implements Restorable {
 
     final SparseCollider collider;
-    /** Corner of the box around the shape with the smallest coordinates. */
-    final double[] low = new double[3];
-    /** Corner with the largest coordinates. */
-    final double[] high = new double[3];
-    /** Place of the centre; the very array of the body, if there is one. */
+    /** Minimum corner of the bounding box. */
+    final double[] min = new double[3];
+    /** Maximum corner of the bounding box. */
+    final double[] max = new double[3];
+    /** Centre; shared with the body, if there is one. */
     final double[] position;
-    /** The rotation matrix, row by row; the very array of the body, if there is one. */
+    /** Rotation matrix, row-major; shared with the body, if there is one. */
     final double[] rotation;
 
     private final OdeCollisions.Geometry odeGeometry;
-    private boolean unmeasured = true;
-    private boolean misplaced = true;
+    private boolean boundsOutdated = true;
+    private boolean odeGeometryOutdated = true;
     private int movedInPeriod = -1;
     private int moveNumber;
 
@@ -53,56 +53,53 @@ abstract class CollisionShape implements Restorable {
         return new RoundShape(capsule.radius(), capsule.length() / 2, collider, position, rotation, odeGeometry);
     }
 
-    /** Notes that the body has moved. */
-    void moved(UpdateSequence order) {
-        unmeasured = true;
-        misplaced = true;
-        if (movedInPeriod != order.period()) {
-            movedInPeriod = order.period();
-            moveNumber = order.nextMoveNumber();
+    void moved(UpdateSequence updates) {
+        boundsOutdated = true;
+        odeGeometryOutdated = true;
+        if (movedInPeriod != updates.period()) {
+            movedInPeriod = updates.period();
+            moveNumber = updates.nextMoveNumber();
         }
     }
 
-    /** When the shape was first moved in the period of its last move; ODE lists the last mover first. */
+    /** Number of the first move in the period of the last move; ODE lists the shape that moved last first. */
     int moveNumber() {
         return moveNumber;
     }
 
-    boolean isMisplaced() {
-        return misplaced;
+    boolean isOdeGeometryOutdated() {
+        return odeGeometryOutdated;
     }
 
-    /** Moves the geometry in ODE's collision to the place of the shape. */
-    void placeTwin() {
+    void updateOdeGeometry() {
         odeGeometry.place(position, rotation);
-        misplaced = false;
+        odeGeometryOutdated = false;
     }
 
-    /** Updates the bounding box of the shape. */
-    final void measure() {
-        if (unmeasured) {
+    final void updateBounds() {
+        if (boundsOutdated) {
             for (int axis = 0; axis < 3; axis++) {
-                double reach = reach(axis);
-                low[axis] = position[axis] - reach;
-                high[axis] = position[axis] + reach;
+                double halfExtent = halfExtent(axis);
+                min[axis] = position[axis] - halfExtent;
+                max[axis] = position[axis] + halfExtent;
             }
-            unmeasured = false;
+            boundsOutdated = false;
         }
     }
 
-    /** The extent of the shape from its centre along an axis of the world. */
-    abstract double reach(int axis);
+    /** Half the extent of the bounding box along a world axis. */
+    abstract double halfExtent(int axis);
 
     /**
-     * Finds the points at which the shape touches the ground, the plane z = 0.
+     * Computes the contact points with the ground plane z = 0.
      *
-     * @param points receives {@link OdeCollisions#NUMBERS_PER_POINT} numbers for each point
-     * @return how many there are, at most four
+     * @param points receives {@link OdeCollisions#DOUBLES_PER_POINT} elements per point
+     * @return number of points, at most four
      */
-    abstract int touchGround(double[] points);
+    abstract int collideWithGround(double[] points);
 
     static void setGroundPoint(double[] points, int index, double x, double y, double z, double depth) {
-        int at = index * OdeCollisions.NUMBERS_PER_POINT;
+        int at = index * OdeCollisions.DOUBLES_PER_POINT;
         points[at] = x;
         points[at + 1] = y;
         points[at + 2] = z;
@@ -114,20 +111,20 @@ abstract class CollisionShape implements Restorable {
 
     @Override
     public void save(StateWriter out) {
-        out.putBoolean(misplaced);
+        out.putBoolean(odeGeometryOutdated);
         out.putInt(movedInPeriod);
         out.putInt(moveNumber);
     }
 
-    /** Takes on a state after its body did so. A double that was up to date is put in place at once. */
+    /** Restores the state. Restore the body first. A geometry that was up to date is updated immediately. */
     @Override
     public void restore(StateReader in) {
-        unmeasured = true;
-        misplaced = in.getBoolean();
+        boundsOutdated = true;
+        odeGeometryOutdated = in.getBoolean();
         movedInPeriod = in.getInt();
         moveNumber = in.getInt();
-        if (!misplaced) {
-            placeTwin();
+        if (!odeGeometryOutdated) {
+            updateOdeGeometry();
         }
     }
 }

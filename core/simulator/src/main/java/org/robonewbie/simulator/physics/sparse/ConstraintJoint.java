@@ -2,24 +2,23 @@ package org.robonewbie.simulator.physics.sparse;
 
 import org.jspecify.annotations.Nullable;
 
-/** Whatever holds two bodies, or a body and what never moves: a hinge or a place where they touch. */
+/** Constraint between two bodies, or between a body and the static environment: a hinge or a contact. */
 abstract class ConstraintJoint {
 
-    /** How far its rows with limits are apart. */
-    static final int ROWS_PER_LIMIT = 3;
+    /** Distance between consecutive bounded rows of a joint. */
+    static final int BOUNDED_ROW_STRIDE = 3;
 
-    private static final int LIMIT_OF_HINGE = 5;
+    private static final int BOUNDED_ROW_OF_HINGE = 5;
 
-    /** The body that moves along the rows' Jacobians. */
     Body first;
-    /** The body against which it is held; none for ground and walls. */
+    /** Null if the first body is constrained against ground or walls. */
     @Nullable
     Body second;
-    /** Where the joint's rows begin in the island's rows, while the island is stepped. */
+    /** Index of the joint's first row in the island, valid during the step. */
     int firstRow;
-    /** Whether this step has put the joint in an island already. */
+    /** Whether the joint is already part of an island in this step. */
     boolean visited;
-    /** Whether its rows are those of a hinge: three along the axes of the world that hold a point, and three that only turn. */
+    /** Whether the rows are those of a hinge: three that constrain a point along the world axes, and three that are angular. */
     final boolean hinge;
 
     ConstraintJoint(Body first, @Nullable Body second, boolean hinge) {
@@ -28,7 +27,6 @@ abstract class ConstraintJoint {
         this.hinge = hinge;
     }
 
-    /** Adds this joint to its bodies. */
     final void attach() {
         first.joints.add(this);
         if (second != null) {
@@ -36,29 +34,28 @@ abstract class ConstraintJoint {
         }
     }
 
-    /** The number of rows that the joint needs in this step, a multiple of three as {@link BlockKernels} wants it. */
+    /** Number of rows in this step, a multiple of three as {@link BlockKernels} requires. */
     abstract int rowCount();
 
-    /** The first of its rows that may have limits; {@link #ROWS_PER_LIMIT} further comes the next one. */
-    final int firstLimit() {
-        return hinge ? LIMIT_OF_HINGE : 0;
+    /** Index, within the joint, of the first row that can have limits; the others follow at {@link #BOUNDED_ROW_STRIDE}. */
+    final int firstBoundedRow() {
+        return hinge ? BOUNDED_ROW_OF_HINGE : 0;
     }
 
     /**
-     * Writes Jacobians, speeds, softness and limits.
+     * Writes Jacobians, target speeds, softness and limits.
      *
-     * @param rows the island's rows, cleared
+     * @param rows the island's rows, with default values
      * @param rate steps per second, 1/h
      */
     abstract void writeRows(ConstraintRows rows, double rate);
 
-    /** Sets the states with which the solver begins, where something better is known than that all rows are free. */
+    /** Sets the initial states of rows for which the previous step suggests something other than free. */
     void setInitialBasis(ConstraintRows rows) {}
 
-    /** Takes from the rows what has to be remembered after the step. */
+    /** Reads forces and states from the solved rows. */
     void readForces(ConstraintRows rows) {}
 
-    /** The body at the other end of the joint. */
     final @Nullable Body opposite(Body body) {
         return body == first ? second : first;
     }

@@ -3,52 +3,49 @@ package org.robonewbie.simulator.physics.sparse;
 import java.util.Arrays;
 
 /**
- * All constraint rows of an island in the order of elimination.
+ * Constraint rows of an island in elimination order.
  *
- * <p>Six numbers per row and body: how fast the row's gap opens per unit of the body's linear and angular velocity. A row is
- * <i>free</i> while its force is unknown; otherwise its force is at its lower or upper limit.
+ * <p>A Jacobian row has six elements per body: the speed of the constraint per unit of linear and angular velocity. A row is
+ * <i>free</i> (basic) while its force is unknown; otherwise its force is at its lower or upper limit.
  */
 final class ConstraintRows {
 
-    /** The row's force is whatever fulfils the row. */
+    /** The force satisfies the row. */
     static final byte FREE = 0;
-    /** The row's force is at its lower limit. */
+    /** The force is at its lower limit. */
     static final byte LOW = 1;
-    /** The row's force is at its upper limit. */
+    /** The force is at its upper limit. */
     static final byte HIGH = 2;
 
     private final ScratchCapacity capacity = new ScratchCapacity(1 << 9);
 
     int count;
-    /** For each joint in the order of elimination, whether it is a {@link ConstraintJoint#hinge}. */
+    /** Whether each joint, in elimination order, is a {@link ConstraintJoint#hinge}. */
     boolean[] hinge = {};
-    /** Jacobian against the first body. */
-    double[] first = {};
-    /** Jacobian against the second body. */
-    double[] second = {};
-    /** Jacobian times inverse mass of the first body: its acceleration per newton of the row. */
+
+    double[] firstJacobian = {};
+    double[] secondJacobian = {};
+    /** M⁻¹ Jᵀ of the first body: its acceleration per newton of the row's force. */
     double[] firstResponse = {};
-    /** The same for the second body. */
+    /** M⁻¹ Jᵀ of the second body. */
     double[] secondResponse = {};
-    /** The speed that the row asks for; once {@link #prepare} is done, the right-hand side b. */
-    double[] wanted = {};
-    /** How much of that speed the row gives up per newton (ODE: CFM); once prepared, divided by the step. */
+    /** Target speed c; after {@link #prepare}, the right-hand side b. */
+    double[] rightHandSide = {};
+    /** Constraint force mixing C in metres per second per newton (ODE: CFM); after {@link #prepare}, divided by the step. */
     double[] softness = {};
-    /** The least force. */
+
     double[] lower = {};
-    /** The greatest force. */
     double[] upper = {};
-    /** The force that was found. */
     double[] force = {};
     /** {@link #FREE}, {@link #LOW} or {@link #HIGH}. */
     byte[] state = {};
-    /** The state that the last solution suggests. */
-    byte[] next = {};
-    /** ScratchCapacity for the solution of the linear system. */
+    /** State that the last iteration suggests. */
+    byte[] nextState = {};
+    /** Right-hand side and solution of the linear system. */
     double[] solution = {};
 
-    /** Makes room for rows: unlimited, at speed 0, with the world's softness. Each joint writes all of its Jacobians. */
-    void reset(int rows, int joints, double worldSoftness) {
+    /** Resets rows to unlimited forces, target speed 0 and a default softness. Jacobians keep their old content. */
+    void reset(int rows, int joints, double defaultSoftness) {
         count = rows;
         if (hinge.length < joints) {
             hinge = new boolean[2 * joints];
@@ -57,62 +54,60 @@ final class ConstraintRows {
         if (length != state.length) {
             resize(length);
         }
-        Arrays.fill(wanted, 0, rows, 0);
-        Arrays.fill(softness, 0, rows, worldSoftness);
+        Arrays.fill(rightHandSide, 0, rows, 0);
+        Arrays.fill(softness, 0, rows, defaultSoftness);
         Arrays.fill(lower, 0, rows, Double.NEGATIVE_INFINITY);
         Arrays.fill(upper, 0, rows, Double.POSITIVE_INFINITY);
     }
 
     private void resize(int rows) {
-        first = new double[6 * rows];
-        second = new double[6 * rows];
+        firstJacobian = new double[6 * rows];
+        secondJacobian = new double[6 * rows];
         firstResponse = new double[6 * rows];
         secondResponse = new double[6 * rows];
-        wanted = new double[rows];
+        rightHandSide = new double[rows];
         softness = new double[rows];
         lower = new double[rows];
         upper = new double[rows];
         force = new double[rows];
         state = new byte[rows];
-        next = new byte[rows];
+        nextState = new byte[rows];
         solution = new double[rows];
     }
 
-    /** Writes a vector into the linear part of a row's Jacobian. */
     static void setLinear(double[] jacobian, int row, double x, double y, double z) {
         jacobian[6 * row] = x;
         jacobian[6 * row + 1] = y;
         jacobian[6 * row + 2] = z;
     }
 
-    /** Writes a vector into the angular part of a row's Jacobian. */
     static void setAngular(double[] jacobian, int row, double x, double y, double z) {
         jacobian[6 * row + 3] = x;
         jacobian[6 * row + 4] = y;
         jacobian[6 * row + 5] = z;
     }
 
-    /** Computes the right-hand side and the responses of a joint's rows; the bodies are prepared. */
+    /** Computes the right-hand side and M⁻¹ Jᵀ of a joint's rows. The bodies must be prepared. */
     void prepare(ConstraintJoint joint, double rate) {
         Body one = joint.first;
         Body two = joint.second;
         int from = joint.firstRow;
         int to = from + joint.rowCount();
         if (joint.hinge && two != null) {
-            respondHinge(one, first, firstResponse, from);
-            respondHinge(two, second, secondResponse, from);
-            demandHinge(from, one.unconstrained, two.unconstrained, rate);
+            applyInverseMassToHinge(one, firstJacobian, firstResponse, from);
+            applyInverseMassToHinge(two, secondJacobian, secondResponse, from);
+            rightHandSideOfHinge(from, one.unconstrained, two.unconstrained, rate);
         } else {
-            respond(one, first, firstResponse, from, to);
+            applyInverseMass(one, firstJacobian, firstResponse, from, to);
             if (two != null) {
-                respond(two, second, secondResponse, from, to);
+                applyInverseMass(two, secondJacobian, secondResponse, from, to);
             }
             for (int row = from; row < to; row++) {
-                double free = dot6(first, 6 * row, one.unconstrained);
+                double free = dot6(firstJacobian, 6 * row, one.unconstrained);
                 if (two != null) {
-                    free += dot6(second, 6 * row, two.unconstrained);
+                    free += dot6(secondJacobian, 6 * row, two.unconstrained);
                 }
-                wanted[row] = wanted[row] * rate - free;
+                rightHandSide[row] = rightHandSide[row] * rate - free;
             }
         }
         for (int row = from; row < to; row++) {
@@ -120,34 +115,35 @@ final class ConstraintRows {
         }
     }
 
-    private void demandHinge(int row, double[] one, double[] two, double rate) {
+    private void rightHandSideOfHinge(int row, double[] one, double[] two, double rate) {
         int at = 6 * row;
-        double along = first[at];
+        double along = firstJacobian[at];
         for (int axis = 0; axis < 3; axis++) {
             int angular = at + 6 * axis + 3;
-            double free = along * one[axis] + Rotations.dot(first, angular, one, 3);
-            free += -along * two[axis] + Rotations.dot(second, angular, two, 3);
-            wanted[row + axis] = wanted[row + axis] * rate - free;
+            double free = along * one[axis] + Rotations.dot(firstJacobian, angular, one, 3);
+            free += -along * two[axis] + Rotations.dot(secondJacobian, angular, two, 3);
+            rightHandSide[row + axis] = rightHandSide[row + axis] * rate - free;
         }
-        for (int turn = 3; turn < 6; turn++) {
-            int angular = at + 6 * turn + 3;
-            double free = Rotations.dot(first, angular, one, 3) + Rotations.dot(second, angular, two, 3);
-            wanted[row + turn] = wanted[row + turn] * rate - free;
+        for (int axis = 3; axis < 6; axis++) {
+            int angular = at + 6 * axis + 3;
+            double free =
+                    Rotations.dot(firstJacobian, angular, one, 3) + Rotations.dot(secondJacobian, angular, two, 3);
+            rightHandSide[row + axis] = rightHandSide[row + axis] * rate - free;
         }
     }
 
-    private static void respond(Body body, double[] jacobian, double[] response, int from, int to) {
+    private static void applyInverseMass(Body body, double[] jacobian, double[] response, int from, int to) {
         double mass = body.inverseMass;
         for (int at = 6 * from; at < 6 * to; at += 6) {
             response[at] = jacobian[at] * mass;
             response[at + 1] = jacobian[at + 1] * mass;
             response[at + 2] = jacobian[at + 2] * mass;
         }
-        turn(body.inverseInertia, jacobian, response, 6 * from, 6 * to);
+        applyInverseInertia(body.inverseInertia, jacobian, response, 6 * from, 6 * to);
     }
 
-    /** A hinge moves bodies along one axis of the world in each of its first rows, and not at all in the others. */
-    private static void respondHinge(Body body, double[] jacobian, double[] response, int row) {
+    /** Each of the first three rows of a hinge has a linear part along one world axis, the others have none. */
+    private static void applyInverseMassToHinge(Body body, double[] jacobian, double[] response, int row) {
         int at = 6 * row;
         double move = jacobian[at] * body.inverseMass;
         setLinear(response, row, move, 0, 0);
@@ -156,10 +152,10 @@ final class ConstraintRows {
         setLinear(response, row + 3, 0, 0, 0);
         setLinear(response, row + 4, 0, 0, 0);
         setLinear(response, row + 5, 0, 0, 0);
-        turn(body.inverseInertia, jacobian, response, at, at + 36);
+        applyInverseInertia(body.inverseInertia, jacobian, response, at, at + 36);
     }
 
-    private static void turn(double[] inverse, double[] jacobian, double[] response, int from, int to) {
+    private static void applyInverseInertia(double[] inverse, double[] jacobian, double[] response, int from, int to) {
         double xx = inverse[0];
         double xy = inverse[1];
         double xz = inverse[2];

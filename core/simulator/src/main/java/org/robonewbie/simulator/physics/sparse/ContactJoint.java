@@ -4,10 +4,10 @@ import org.jspecify.annotations.Nullable;
 import org.robonewbie.simulator.physics.ode.OdeCollisions;
 
 /**
- * All points at which two bodies, or a body and something fixed, touch during one step: ODE's contact joints.
+ * Contact constraint between two bodies, or a body and the static environment, with all contact points of one step.
  *
- * <p>Three rows per point: along the normal the bodies must not come closer and only push; in the two directions across,
- * unlimited friction holds them but gives way softly (ODE's force dependent slip).
+ * <p>Each point has three rows, like ODE's contact joint: a unilateral row along the normal, and two tangential rows with
+ * unlimited friction and force-dependent slip.
  */
 final class ContactJoint extends ConstraintJoint {
 
@@ -17,32 +17,32 @@ final class ContactJoint extends ConstraintJoint {
     private int count;
     private ContactSurface surface = ContactSurface.HARD;
     private double sign;
-    private LastTouch lastTouch = new LastTouch();
+    private ContactStateCache contactStates = new ContactStateCache();
 
-    /** The normal of a point and two directions across it. */
+    /** Normal and two tangents of a point. */
     private final double[] directions = new double[9];
 
-    /** Creates an unused joint. */
     ContactJoint() {
         super(Body.NONE, null, false);
     }
 
     /**
-     * Joins two bodies.
+     * Reuses this object for a new contact.
      *
      * @param first a body
-     * @param second another one, or none
-     * @param surface how they behave in contact
-     * @param sign 1 if the points' normals look towards the first body, -1 if away from it
-     * @param lastTouch what is remembered of the first body's shape
+     * @param second the other body; null for the static environment
+     * @param surface contact parameters
+     * @param sign 1 if the normals point towards the first body, -1 if away from it
+     * @param contactStates cache of the first body's shape
      * @return this joint
      */
-    ContactJoint between(Body first, @Nullable Body second, ContactSurface surface, double sign, LastTouch lastTouch) {
+    ContactJoint reset(
+            Body first, @Nullable Body second, ContactSurface surface, double sign, ContactStateCache contactStates) {
         this.first = first;
         this.second = second;
         this.surface = surface;
         this.sign = sign;
-        this.lastTouch = lastTouch;
+        this.contactStates = contactStates;
         return this;
     }
 
@@ -50,7 +50,7 @@ final class ContactJoint extends ConstraintJoint {
         points[count++] = point;
     }
 
-    /** Forgets its points and leaves its bodies; contacts are always the last of a body's joints. */
+    /** Removes the points and detaches the joint from its bodies. Contacts are always the last joints of a body. */
     void detach() {
         count = 0;
         first.removeContacts();
@@ -67,37 +67,37 @@ final class ContactJoint extends ConstraintJoint {
     @Override
     void writeRows(ConstraintRows rows, double rate) {
         for (int i = 0; i < count; i++) {
-            writeRows(rows, firstRow + ROWS_PER_POINT * i, points[i].numbers, rate);
+            writeRows(rows, firstRow + ROWS_PER_POINT * i, points[i].geometry, rate);
         }
     }
 
-    private void writeRows(ConstraintRows rows, int row, double[] numbers, double rate) {
+    private void writeRows(ConstraintRows rows, int row, double[] geometry, double rate) {
         for (int axis = 0; axis < 3; axis++) {
-            directions[axis] = sign * numbers[3 + axis];
+            directions[axis] = sign * geometry[3 + axis];
         }
-        Rotations.squareTo(directions, 0, 3, 6);
-        writeDirection(rows, row, numbers, 0);
-        writeDirection(rows, row + 1, numbers, 3);
-        writeDirection(rows, row + 2, numbers, 6);
-        double depth = Math.max(0, numbers[6] - PhysicsConstants.CONTACT_SURFACE_LAYER);
-        double approach = surface.bounces() ? -openingSpeed(rows, row) : 0;
-        rows.wanted[row] = Math.max(rate * surface.errorReduction() * depth, surface.thrownBack(approach));
+        Rotations.orthonormalBasis(directions, 0, 3, 6);
+        writeDirection(rows, row, geometry, 0);
+        writeDirection(rows, row + 1, geometry, 3);
+        writeDirection(rows, row + 2, geometry, 6);
+        double depth = Math.max(0, geometry[6] - PhysicsConstants.CONTACT_SURFACE_LAYER);
+        double approach = surface.bounces() ? -separationSpeed(rows, row) : 0;
+        rows.rightHandSide[row] = Math.max(rate * surface.errorReduction() * depth, surface.reboundSpeed(approach));
         rows.softness[row] = surface.softness();
         rows.softness[row + 1] = surface.slip();
         rows.softness[row + 2] = surface.slip();
         rows.lower[row] = 0;
     }
 
-    private void writeDirection(ConstraintRows rows, int row, double[] numbers, int direction) {
-        write(rows.first, row, first, numbers, directions, direction, 1);
+    private void writeDirection(ConstraintRows rows, int row, double[] geometry, int direction) {
+        write(rows.firstJacobian, row, first, geometry, directions, direction, 1);
         if (second != null) {
-            write(rows.second, row, second, numbers, directions, direction, -1);
+            write(rows.secondJacobian, row, second, geometry, directions, direction, -1);
         }
     }
 
     private static void write(
             double[] jacobian, int row, Body body, double[] point, double[] directions, int at, double sign) {
-        double[] centre = body.place();
+        double[] centre = body.centre();
         double armX = point[0] - centre[0];
         double armY = point[1] - centre[1];
         double armZ = point[2] - centre[2];
@@ -108,15 +108,15 @@ final class ContactJoint extends ConstraintJoint {
         ConstraintRows.setAngular(jacobian, row, armY * z - armZ * y, armZ * x - armX * z, armX * y - armY * x);
     }
 
-    private double openingSpeed(ConstraintRows rows, int row) {
-        double speed = ConstraintRows.dot6(rows.first, 6 * row, first.velocity);
-        return second == null ? speed : speed + ConstraintRows.dot6(rows.second, 6 * row, second.velocity);
+    private double separationSpeed(ConstraintRows rows, int row) {
+        double speed = ConstraintRows.dot6(rows.firstJacobian, 6 * row, first.velocity);
+        return second == null ? speed : speed + ConstraintRows.dot6(rows.secondJacobian, 6 * row, second.velocity);
     }
 
     @Override
     void setInitialBasis(ConstraintRows rows) {
         for (int i = 0; i < count && second == null; i++) {
-            rows.state[firstRow + ROWS_PER_POINT * i] = lastTouch.stateAt(first, points[i].numbers);
+            rows.state[firstRow + ROWS_PER_POINT * i] = contactStates.stateAt(first, points[i].geometry);
         }
     }
 
@@ -127,18 +127,18 @@ final class ContactJoint extends ConstraintJoint {
             int row = firstRow + ROWS_PER_POINT * i;
             double[] force = points[i].force;
             for (int axis = 0; axis < 3; axis++) {
-                force[axis] = rows.first[6 * row + axis] * rows.force[row]
-                        + rows.first[6 * row + 6 + axis] * rows.force[row + 1]
-                        + rows.first[6 * row + 12 + axis] * rows.force[row + 2];
+                force[axis] = rows.firstJacobian[6 * row + axis] * rows.force[row]
+                        + rows.firstJacobian[6 * row + 6 + axis] * rows.force[row + 1]
+                        + rows.firstJacobian[6 * row + 12 + axis] * rows.force[row + 2];
             }
         }
     }
 
     private void readStates(ConstraintRows rows) {
         if (second == null) {
-            lastTouch.clear();
+            contactStates.clear();
             for (int i = 0; i < count; i++) {
-                lastTouch.add(first, points[i].numbers, rows.state[firstRow + ROWS_PER_POINT * i]);
+                contactStates.add(first, points[i].geometry, rows.state[firstRow + ROWS_PER_POINT * i]);
             }
         }
     }

@@ -1,10 +1,10 @@
 package org.robonewbie.simulator.physics.sparse;
 
 /**
- * Limits the contact points of an assembly within a step.
+ * Limit on the contact points of an assembly per step.
  *
- * <p>Many robots that were put into each other touch at thousands of points, which would take minutes and all memory. With the
- * limit only some of them push, and the robots still separate.
+ * <p>Robots that are placed inside each other touch at thousands of points, and solving for all of them would take minutes and
+ * exhaust the memory. A subset of the contacts is enough to separate them.
  */
 final class ContactLimit {
 
@@ -13,12 +13,10 @@ final class ContactLimit {
     private long step;
     private int points;
 
-    /** Whether more points may be added in this step. */
     boolean hasRoom(long thisStep) {
         return step != thisStep || points < MAX_POINTS;
     }
 
-    /** Counts points. */
     void add(long thisStep, int more) {
         points = step == thisStep ? points + more : more;
         step = thisStep;

@@ -8,22 +8,18 @@ import org.robonewbie.simulator.physics.Collider;
 import org.robonewbie.simulator.physics.Contact;
 import org.robonewbie.simulator.physics.ode.OdeCollisions;
 
-/**
- * The contacts of a step: points to be read, and joints between the bodies that they touch.
- *
- * <p>Points and joints are kept and used again, so that contacts cost no memory in the long run.
- */
+/** Contacts of a step: the points that are reported, and the joints that the solver uses. Both are pooled. */
 final class ContactList implements OdeCollisions.Listener {
 
-    private static final int FEW_POINTS_BETWEEN_ROBOTS = 400;
+    private static final int MAX_UNLIMITED_POINTS = 400;
 
     private final Surfaces surfaces;
     private final List<Contact> points = new ArrayList<>();
     private final List<Contact> readOnly = Collections.unmodifiableList(points);
-    private final List<ContactPoint> spentPoints = new ArrayList<>();
+    private final List<ContactPoint> pointPool = new ArrayList<>();
     private final List<ContactJoint> joints = new ArrayList<>();
-    private final List<ContactJoint> spentJoints = new ArrayList<>();
-    private boolean mayPointAtRemoved;
+    private final List<ContactJoint> jointPool = new ArrayList<>();
+    private boolean holdsRemovedBodies;
     private long step;
     private int pointsBetweenRobots;
 
@@ -35,59 +31,59 @@ final class ContactList implements OdeCollisions.Listener {
         return readOnly;
     }
 
-    /** Forgets the contacts of the last step. */
+    /** Removes the contacts of the last step. */
     void begin() {
         step++;
         pointsBetweenRobots = 0;
-        dissolve();
-        for (int i = 0; i < points.size() && !mayPointAtRemoved; i++) {
-            spentPoints.add((ContactPoint) points.get(i));
+        detachJoints();
+        for (int i = 0; i < points.size() && !holdsRemovedBodies; i++) {
+            pointPool.add((ContactPoint) points.get(i));
         }
         points.clear();
-        mayPointAtRemoved = false;
+        holdsRemovedBodies = false;
     }
 
-    /** Drops all references to bodies that have left the world; the points can still be read. */
-    void bodiesLeft() {
-        dissolve();
-        spentJoints.clear();
-        spentPoints.clear();
-        mayPointAtRemoved = true;
+    /** Drops all references to removed bodies. The points stay readable. */
+    void releaseRemovedBodies() {
+        detachJoints();
+        jointPool.clear();
+        pointPool.clear();
+        holdsRemovedBodies = true;
     }
 
-    /** Takes the joints off the bodies; the points can still be read. */
-    void dissolve() {
+    /** Detaches the joints from the bodies. The points stay readable. */
+    void detachJoints() {
         for (int i = 0; i < joints.size(); i++) {
             joints.get(i).detach();
-            spentJoints.add(joints.get(i));
+            jointPool.add(joints.get(i));
         }
         joints.clear();
     }
 
     @Override
-    public void touch(Collider first, Collider second, double[] numbers, int count) {
+    public void onContact(Collider first, Collider second, double[] geometry, int count) {
         SparseCollider one = (SparseCollider) first;
         SparseCollider other = (SparseCollider) second;
         int from = points.size();
         for (int i = 0; i < count; i++) {
             ContactPoint point = newPoint();
-            point.set(one, other, numbers, i);
+            point.set(one, other, geometry, i);
             points.add(point);
         }
         if (one.material() != SparseCollider.NO_MATERIAL
                 && other.material() != SparseCollider.NO_MATERIAL
-                && mayPush(one.budget(), other.budget(), count)) {
+                && isWithinLimit(one.contactLimit(), other.contactLimit(), count)) {
             join(one, other, from);
         }
     }
 
-    /** Where there are many contacts, two robots need room in both their crowds. */
-    private boolean mayPush(@Nullable ContactLimit one, @Nullable ContactLimit other, int count) {
+    /** Above a total number of points, each of two robots must be below its own contact limit. */
+    private boolean isWithinLimit(@Nullable ContactLimit one, @Nullable ContactLimit other, int count) {
         if (one == null || other == null) {
             return true;
         }
-        boolean areFew = pointsBetweenRobots < FEW_POINTS_BETWEEN_ROBOTS;
-        if (!areFew && (!one.hasRoom(step) || !other.hasRoom(step))) {
+        boolean unlimited = pointsBetweenRobots < MAX_UNLIMITED_POINTS;
+        if (!unlimited && (!one.hasRoom(step) || !other.hasRoom(step))) {
             return false;
         }
         pointsBetweenRobots += count;
@@ -101,9 +97,9 @@ final class ContactList implements OdeCollisions.Listener {
         Body first = one.body();
         Body second = other.body();
         if (first != null) {
-            add(newJoint().between(first, second, surface, 1, one.lastTouch()), from);
+            add(newJoint().reset(first, second, surface, 1, one.contactStates()), from);
         } else if (second != null) {
-            add(newJoint().between(second, null, surface, -1, other.lastTouch()), from);
+            add(newJoint().reset(second, null, surface, -1, other.contactStates()), from);
         }
     }
 
@@ -116,10 +112,10 @@ final class ContactList implements OdeCollisions.Listener {
     }
 
     private ContactPoint newPoint() {
-        return spentPoints.isEmpty() ? new ContactPoint() : spentPoints.remove(spentPoints.size() - 1);
+        return pointPool.isEmpty() ? new ContactPoint() : pointPool.remove(pointPool.size() - 1);
     }
 
     private ContactJoint newJoint() {
-        return spentJoints.isEmpty() ? new ContactJoint() : spentJoints.remove(spentJoints.size() - 1);
+        return jointPool.isEmpty() ? new ContactJoint() : jointPool.remove(jointPool.size() - 1);
     }
 }

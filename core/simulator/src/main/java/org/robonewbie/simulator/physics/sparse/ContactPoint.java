@@ -5,22 +5,22 @@ import org.robonewbie.simulator.physics.Collider;
 import org.robonewbie.simulator.physics.Contact;
 import org.robonewbie.simulator.physics.ode.OdeCollisions;
 
-/** A point where two colliders touch. The world uses it again in a later step. */
+/** Pooled contact point of two colliders. */
 final class ContactPoint implements Contact {
 
-    private static final Collider NOTHING = () -> "nothing";
+    private static final Collider NONE = () -> "none";
 
-    private Collider first = NOTHING;
-    private Collider second = NOTHING;
-    /** Place, normal and depth as {@link OdeCollisions} tells them. */
-    final double[] numbers = new double[OdeCollisions.NUMBERS_PER_POINT];
+    private Collider first = NONE;
+    private Collider second = NONE;
+    /** Position, normal and depth in the format of {@link OdeCollisions}. */
+    final double[] geometry = new double[OdeCollisions.DOUBLES_PER_POINT];
     /** Force on the first collider's body. */
     final double[] force = new double[3];
 
     void set(Collider one, Collider other, double[] points, int index) {
         first = one;
         second = other;
-        System.arraycopy(points, index * numbers.length, numbers, 0, numbers.length);
+        System.arraycopy(points, index * geometry.length, geometry, 0, geometry.length);
         force[0] = 0;
         force[1] = 0;
         force[2] = 0;
@@ -38,7 +38,7 @@ final class ContactPoint implements Contact {
 
     @Override
     public Vector3 position() {
-        return new Vector3(numbers[0], numbers[1], numbers[2]);
+        return new Vector3(geometry[0], geometry[1], geometry[2]);
     }
 
     @Override
@@ -48,11 +48,11 @@ final class ContactPoint implements Contact {
 
     @Override
     public void addTo(double[] sums) {
-        double strength = Math.sqrt(Rotations.dot(force, 0, force, 0));
+        double magnitude = Math.sqrt(Rotations.dot(force, 0, force, 0));
         for (int axis = 0; axis < 3; axis++) {
             sums[axis] += force[axis];
-            sums[3 + axis] += strength * numbers[axis];
+            sums[3 + axis] += magnitude * geometry[axis];
         }
-        sums[6] += strength;
+        sums[6] += magnitude;
     }
 }

@@ -5,17 +5,17 @@ import java.util.OptionalDouble;
 import org.robonewbie.simulator.physics.Material;
 
 /**
- * How two materials behave in contact, with the engine's default where both leave a matter open.
+ * Contact parameters of a pair of materials, with the engine's default where neither material sets a value.
  *
- * @param errorReduction share of a penetration that one step pushes out
- * @param softness how much the normal gives way
- * @param slip metres per second of slip per newton
- * @param restitution share of the speed that is thrown back; negative if the contact does not bounce
- * @param minimumVelocity slowest approach in metres per second that bounces
+ * @param errorReduction fraction of a penetration that one step corrects (ODE: ERP)
+ * @param softness constraint force mixing along the normal (ODE: CFM)
+ * @param slip tangential speed in metres per second per newton (ODE: force-dependent slip)
+ * @param restitution coefficient of restitution; negative if the contact does not bounce
+ * @param minimumVelocity minimum approach speed in metres per second for a bounce
  */
 record ContactSurface(double errorReduction, double softness, double slip, double restitution, double minimumVelocity) {
 
-    /** How surfaces behave that leave every matter open. */
+    /** Contact of two materials that set no value. */
     static final ContactSurface HARD = of(
             new Material(Optional.empty(), OptionalDouble.empty(), OptionalDouble.empty(), OptionalDouble.empty()), 1);
 
@@ -32,8 +32,8 @@ record ContactSurface(double errorReduction, double softness, double slip, doubl
         return restitution >= 0;
     }
 
-    /** The speed at which something leaves that came with a given speed; 0 if it does not bounce. */
-    double thrownBack(double approach) {
+    /** Separation speed after an impact at an approach speed; 0 without a bounce. */
+    double reboundSpeed(double approach) {
         return bounces() && approach > minimumVelocity ? restitution * approach : 0;
     }
 }

@@ -3,65 +3,67 @@ package org.robonewbie.simulator.physics.sparse;
 import java.util.Arrays;
 
 /**
- * Which joints of an island share a body, and in which order they are best eliminated.
+ * Elimination graph of an island: two joints are neighbours if they share a body. It determines a minimum degree ordering for
+ * the Cholesky factorization.
  *
- * <p>Eliminating a joint couples all its remaining neighbours with one another. Always taking the joint whose neighbours
- * have the fewest rows (minimum degree; of equals the first) starts at contacts with the ground, hands and feet and ends
- * in the torso; on a tree nothing is coupled then that was not before.
+ * <p>Eliminating a joint connects all its remaining neighbours (fill-in). The joint whose neighbours have the fewest rows goes
+ * first; ties go to the smallest index. For a robot the order therefore runs from ground contacts, hands and feet to the torso,
+ * and a tree causes no fill-in.
  *
- * <p>One graph serves for one island after the other, since piles of robots need another one in nearly every step.
+ * <p>The arrays are reused for one island after the other, since a pile of robots needs a new graph in nearly every step.
  */
 final class CouplingGraph {
 
-    /** Stands for the body that never moves. */
+    /** Index of the static environment. */
     static final int FIXED = -1;
 
-    /** How many numbers describe a joint: first body, second body or {@link #FIXED}, rows. */
-    static final int NUMBERS_PER_JOINT = 3;
+    /** Length of a joint's description: first body, second body or {@link #FIXED}, row count. */
+    static final int INTS_PER_JOINT = 3;
 
     private int size;
     private int bodies;
-    /** How many numbers hold a set of joints, a bit for each. */
+    /** Number of 64-bit words in a bit set of joints. */
     private int words;
 
     private int[] rows = {};
-    /** Where the ends on each body begin; one more entry for the end. */
+    /** Start of each body's entries in {@link #ends}, with a final entry for the total. */
     private int[] endsStart = {};
 
     private int[] ends = {};
+    /** Adjacency matrix, one bit set per joint. */
     private long[] neighbours = {};
-    /** How many rows the neighbours of each joint have together. */
-    private int[] rowsAround = {};
+    /** Total number of rows of each joint's neighbours. */
+    private int[] degree = {};
 
     private final IntegerList members = new IntegerList();
-    /** Which words of a set of joints the members are in. */
+    /** Indices of the words that contain the members. */
     private final IntegerList memberWords = new IntegerList();
 
-    private final TournamentTree fewestRows = new TournamentTree();
+    private final TournamentTree degrees = new TournamentTree();
 
     /**
      * Builds the graph.
      *
-     * @param joints {@link #NUMBERS_PER_JOINT} numbers for each joint
-     * @param length how many numbers there are
-     * @param bodyCount how many bodies there are
+     * @param joints {@link #INTS_PER_JOINT} integers per joint
+     * @param length number of integers
+     * @param bodyCount number of bodies
      */
     void build(int[] joints, int length, int bodyCount) {
-        size = length / NUMBERS_PER_JOINT;
+        size = length / INTS_PER_JOINT;
         bodies = bodyCount;
         words = (size + 63) / 64;
-        makeRoom();
+        ensureCapacity();
         for (int joint = 0; joint < size; joint++) {
-            rows[joint] = joints[NUMBERS_PER_JOINT * joint + 2];
+            rows[joint] = joints[INTS_PER_JOINT * joint + 2];
         }
-        findEnds(joints);
-        couple();
+        groupEndsByBody(joints);
+        connectNeighbours();
     }
 
-    private void makeRoom() {
+    private void ensureCapacity() {
         if (rows.length < size) {
             rows = new int[size + size / 2];
-            rowsAround = new int[rows.length];
+            degree = new int[rows.length];
             ends = new int[2 * rows.length];
         }
         if (endsStart.length <= bodies + 1) {
@@ -84,22 +86,22 @@ final class CouplingGraph {
         return bodies;
     }
 
-    /** Where the ends of joints on a body begin in {@link #end}; those of the next body follow. */
+    /** Index of the first joint end of a body for {@link #end}; the ends of the next body follow. */
     int firstEnd(int body) {
         return endsStart[body];
     }
 
-    /** An end: twice the number of its joint, plus one if the body is at the joint's second end. */
+    /** Twice the joint index, plus one for the joint's second body. */
     int end(int index) {
         return ends[index];
     }
 
-    /** Counts the ends on each body, then puts each in the next free place of its body. */
-    private void findEnds(int[] joints) {
+    /** Counting sort of the joint ends by body. */
+    private void groupEndsByBody(int[] joints) {
         Arrays.fill(endsStart, 0, bodies + 2, 0);
         for (int joint = 0; joint < size; joint++) {
             for (int side = 0; side < 2; side++) {
-                endsStart[joints[NUMBERS_PER_JOINT * joint + side] + 2]++;
+                endsStart[joints[INTS_PER_JOINT * joint + side] + 2]++;
             }
         }
         endsStart[1] = 0;
@@ -108,7 +110,7 @@ final class CouplingGraph {
         }
         for (int joint = 0; joint < size; joint++) {
             for (int side = 0; side < 2; side++) {
-                int body = joints[NUMBERS_PER_JOINT * joint + side];
+                int body = joints[INTS_PER_JOINT * joint + side];
                 if (body != FIXED) {
                     ends[endsStart[body + 1]++] = 2 * joint + side;
                 }
@@ -117,7 +119,7 @@ final class CouplingGraph {
         endsStart[0] = 0;
     }
 
-    private void couple() {
+    private void connectNeighbours() {
         Arrays.fill(neighbours, 0, size * words, 0);
         for (int body = 0; body < bodies; body++) {
             for (int i = endsStart[body]; i < endsStart[body + 1]; i++) {
@@ -129,52 +131,52 @@ final class CouplingGraph {
                 }
             }
         }
-        fewestRows.reset(size);
+        degrees.reset(size);
         for (int joint = 0; joint < size; joint++) {
-            rowsAround[joint] = rowsOfNeighbours(joint);
-            fewestRows.add(joint, rowsAround[joint]);
+            degree[joint] = rowsOfNeighbours(joint);
+            degrees.add(joint, degree[joint]);
         }
-        fewestRows.build();
+        degrees.build();
     }
 
     /**
      * Eliminates all joints.
      *
-     * @param order receives the joints in the order in which they went
-     * @param coupled receives, for each place in the order, the joints that were coupled with the one that went
-     * @param coupledStart receives where those of each place begin in {@code coupled}; one more entry for the end
+     * @param order receives the joints in elimination order
+     * @param coupled receives, for each eliminated joint, its remaining neighbours
+     * @param coupledStart receives the start of each joint's neighbours in {@code coupled}, with a final entry for the total
      */
     void eliminate(int[] order, IntegerList coupled, int[] coupledStart) {
         coupled.clear();
-        for (int place = 0; place < size; place++) {
-            int joint = fewestRows.minimum();
-            fewestRows.remove(joint);
-            order[place] = joint;
-            coupledStart[place] = coupled.size();
-            findMembers(joint * words);
+        for (int step = 0; step < size; step++) {
+            int joint = degrees.minimum();
+            degrees.remove(joint);
+            order[step] = joint;
+            coupledStart[step] = coupled.size();
+            listNeighbours(joint * words);
             for (int i = 0; i < members.size(); i++) {
-                int other = members.numbers[i];
+                int other = members.elements[i];
                 coupled.add(other);
-                join(other, joint);
-                fewestRows.update(other, rowsAround[other]);
+                addFill(other, joint);
+                degrees.update(other, degree[other]);
             }
         }
         coupledStart[size] = coupled.size();
     }
 
-    /** Couples a joint with all neighbours of the one that goes, and no more with that one. On a tree it knows them all already. */
-    private void join(int other, int joint) {
+    /** Connects a joint to all neighbours of the eliminated joint and disconnects it from that joint. */
+    private void addFill(int other, int joint) {
         neighbours[other * words + joint / 64] &= ~(1L << (joint % 64));
-        rowsAround[other] -= rows[joint];
+        degree[other] -= rows[joint];
         for (int i = 0; i < memberWords.size(); i++) {
-            int word = memberWords.numbers[i];
+            int word = memberWords.elements[i];
             int at = other * words + word;
             long more = neighbours[joint * words + word] & ~neighbours[at];
             if (word == other / 64) {
                 more &= ~(1L << (other % 64));
             }
             neighbours[at] |= more;
-            rowsAround[other] += rowsOf(word, more);
+            degree[other] += rowsOf(word, more);
         }
     }
 
@@ -194,7 +196,7 @@ final class CouplingGraph {
         return sum;
     }
 
-    private void findMembers(int set) {
+    private void listNeighbours(int set) {
         members.clear();
         memberWords.clear();
         for (int word = 0; word < words; word++) {

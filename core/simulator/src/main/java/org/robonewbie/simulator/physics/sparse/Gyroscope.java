@@ -1,11 +1,11 @@
 package org.robonewbie.simulator.physics.sparse;
 
 /**
- * The torque with which a spinning body that is not equally heavy in all directions turns itself.
+ * Gyroscopic torque of a body whose principal moments of inertia differ.
  *
- * <p>ODE takes it at the end of the step, so that it cannot add energy: with the angular momentum L and the inertia I it
- * solves {@code (I - h [L]×) w = L / h} and the torque is {@code I w - L / h} ({@code dxStepIsland_Stage0_Bodies}). Here
- * the same is done along the body's own axes, where I is diagonal.
+ * <p>Like ODE, the torque is integrated implicitly so that it cannot add energy: with the angular momentum L and the inertia I,
+ * solve {@code (I - h [L]×) w = L / h}; the torque is {@code I w - L / h} ({@code dxStepIsland_Stage0_Bodies}). The computation
+ * uses body axes, where I is diagonal.
  */
 final class Gyroscope {
 

@@ -9,10 +9,10 @@ import org.robonewbie.simulator.physics.HingeDefinition;
 import org.robonewbie.simulator.physics.MotorHinge;
 
 /**
- * A hinge with motor and stops: ODE's hinge joint ({@code joints/hinge.cpp}, {@code dxJointLimitMotor}).
+ * Hinge joint with motor and stops, equivalent to ODE's ({@code joints/hinge.cpp}, {@code dxJointLimitMotor}).
  *
- * <p>Six rows: three hold the anchors together, two the axes, and the sixth is the motor, or a stop while the angle is at
- * or beyond it.
+ * <p>It has six rows: three keep the anchors together, two align the axes, and the sixth is the motor, or a stop while the angle
+ * is at or beyond it.
  */
 final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable {
 
@@ -21,69 +21,63 @@ final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable
     private static final int ANCHOR_ON_PARENT = 3;
     private static final int AXIS_ON_CHILD = 6;
     private static final int AXIS_ON_PARENT = 9;
-    private static final int START_TURN = 12;
+    private static final int INITIAL_ROTATION = 12;
 
     private final Body child;
     private final Body parent;
     private final HingeDefinition definition;
-    /** What never changes, in one array, since hundreds of robots share the processor's cache. */
+    /** Anchors, axes and initial orientation in one array, since hundreds of robots share the processor's cache. */
     private final double[] fixed = new double[16];
 
-    private double speed;
+    private double motorSpeed;
     private double angle;
-    private int childTurns = -1;
-    private int parentTurns = -1;
+    private int childVersion = -1;
+    private int parentVersion = -1;
 
     HingeJoint(Body child, Body parent, HingeDefinition definition) {
         super(child, parent, true);
         this.child = child;
         this.parent = parent;
         this.definition = definition;
-        double[] anchor = array(definition.anchor());
-        fix(child, anchor, fixed, ANCHOR_ON_CHILD);
-        fix(parent, anchor, fixed, ANCHOR_ON_PARENT);
-        double[] direction = array(definition.axis().times(1 / definition.axis().length()));
-        Rotations.applyInverse(child.rotation, direction, fixed, AXIS_ON_CHILD);
-        Rotations.applyInverse(parent.rotation, direction, fixed, AXIS_ON_PARENT);
-        fixTurn();
+        double[] anchor = {
+            definition.anchor().x(),
+            definition.anchor().y(),
+            definition.anchor().z()
+        };
+        child.toLocal(anchor, fixed, ANCHOR_ON_CHILD);
+        parent.toLocal(anchor, fixed, ANCHOR_ON_PARENT);
+        Vector3 axis = definition.axis().times(1 / definition.axis().length());
+        Rotations.applyInverse(child.rotation, axis.x(), axis.y(), axis.z(), fixed, AXIS_ON_CHILD);
+        Rotations.applyInverse(parent.rotation, axis.x(), axis.y(), axis.z(), fixed, AXIS_ON_PARENT);
+        storeInitialRotation();
     }
 
-    private static void fix(Body body, double[] point, double[] fixed, int at) {
-        double[] centre = body.place();
-        double[] arm = {point[0] - centre[0], point[1] - centre[1], point[2] - centre[2]};
-        Rotations.applyInverse(body.rotation, arm, fixed, at);
-    }
-
-    private static double[] array(Vector3 vector) {
-        return new double[] {vector.x(), vector.y(), vector.z()};
-    }
-
-    /** Keeps the parent's orientation seen from the child: conjugate(child) · parent. */
-    private void fixTurn() {
+    /** Stores the orientation of the parent relative to the child: conjugate(child) · parent. */
+    private void storeInitialRotation() {
         double[] a = child.orientation();
         double[] b = parent.orientation();
-        fixed[START_TURN] = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
-        fixed[START_TURN + 1] = a[0] * b[1] - a[1] * b[0] - a[2] * b[3] + a[3] * b[2];
-        fixed[START_TURN + 2] = a[0] * b[2] - a[2] * b[0] - a[3] * b[1] + a[1] * b[3];
-        fixed[START_TURN + 3] = a[0] * b[3] - a[3] * b[0] - a[1] * b[2] + a[2] * b[1];
+        fixed[INITIAL_ROTATION] = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+        fixed[INITIAL_ROTATION + 1] = a[0] * b[1] - a[1] * b[0] - a[2] * b[3] + a[3] * b[2];
+        fixed[INITIAL_ROTATION + 2] = a[0] * b[2] - a[2] * b[0] - a[3] * b[1] + a[1] * b[3];
+        fixed[INITIAL_ROTATION + 3] = a[0] * b[3] - a[3] * b[0] - a[1] * b[2] + a[2] * b[1];
     }
 
     @Override
     public void setSpeed(double radiansPerSecond) {
-        speed = radiansPerSecond;
+        motorSpeed = radiansPerSecond;
     }
 
     @Override
     public double angleRadians() {
-        if (childTurns != child.turns() || parentTurns != parent.turns()) {
+        if (childVersion != child.rotationVersion() || parentVersion != parent.rotationVersion()) {
             angle = measureAngle();
-            childTurns = child.turns();
-            parentTurns = parent.turns();
+            childVersion = child.rotationVersion();
+            parentVersion = parent.rotationVersion();
         }
         return angle;
     }
 
-    /** The turn of the parent seen from the child, as in {@link #fixTurn}, and from there back to the turn at the start. */
+    /** Angle of the rotation from the initial to the current relative orientation. */
     private double measureAngle() {
         double[] a = child.orientation();
         double[] b = parent.orientation();
@@ -91,18 +85,18 @@ final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable
         double nowX = a[0] * b[1] - a[1] * b[0] - a[2] * b[3] + a[3] * b[2];
         double nowY = a[0] * b[2] - a[2] * b[0] - a[3] * b[1] + a[1] * b[3];
         double nowZ = a[0] * b[3] - a[3] * b[0] - a[1] * b[2] + a[2] * b[1];
-        double startW = fixed[START_TURN];
-        double startX = fixed[START_TURN + 1];
-        double startY = fixed[START_TURN + 2];
-        double startZ = fixed[START_TURN + 3];
+        double startW = fixed[INITIAL_ROTATION];
+        double startX = fixed[INITIAL_ROTATION + 1];
+        double startY = fixed[INITIAL_ROTATION + 2];
+        double startZ = fixed[INITIAL_ROTATION + 3];
         double w = nowW * startW + nowX * startX + nowY * startY + nowZ * startZ;
         double x = -nowW * startX + nowX * startW - nowY * startZ + nowZ * startY;
         double y = -nowW * startY + nowY * startW - nowZ * startX + nowX * startZ;
         double z = -nowW * startZ + nowZ * startW - nowX * startY + nowY * startX;
         double sine = Math.sqrt(x * x + y * y + z * z);
         boolean forward = Rotations.dot(x, y, z, fixed, AXIS_ON_CHILD) >= 0;
-        double turned = 2 * PortableMath.atan2(sine, forward ? w : -w);
-        return -(turned > Math.PI ? turned - 2 * Math.PI : turned);
+        double radians = 2 * PortableMath.atan2(sine, forward ? w : -w);
+        return -(radians > Math.PI ? radians - 2 * Math.PI : radians);
     }
 
     @Override
@@ -112,43 +106,41 @@ final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable
 
     @Override
     void writeRows(ConstraintRows rows, double rate) {
-        holdAnchors(rows, rate);
-        holdAxes(rows, rate);
+        writeAnchorRows(rows, rate);
+        writeAxisRows(rows, rate);
         int row = firstRow + 5;
         rows.softness[row] = definition.softness();
-        double now = angleRadians();
-        if (now <= definition.minRadians()) {
-            stop(rows, rate, now - definition.minRadians(), 1);
-        } else if (now >= definition.maxRadians()) {
-            stop(rows, rate, now - definition.maxRadians(), -1);
+        double radians = angleRadians();
+        if (radians <= definition.minRadians()) {
+            writeStop(rows, rate, radians - definition.minRadians(), 1);
+        } else if (radians >= definition.maxRadians()) {
+            writeStop(rows, rate, radians - definition.maxRadians(), -1);
         } else {
-            rows.wanted[row] = speed;
+            rows.rightHandSide[row] = motorSpeed;
             rows.lower[row] = -definition.maxTorque();
             rows.upper[row] = definition.maxTorque();
         }
     }
 
-    private void holdAnchors(ConstraintRows rows, double rate) {
-        double[] turn = child.rotation;
-        double childX = Rotations.dot(turn, 0, fixed, ANCHOR_ON_CHILD);
-        double childY = Rotations.dot(turn, 3, fixed, ANCHOR_ON_CHILD);
-        double childZ = Rotations.dot(turn, 6, fixed, ANCHOR_ON_CHILD);
-        double[] otherTurn = parent.rotation;
-        double parentX = Rotations.dot(otherTurn, 0, fixed, ANCHOR_ON_PARENT);
-        double parentY = Rotations.dot(otherTurn, 3, fixed, ANCHOR_ON_PARENT);
-        double parentZ = Rotations.dot(otherTurn, 6, fixed, ANCHOR_ON_PARENT);
-        crossRows(rows.first, 1, childX, childY, childZ);
-        crossRows(rows.second, -1, -parentX, -parentY, -parentZ);
-        double pull = rate * PhysicsConstants.ERROR_REDUCTION;
-        double[] place = child.place();
-        double[] otherPlace = parent.place();
-        rows.wanted[firstRow] = pull * (parentX + otherPlace[0] - childX - place[0]);
-        rows.wanted[firstRow + 1] = pull * (parentY + otherPlace[1] - childY - place[1]);
-        rows.wanted[firstRow + 2] = pull * (parentZ + otherPlace[2] - childZ - place[2]);
+    private void writeAnchorRows(ConstraintRows rows, double rate) {
+        double childX = Rotations.dot(child.rotation, 0, fixed, ANCHOR_ON_CHILD);
+        double childY = Rotations.dot(child.rotation, 3, fixed, ANCHOR_ON_CHILD);
+        double childZ = Rotations.dot(child.rotation, 6, fixed, ANCHOR_ON_CHILD);
+        double parentX = Rotations.dot(parent.rotation, 0, fixed, ANCHOR_ON_PARENT);
+        double parentY = Rotations.dot(parent.rotation, 3, fixed, ANCHOR_ON_PARENT);
+        double parentZ = Rotations.dot(parent.rotation, 6, fixed, ANCHOR_ON_PARENT);
+        writePointRows(rows.firstJacobian, 1, childX, childY, childZ);
+        writePointRows(rows.secondJacobian, -1, -parentX, -parentY, -parentZ);
+        double gain = rate * PhysicsConstants.ERROR_REDUCTION;
+        double[] centre = child.centre();
+        double[] parentCentre = parent.centre();
+        rows.rightHandSide[firstRow] = gain * (parentX + parentCentre[0] - childX - centre[0]);
+        rows.rightHandSide[firstRow + 1] = gain * (parentY + parentCentre[1] - childY - centre[1]);
+        rows.rightHandSide[firstRow + 2] = gain * (parentZ + parentCentre[2] - childZ - centre[2]);
     }
 
-    /** The velocity of a point on a body is v + w × arm; one row for each direction. */
-    private void crossRows(double[] jacobian, double sign, double x, double y, double z) {
+    /** One row per world axis for the velocity v + w × (x, y, z) of a point on a body. */
+    private void writePointRows(double[] jacobian, double sign, double x, double y, double z) {
         ConstraintRows.setLinear(jacobian, firstRow, sign, 0, 0);
         ConstraintRows.setAngular(jacobian, firstRow, 0, z, -y);
         ConstraintRows.setLinear(jacobian, firstRow + 1, 0, sign, 0);
@@ -157,88 +149,86 @@ final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable
         ConstraintRows.setAngular(jacobian, firstRow + 2, y, -x, 0);
     }
 
-    /** The last row turns about the axis of the child, and the two before it across. */
-    private void holdAxes(ConstraintRows rows, double rate) {
-        double[] turn = child.rotation;
-        double x = Rotations.dot(turn, 0, fixed, AXIS_ON_CHILD);
-        double y = Rotations.dot(turn, 3, fixed, AXIS_ON_CHILD);
-        double z = Rotations.dot(turn, 6, fixed, AXIS_ON_CHILD);
-        double[] otherTurn = parent.rotation;
-        double parentX = Rotations.dot(otherTurn, 0, fixed, AXIS_ON_PARENT);
-        double parentY = Rotations.dot(otherTurn, 3, fixed, AXIS_ON_PARENT);
-        double parentZ = Rotations.dot(otherTurn, 6, fixed, AXIS_ON_PARENT);
-        double[] turns = rows.first;
-        int axis = axisAt();
-        Rotations.set(turns, axis, x, y, z);
-        Rotations.squareTo(turns, axis, axis - 12, axis - 6);
-        oppose(turns, rows.second);
+    /** The last row is about the axis of the child, the two before it are perpendicular to it. */
+    private void writeAxisRows(ConstraintRows rows, double rate) {
+        double x = Rotations.dot(child.rotation, 0, fixed, AXIS_ON_CHILD);
+        double y = Rotations.dot(child.rotation, 3, fixed, AXIS_ON_CHILD);
+        double z = Rotations.dot(child.rotation, 6, fixed, AXIS_ON_CHILD);
+        double parentX = Rotations.dot(parent.rotation, 0, fixed, AXIS_ON_PARENT);
+        double parentY = Rotations.dot(parent.rotation, 3, fixed, AXIS_ON_PARENT);
+        double parentZ = Rotations.dot(parent.rotation, 6, fixed, AXIS_ON_PARENT);
+        double[] jacobian = rows.firstJacobian;
+        int axis = axisIndex();
+        Rotations.set(jacobian, axis, x, y, z);
+        Rotations.orthonormalBasis(jacobian, axis, axis - 12, axis - 6);
+        completeAngularRows(jacobian, rows.secondJacobian);
         double errorX = y * parentZ - z * parentY;
         double errorY = z * parentX - x * parentZ;
         double errorZ = x * parentY - y * parentX;
-        double pull = rate * PhysicsConstants.ERROR_REDUCTION;
-        rows.wanted[firstRow + 3] = pull * Rotations.dot(errorX, errorY, errorZ, turns, axis - 12);
-        rows.wanted[firstRow + 4] = pull * Rotations.dot(errorX, errorY, errorZ, turns, axis - 6);
+        double gain = rate * PhysicsConstants.ERROR_REDUCTION;
+        rows.rightHandSide[firstRow + 3] = gain * Rotations.dot(errorX, errorY, errorZ, jacobian, axis - 12);
+        rows.rightHandSide[firstRow + 4] = gain * Rotations.dot(errorX, errorY, errorZ, jacobian, axis - 6);
     }
 
-    /** Where the axis of the child is among the Jacobians: the angular part of the last row. */
-    private int axisAt() {
+    /** Index of the hinge axis in the Jacobian: the angular part of the last row. */
+    private int axisIndex() {
         return 6 * (firstRow + 5) + 3;
     }
 
-    /** Rows that only turn: without linear part, and for the parent the other way round. */
-    private void oppose(double[] turns, double[] opposite) {
+    /** Clears the linear parts of the angular rows and writes the parent's negated angular parts. */
+    private void completeAngularRows(double[] jacobian, double[] opposite) {
         for (int row = firstRow + 3; row < firstRow + 6; row++) {
             int at = 6 * row;
-            ConstraintRows.setLinear(turns, row, 0, 0, 0);
+            ConstraintRows.setLinear(jacobian, row, 0, 0, 0);
             ConstraintRows.setLinear(opposite, row, 0, 0, 0);
-            ConstraintRows.setAngular(opposite, row, -turns[at + 3], -turns[at + 4], -turns[at + 5]);
+            ConstraintRows.setAngular(opposite, row, -jacobian[at + 3], -jacobian[at + 4], -jacobian[at + 5]);
         }
     }
 
     /**
-     * Pushes back from a stop.
+     * Writes the row of a stop.
      *
-     * @param overshoot how far the angle is beyond the stop, with its sign
-     * @param inwards 1 at the lower stop, -1 at the upper one
+     * @param overshoot signed angle beyond the stop in radians
+     * @param inwards 1 at the lower stop, -1 at the upper stop
      */
-    private void stop(ConstraintRows rows, double rate, double overshoot, int inwards) {
+    private void writeStop(ConstraintRows rows, double rate, double overshoot, int inwards) {
         int row = firstRow + 5;
-        turnByMotor(rows.first, inwards);
-        double wanted = -rate * definition.stopErrorReduction() * overshoot;
-        double opening = openingSpeed(rows.first);
-        double thrown = -definition.stopBounce() * opening;
-        boolean hits = opening * inwards < 0;
-        rows.wanted[row] = hits && thrown * inwards > wanted * inwards ? thrown : wanted;
+        applyMotorTorque(rows.firstJacobian, inwards);
+        double correction = -rate * definition.stopErrorReduction() * overshoot;
+        double speed = hingeSpeed(rows.firstJacobian);
+        double rebound = -definition.stopBounce() * speed;
+        boolean hits = speed * inwards < 0;
+        rows.rightHandSide[row] = hits && rebound * inwards > correction * inwards ? rebound : correction;
         rows.lower[row] = inwards > 0 ? 0 : Double.NEGATIVE_INFINITY;
         rows.upper[row] = inwards > 0 ? Double.POSITIVE_INFINITY : 0;
     }
 
-    /** The row belongs to the stop now, so the motor acts as a plain torque; away from the stop, a weak one. */
-    private void turnByMotor(double[] jacobian, int inwards) {
-        boolean forwards = speed > 0 || (speed == 0 && inwards < 0);
+    /** Applies the motor as an external torque, since the stop uses its row; reduced if it points away from the stop. */
+    private void applyMotorTorque(double[] jacobian, int inwards) {
+        boolean forwards = motorSpeed > 0 || (motorSpeed == 0 && inwards < 0);
         double torque = forwards ? definition.maxTorque() : -definition.maxTorque();
-        if (speed * inwards > 0) {
+        if (motorSpeed * inwards > 0) {
             torque *= definition.fudgeFactor();
         }
-        int axis = axisAt();
+        int axis = axisIndex();
         for (int i = 0; i < 3; i++) {
             child.force[3 + i] += torque * jacobian[axis + i];
             parent.force[3 + i] -= torque * jacobian[axis + i];
         }
     }
 
-    private double openingSpeed(double[] jacobian) {
-        int axis = axisAt();
+    private double hingeSpeed(double[] jacobian) {
+        int axis = axisIndex();
         return Rotations.dot(child.velocity, 3, jacobian, axis) - Rotations.dot(parent.velocity, 3, jacobian, axis);
     }
 
     @Override
     public void save(StateWriter out) {
-        out.putDouble(speed);
+        out.putDouble(motorSpeed);
     }
 
     @Override
     public void restore(StateReader in) {
-        speed = in.getDouble();
+        motorSpeed = in.getDouble();
     }
 }

@@ -1,14 +1,14 @@
 package org.robonewbie.simulator.physics.sparse;
 
 /**
- * The arithmetic of {@link BlockKernels} for hinges, which are nearly all joints of a robot: with six rows, always, so that the numbers of a
- * block stay in the processor and no loop counts them. Each sum is made in the same order.
+ * {@link BlockKernels} unrolled for hinges, which have six rows and are nearly all joints of a robot, so that a block stays in
+ * registers. The order of the sums is the same.
  */
 final class HingeKernels {
 
     private HingeKernels() {}
 
-    /** As {@link BlockKernels#subtractProduct}, where left and right have six columns. */
+    /** Like {@link BlockKernels#subtractProduct} with six inner columns. */
     static void subtractProduct(double[] m, int left, int right, int target, int height, int width) {
         for (int r = 0; r < height; r += 3) {
             int a = left + 6 * r;
@@ -49,10 +49,10 @@ final class HingeKernels {
     }
 
     /**
-     * target += rows · responsesᵀ for the six rows of a hinge: the first three hold a point, so that each has one number along an axis of
-     * the world and the two others of a cross product; the last three only turn.
+     * target += rows · responsesᵀ for the six Jacobian rows of a hinge. Each of the first three constrains a point: its linear
+     * part is along one world axis and its angular part has two components. The last three are purely angular.
      *
-     * @param columns in how many columns of the target, from its first, all rows are wanted; in the others only the last three
+     * @param columns number of leading target columns that need all rows; the others need only the last three
      */
     static void addTimes(
             double[] m, int target, int width, int columns, double[] rows, int at, double[] responses, int from) {
@@ -97,8 +97,8 @@ final class HingeKernels {
     }
 
     /**
-     * As {@link BlockKernels#factorise}: while the roots and reciprocals of the second three rows are computed, the rows below can begin with
-     * the first three columns.
+     * Like {@link BlockKernels#factorise}. The rows below can start on the first three columns while the square roots and
+     * reciprocals of the other three are still being computed.
      */
     static void factorise(double[] m, int start, int end, double[] inverse, int at) {
         double a = Math.sqrt(m[start]);

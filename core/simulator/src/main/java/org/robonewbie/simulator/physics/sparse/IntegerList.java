@@ -2,11 +2,11 @@ package org.robonewbie.simulator.physics.sparse;
 
 import java.util.Arrays;
 
-/** Integers in a row, for building factorizations; its array is used again. */
+/** Growable list of primitive integers whose array is reused after {@link #clear}. */
 final class IntegerList {
 
-    /** The integers, and room for more. */
-    int[] numbers = {};
+    /** Backing array; only the first {@link #size} elements are valid. */
+    int[] elements = {};
 
     private int size;
 
@@ -14,11 +14,11 @@ final class IntegerList {
         return size;
     }
 
-    void add(int number) {
-        if (size == numbers.length) {
-            numbers = Arrays.copyOf(numbers, 16 + 2 * size);
+    void add(int element) {
+        if (size == elements.length) {
+            elements = Arrays.copyOf(elements, 16 + 2 * size);
         }
-        numbers[size++] = number;
+        elements[size++] = element;
     }
 
     void clear() {

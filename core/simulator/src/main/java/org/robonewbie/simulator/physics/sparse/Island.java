@@ -3,7 +3,7 @@ package org.robonewbie.simulator.physics.sparse;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Bodies that are connected by joints, however far; what happens to one of them may matter to all. */
+/** Bodies that are connected by joints, directly or indirectly, and must be solved together. */
 final class Island {
 
     private final List<Body> bodies = new ArrayList<>();
@@ -18,8 +18,8 @@ final class Island {
         return joints;
     }
 
-    /** Gathers all that is connected with a body, and wakes it; in ODE's order ({@code BuildIslands...}). */
-    void gather(Body start) {
+    /** Collects and wakes everything that is connected to a body, in ODE's order ({@code BuildIslands...}). */
+    void collect(Body start) {
         clear();
         start.visited = true;
         stack.add(start);
@@ -33,14 +33,12 @@ final class Island {
         }
     }
 
-    /** Moves the bodies, whose forces and accelerations are known. */
-    void move(double seconds) {
+    void integrate(double seconds) {
         for (int i = 0; i < bodies.size(); i++) {
-            bodies.get(i).move(seconds);
+            bodies.get(i).integrate(seconds);
         }
     }
 
-    /** Removes everything. */
     void clear() {
         bodies.clear();
         joints.clear();
@@ -55,7 +53,7 @@ final class Island {
         Body other = joint.opposite(from);
         if (other != null && !other.visited) {
             other.visited = true;
-            other.stir();
+            other.resume();
             stack.add(other);
         }
     }

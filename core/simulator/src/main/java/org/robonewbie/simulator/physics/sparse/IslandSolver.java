@@ -2,32 +2,27 @@ package org.robonewbie.simulator.physics.sparse;
 
 import java.util.List;
 
-/** Finds the forces on one island at a time; keeps the arrays for it from step to step. */
+/** Solver of the constraint forces of one island at a time, with reusable arrays. */
 final class IslandSolver {
 
     private final ConstraintRows rows = new ConstraintRows();
     private final BlockPivotingLcpSolver solver = new BlockPivotingLcpSolver(rows);
     private final SymbolicFactorizationCache factorizations = new SymbolicFactorizationCache();
 
-    /**
-     * Finds all forces on the bodies, and the accelerations that come from them.
-     *
-     * @param island the bodies and all joints between them
-     * @param seconds length of the step
-     */
+    /** Computes all forces on the bodies of an island and the resulting accelerations. */
     void solve(Island island, double seconds) {
         List<Body> bodies = island.bodies();
         List<ConstraintJoint> joints = island.joints();
         for (int i = 0; i < bodies.size(); i++) {
-            bodies.get(i).addOwnForces(seconds);
+            bodies.get(i).addGravityAndGyroscopicTorque(seconds);
             bodies.get(i).clearAcceleration();
         }
         if (!joints.isEmpty()) {
-            findForces(bodies, joints, seconds);
+            solveConstraints(bodies, joints, seconds);
         }
     }
 
-    private void findForces(List<Body> bodies, List<ConstraintJoint> joints, double seconds) {
+    private void solveConstraints(List<Body> bodies, List<ConstraintJoint> joints, double seconds) {
         double rate = 1 / seconds;
         SymbolicFactorization factorization = factorizations.get(joints, bodies.size());
         rows.reset(factorization.rows(), factorization.joints(), PhysicsConstants.SOFTNESS);

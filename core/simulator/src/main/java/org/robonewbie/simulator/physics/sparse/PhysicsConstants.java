@@ -1,15 +1,15 @@
 package org.robonewbie.simulator.physics.sparse;
 
-/** SimSpark's settings of ODE ({@code odeworld.cpp}, {@code spark.rb}); what it leaves alone has ODE's default. */
+/** ODE settings of SimSpark ({@code odeworld.cpp}, {@code spark.rb}); all others are ODE's defaults. */
 final class PhysicsConstants {
 
-    /** Share of a gap that one step closes (ODE: ERP). */
+    /** Fraction of a joint error that one step corrects (ODE: ERP). */
     static final double ERROR_REDUCTION = 0.2;
 
-    /** How soft a row is that says nothing else (ODE: CFM). */
+    /** Default constraint force mixing of a row (ODE: CFM). */
     static final double SOFTNESS = 1e-5;
 
-    /** Depth in metres to which a contact may sink before it is pushed out. */
+    /** Penetration depth in metres that is not corrected. */
     static final double CONTACT_SURFACE_LAYER = 0.001;
 
     private PhysicsConstants() {}

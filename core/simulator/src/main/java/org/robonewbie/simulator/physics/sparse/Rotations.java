@@ -3,9 +3,8 @@ package org.robonewbie.simulator.physics.sparse;
 import org.robonewbie.simulator.physics.RotationMatrix;
 
 /**
- * Rotations and vectors in plain arrays: matrices have nine numbers, row by row, quaternions w, x, y, z.
- *
- * <p>The records of the public interface say the same more readably; these make no objects.
+ * Allocation-free operations on vectors, row-major 3 × 3 matrices and quaternions (w, x, y, z) in arrays. Code that is not in
+ * the inner loop uses {@link RotationMatrix} instead.
  */
 final class Rotations {
 
@@ -23,15 +22,15 @@ final class Rotations {
         return x * b[at] + y * b[at + 1] + z * b[at + 2];
     }
 
-    /** Turns a vector back: {@code to = matrixᵀ · from}, written from an index on. */
-    static void applyInverse(double[] matrix, double[] from, double[] to, int at) {
+    /** {@code to = matrixᵀ · (x, y, z)}, written from an index on. */
+    static void applyInverse(double[] matrix, double x, double y, double z, double[] to, int at) {
         for (int axis = 0; axis < 3; axis++) {
-            to[at + axis] = matrix[axis] * from[0] + matrix[3 + axis] * from[1] + matrix[6 + axis] * from[2];
+            to[at + axis] = matrix[axis] * x + matrix[3 + axis] * y + matrix[6 + axis] * z;
         }
     }
 
-    /** Turns a diagonal matrix: {@code to = matrix · diag(x, y, z) · matrixᵀ}. */
-    static void turnedDiagonal(double[] matrix, double x, double y, double z, double[] to) {
+    /** {@code to = matrix · diag(x, y, z) · matrixᵀ}. */
+    static void rotateDiagonal(double[] matrix, double x, double y, double z, double[] to) {
         for (int row = 0; row < 3; row++) {
             double rx = matrix[3 * row] * x;
             double ry = matrix[3 * row + 1] * y;
@@ -44,8 +43,8 @@ final class Rotations {
         }
     }
 
-    /** Turns a quaternion by an angular velocity (elements 3 to 5) for a short time, to first order, as ODE does. */
-    static void rotate(double[] q, double[] velocity, double seconds) {
+    /** Integrates an angular velocity (elements 3 to 5) into a quaternion, to first order as in ODE, and normalises it. */
+    static void integrate(double[] q, double[] velocity, double seconds) {
         double half = 0.5 * seconds;
         double x = velocity[3];
         double y = velocity[4];
@@ -62,10 +61,10 @@ final class Rotations {
     }
 
     /**
-     * Orthonormalises the rows of a matrix, as {@code dOrthogonalizeR} of ODE does. Otherwise rounding errors grow with each
-     * rotation that is multiplied on, as for a sleeping robot that is beamed in each cycle.
+     * Orthonormalises the rows of a matrix like ODE's {@code dOrthogonalizeR}. Without it, rounding errors accumulate when a
+     * rotation is multiplied repeatedly, for example for a sleeping robot that is beamed in every cycle.
      */
-    static void straighten(double[] matrix) {
+    static void orthonormalise(double[] matrix) {
         if (Math.sqrt(dot(matrix, 0, matrix, 0)) != 1) {
             normalise(matrix, 0);
         }
@@ -81,7 +80,7 @@ final class Rotations {
         matrix[8] = matrix[0] * matrix[4] - matrix[1] * matrix[3];
     }
 
-    /** Normalises a row; divides by its largest element first, as ODE does, so that even the rounding is the same. */
+    /** Normalises a row. Divides by its largest element first, so that rounding is the same as in ODE. */
     private static void normalise(double[] matrix, int row) {
         int largest = Math.abs(matrix[row + 1]) > Math.abs(matrix[row]) ? row + 1 : row;
         largest = Math.abs(matrix[row + 2]) > Math.abs(matrix[largest]) ? row + 2 : largest;
@@ -157,8 +156,8 @@ final class Rotations {
         to[8] = from.zz();
     }
 
-    /** Finds two directions perpendicular to a unit vector and to each other, the same ones as ODE; each at an index of an array. */
-    static void squareTo(double[] vectors, int normal, int one, int two) {
+    /** Completes a unit vector to an orthonormal basis like ODE's {@code dPlaneSpace}; arguments are array indices. */
+    static void orthonormalBasis(double[] vectors, int normal, int one, int two) {
         double x = vectors[normal];
         double y = vectors[normal + 1];
         double z = vectors[normal + 2];

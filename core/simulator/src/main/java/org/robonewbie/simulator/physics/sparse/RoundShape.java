@@ -2,7 +2,7 @@ package org.robonewbie.simulator.physics.sparse;
 
 import org.robonewbie.simulator.physics.ode.OdeCollisions;
 
-/** A capsule along its z axis, or a sphere, which is a capsule without length. */
+/** Capsule along the z axis; a sphere is a capsule of length 0. */
 final class RoundShape extends CollisionShape {
 
     private final double radius;
@@ -21,12 +21,12 @@ final class RoundShape extends CollisionShape {
     }
 
     @Override
-    double reach(int axis) {
+    double halfExtent(int axis) {
         return radius + Math.abs(rotation[3 * axis + 2]) * halfLength;
     }
 
     @Override
-    int touchGround(double[] points) {
+    int collideWithGround(double[] points) {
         double downwards = rotation[8] > 0 ? -halfLength : halfLength;
         int count = addEnd(points, 0, downwards);
         return halfLength > 0 && count > 0 ? count + addEnd(points, 1, -downwards) : count;

@@ -1,40 +1,35 @@
 package org.robonewbie.simulator.physics.sparse;
 
 /**
- * How long an array has to be that is used again and again for islands of all sizes: it grows at once, and shrinks when it
- * has been far too long for so many islands that the pile of robots for which it grew is gone.
+ * Growth policy of a scratch array that is reused for islands of all sizes: it grows immediately, and shrinks after it has been
+ * oversized for many islands in a row.
  */
 final class ScratchCapacity {
 
-    private static final int PATIENCE = 2_000;
-    private static final int FAR_TOO_LONG = 4;
+    private static final int MAX_OVERSIZED_ISLANDS = 2_000;
+    private static final int OVERSIZE_FACTOR = 4;
 
-    private final int least;
-    private int wasted;
+    private final int minLength;
+    private int oversizedIslands;
 
-    /**
-     * Sets a lower limit.
-     *
-     * @param least length below which nothing is worth shrinking
-     */
-    ScratchCapacity(int least) {
-        this.least = least;
+    ScratchCapacity(int minLength) {
+        this.minLength = minLength;
     }
 
     /**
-     * Chooses a length.
+     * Chooses the length of the array.
      *
-     * @param present how long the array is
-     * @param needed how much of it the next island needs
-     * @return the present length if it may stay as it is, or another one that is at least as much as needed
+     * @param length current length
+     * @param needed length that the next island needs
+     * @return the current length if the array can stay, otherwise the length of a new array, at least {@code needed}
      */
-    int fit(int present, int needed) {
-        boolean wasteful = present > least && needed < present / FAR_TOO_LONG;
-        wasted = wasteful ? wasted + 1 : 0;
-        if (needed <= present && wasted < PATIENCE) {
-            return present;
+    int fit(int length, int needed) {
+        boolean oversized = length > minLength && needed < length / OVERSIZE_FACTOR;
+        oversizedIslands = oversized ? oversizedIslands + 1 : 0;
+        if (needed <= length && oversizedIslands < MAX_OVERSIZED_ISLANDS) {
+            return length;
         }
-        wasted = 0;
-        return Math.max(least, needed + needed / 2);
+        oversizedIslands = 0;
+        return Math.max(minLength, needed + needed / 2);
     }
 }

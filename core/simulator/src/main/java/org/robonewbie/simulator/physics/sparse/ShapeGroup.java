@@ -3,12 +3,12 @@ package org.robonewbie.simulator.physics.sparse;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Moving shapes that never touch each other, with the box around all of them. */
+/** Group of moving shapes that do not collide with each other, with a common bounding box. */
 final class ShapeGroup {
 
     private final List<CollisionShape> shapes = new ArrayList<>();
-    private final double[] low = new double[3];
-    private final double[] high = new double[3];
+    private final double[] min = new double[3];
+    private final double[] max = new double[3];
 
     void add(CollisionShape shape) {
         shapes.add(shape);
@@ -18,32 +18,32 @@ final class ShapeGroup {
         return shapes;
     }
 
-    void measure() {
+    void updateBounds() {
         for (int axis = 0; axis < 3; axis++) {
-            low[axis] = Double.POSITIVE_INFINITY;
-            high[axis] = Double.NEGATIVE_INFINITY;
+            min[axis] = Double.POSITIVE_INFINITY;
+            max[axis] = Double.NEGATIVE_INFINITY;
         }
         for (int i = 0; i < shapes.size(); i++) {
             CollisionShape shape = shapes.get(i);
-            shape.measure();
+            shape.updateBounds();
             for (int axis = 0; axis < 3; axis++) {
-                low[axis] = Math.min(low[axis], shape.low[axis]);
-                high[axis] = Math.max(high[axis], shape.high[axis]);
+                min[axis] = Math.min(min[axis], shape.min[axis]);
+                max[axis] = Math.max(max[axis], shape.max[axis]);
             }
         }
     }
 
-    boolean isNear(ShapeGroup other) {
-        return overlap(low, high, other.low, other.high);
+    boolean overlaps(ShapeGroup other) {
+        return overlap(min, max, other.min, other.max);
     }
 
-    boolean isNear(CollisionShape shape) {
-        return overlap(low, high, shape.low, shape.high);
+    boolean overlaps(CollisionShape shape) {
+        return overlap(min, max, shape.min, shape.max);
     }
 
-    private static boolean overlap(double[] low, double[] high, double[] otherLow, double[] otherHigh) {
+    private static boolean overlap(double[] min, double[] max, double[] otherMin, double[] otherMax) {
         for (int axis = 0; axis < 3; axis++) {
-            if (!(low[axis] <= otherHigh[axis] && otherLow[axis] <= high[axis])) {
+            if (!(min[axis] <= otherMax[axis] && otherMin[axis] <= max[axis])) {
                 return false;
             }
         }

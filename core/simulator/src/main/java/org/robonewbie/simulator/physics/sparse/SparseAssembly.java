@@ -17,17 +17,16 @@ import org.robonewbie.simulator.physics.MotorHinge;
 import org.robonewbie.simulator.physics.RigidBody;
 import org.robonewbie.simulator.physics.ode.OdeCollisions;
 
-/** Bodies, hinges and shapes that belong together. */
 final class SparseAssembly implements Assembly, Restorable {
 
     private final SparsePhysicsWorld world;
     private final OdeCollisions.Group odeGeometries;
     private final boolean removable;
-    private final ContactLimit budget = new ContactLimit();
+    private final ContactLimit contactLimit = new ContactLimit();
     private final List<Body> bodies = new ArrayList<>();
     private final List<HingeJoint> hinges = new ArrayList<>();
-    private final List<ShapeGroup> movers = new ArrayList<>();
-    private final List<CollisionShape> fixtures = new ArrayList<>();
+    private final List<ShapeGroup> groups = new ArrayList<>();
+    private final List<CollisionShape> staticShapes = new ArrayList<>();
 
     SparseAssembly(SparsePhysicsWorld world, OdeCollisions.Group odeGeometries, boolean removable) {
         this.world = world;
@@ -37,7 +36,7 @@ final class SparseAssembly implements Assembly, Restorable {
 
     @Override
     public RigidBody addBody(MassDistribution mass, Vector3 position) {
-        Body body = new Body(mass, position, world.finder().order());
+        Body body = new Body(mass, position, world.detector().updates());
         bodies.add(body);
         world.add(body);
         return body;
@@ -53,19 +52,20 @@ final class SparseAssembly implements Assembly, Restorable {
 
     @Override
     public Collider addCollider(RigidBody body, Shape shape, Material material, Object owner) {
-        Body carrier = (Body) body;
-        SparseCollider collider =
-                new SparseCollider(carrier, world.surfaces().numberOf(material), owner, removable ? budget : null);
+        Body sparseBody = (Body) body;
+        SparseCollider collider = new SparseCollider(
+                sparseBody, world.surfaces().indexOf(material), owner, removable ? contactLimit : null);
         OdeCollisions.Geometry odeGeometry = odeGeometries.add(shape, collider, true);
-        CollisionShape placed = CollisionShape.of(shape, collider, carrier.place(), carrier.rotation, odeGeometry);
-        carrier.attach(placed);
-        groupOfNext().add(placed);
+        CollisionShape placed =
+                CollisionShape.of(shape, collider, sparseBody.centre(), sparseBody.rotation, odeGeometry);
+        sparseBody.attach(placed);
+        currentGroup().add(placed);
         return collider;
     }
 
     @Override
     public Collider addFixture(BodyPose pose, Shape shape, Material material, Object owner) {
-        return place(pose, shape, new SparseCollider(null, world.surfaces().numberOf(material), owner, null));
+        return place(pose, shape, new SparseCollider(null, world.surfaces().indexOf(material), owner, null));
     }
 
     @Override
@@ -73,14 +73,14 @@ final class SparseAssembly implements Assembly, Restorable {
         return place(pose, shape, new SparseCollider(null, SparseCollider.NO_MATERIAL, owner, null));
     }
 
-    /** A robot's parts never touch each other and shape one group; each part of the scenery is a group by itself. */
-    private ShapeGroup groupOfNext() {
-        if (movers.isEmpty() || !removable) {
+    /** The parts of a robot form one group, since they do not collide with each other; each part of the scenery is its own group. */
+    private ShapeGroup currentGroup() {
+        if (groups.isEmpty() || !removable) {
             ShapeGroup group = new ShapeGroup();
-            movers.add(group);
-            world.finder().add(group);
+            groups.add(group);
+            world.detector().add(group);
         }
-        return movers.get(movers.size() - 1);
+        return groups.get(groups.size() - 1);
     }
 
     private Collider place(BodyPose pose, Shape shape, SparseCollider collider) {
@@ -90,8 +90,8 @@ final class SparseAssembly implements Assembly, Restorable {
         double[] place = {position.x(), position.y(), position.z()};
         CollisionShape placed =
                 CollisionShape.of(shape, collider, place, rotation, odeGeometries.add(shape, collider, false));
-        fixtures.add(placed);
-        world.finder().addFixture(placed);
+        staticShapes.add(placed);
+        world.detector().addStatic(placed);
         return collider;
     }
 
@@ -102,8 +102,8 @@ final class SparseAssembly implements Assembly, Restorable {
         }
         world.remove(this, bodies);
         odeGeometries.remove();
-        movers.forEach(world.finder()::remove);
-        fixtures.forEach(world.finder()::removeFixture);
+        groups.forEach(world.detector()::remove);
+        staticShapes.forEach(world.detector()::removeStatic);
         bodies.clear();
     }
 
@@ -111,13 +111,13 @@ final class SparseAssembly implements Assembly, Restorable {
     public void save(StateWriter out) {
         bodies.forEach(body -> body.save(out));
         hinges.forEach(hinge -> hinge.save(out));
-        movers.forEach(group -> group.shapes().forEach(shape -> shape.save(out)));
+        groups.forEach(group -> group.shapes().forEach(shape -> shape.save(out)));
     }
 
     @Override
     public void restore(StateReader in) {
         bodies.forEach(body -> body.restore(in));
         hinges.forEach(hinge -> hinge.restore(in));
-        movers.forEach(group -> group.shapes().forEach(shape -> shape.restore(in)));
+        groups.forEach(group -> group.shapes().forEach(shape -> shape.restore(in)));
     }
 }

@@ -3,41 +3,40 @@ package org.robonewbie.simulator.physics.sparse;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.simulator.physics.Collider;
 
-/** What is known of a surface but its shape. */
+/** Body, material and owner of a collision shape. */
 final class SparseCollider implements Collider {
 
-    /** Stands for the material of a trigger, which lets everything through. */
+    /** Material index of a trigger, which reports contacts without exerting forces. */
     static final int NO_MATERIAL = -1;
 
     private final @Nullable Body body;
     private final int material;
     private final Object owner;
-    private final @Nullable ContactLimit budget;
-    private final LastTouch lastTouch = new LastTouch();
+    private final @Nullable ContactLimit contactLimit;
+    private final ContactStateCache contactStates = new ContactStateCache();
 
     /**
      * Creates a collider.
      *
-     * @param body the body that carries it; none for ground, walls and triggers
-     * @param material number of its material in {@link Surfaces}, or {@link #NO_MATERIAL}
-     * @param owner what it belongs to
-     * @param budget counts the contacts of its robot; none for everything else
+     * @param body the body that carries it; null for ground, walls and triggers
+     * @param material index of its material in {@link Surfaces}, or {@link #NO_MATERIAL}
+     * @param owner the object it belongs to
+     * @param contactLimit limit of the robot; null for everything else
      */
-    SparseCollider(@Nullable Body body, int material, Object owner, @Nullable ContactLimit budget) {
+    SparseCollider(@Nullable Body body, int material, Object owner, @Nullable ContactLimit contactLimit) {
         this.body = body;
         this.material = material;
         this.owner = owner;
-        this.budget = budget;
+        this.contactLimit = contactLimit;
     }
 
     @Nullable
-    ContactLimit budget() {
-        return budget;
+    ContactLimit contactLimit() {
+        return contactLimit;
     }
 
-    /** What the solver remembers of the last touch of something that never moves. */
-    LastTouch lastTouch() {
-        return lastTouch;
+    ContactStateCache contactStates() {
+        return contactStates;
     }
 
     @Nullable

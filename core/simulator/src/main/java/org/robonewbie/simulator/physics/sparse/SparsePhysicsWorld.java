@@ -15,27 +15,24 @@ import org.robonewbie.simulator.physics.PhysicsWorld;
 import org.robonewbie.simulator.physics.ode.OdeCollisions;
 
 /**
- * A world that steps with our own solver and finds contacts with ODE's collision detection.
+ * Physics world with a sparse LCP solver and ODE's collision detection.
  *
- * <p>Its settings are those of SimSpark, and so is the order in which islands are gathered and shapes are moved, since the
- * order of contacts depends on it.
+ * <p>Settings are those of SimSpark. So are the order in which islands are built and shapes are moved, because the order of
+ * contacts depends on them.
  */
 public final class SparsePhysicsWorld implements PhysicsWorld {
 
-    /**
-     * Factorizations and arrays, which all islands share that a thread works on: hundreds of worlds of learning robots would drive
-     * each other's out of the processor's cache.
-     */
+    /** One solver per thread, so that hundreds of worlds share its arrays and factorizations in the processor's cache. */
     private static final ThreadLocal<IslandSolver> SOLVER = ThreadLocal.withInitial(IslandSolver::new);
 
     private final Surfaces surfaces = new Surfaces();
-    private final ContactFinder finder = new ContactFinder();
+    private final CollisionDetector detector = new CollisionDetector();
     private final List<SparseAssembly> assemblies = new ArrayList<>();
-    private final Assembly scenery = add(finder.collisions().scenery(), false);
+    private final Assembly scenery = add(detector.collisions().scenery(), false);
     private final List<Body> bodies = new ArrayList<>();
     private final ContactList contacts = new ContactList(surfaces);
     private final List<Island> islands = new ArrayList<>();
-    private final IntConsumer forces = this::findForces;
+    private final IntConsumer islandTask = this::solveIsland;
     private Crew crew = Crew.ALONE;
     private double stepSeconds;
 
@@ -46,8 +43,8 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
         return surfaces;
     }
 
-    ContactFinder finder() {
-        return finder;
+    CollisionDetector detector() {
+        return detector;
     }
 
     void add(Body body) {
@@ -55,7 +52,7 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
     }
 
     void remove(SparseAssembly assembly, Collection<Body> removed) {
-        contacts.bodiesLeft();
+        contacts.releaseRemovedBodies();
         islands.forEach(Island::clear);
         bodies.removeAll(removed);
         assemblies.remove(assembly);
@@ -63,11 +60,11 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
 
     @Override
     public Assembly addAssembly() {
-        return add(finder.collisions().addGroup(), true);
+        return add(detector.collisions().addGroup(), true);
     }
 
-    private SparseAssembly add(OdeCollisions.Group twins, boolean removable) {
-        SparseAssembly assembly = new SparseAssembly(this, twins, removable);
+    private SparseAssembly add(OdeCollisions.Group geometries, boolean removable) {
+        SparseAssembly assembly = new SparseAssembly(this, geometries, removable);
         assemblies.add(assembly);
         return assembly;
     }
@@ -79,8 +76,8 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
 
     @Override
     public Collider addGround(Material material, Object owner) {
-        SparseCollider ground = new SparseCollider(null, surfaces.numberOf(material), owner, null);
-        finder.setGround(ground);
+        SparseCollider ground = new SparseCollider(null, surfaces.indexOf(material), owner, null);
+        detector.setGround(ground);
         return ground;
     }
 
@@ -97,7 +94,7 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
     @Override
     public void findContacts() {
         contacts.begin();
-        finder.find(contacts);
+        detector.find(contacts);
     }
 
     @Override
@@ -108,17 +105,17 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
     @Override
     public void step(double seconds) {
         stepSeconds = seconds;
-        int count = gatherIslands();
-        crew.divide(count, forces);
+        int count = collectIslands();
+        crew.divide(count, islandTask);
         for (int i = 0; i < count; i++) {
-            islands.get(i).move(seconds);
+            islands.get(i).integrate(seconds);
         }
-        contacts.dissolve();
+        contacts.detachJoints();
     }
 
-    private int gatherIslands() {
+    private int collectIslands() {
         for (int i = 0; i < bodies.size(); i++) {
-            bodies.get(i).watchRest();
+            bodies.get(i).updateSleep();
             bodies.get(i).unvisit();
         }
         int count = 0;
@@ -128,30 +125,30 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
                 if (count == islands.size()) {
                     islands.add(new Island());
                 }
-                islands.get(count++).gather(body);
+                islands.get(count++).collect(body);
             }
         }
         return count;
     }
 
-    /** What happens on one island matters to no other. */
-    private void findForces(int island) {
+    /** Islands are independent of each other. */
+    private void solveIsland(int island) {
         SOLVER.get().solve(islands.get(island), stepSeconds);
     }
 
     @Override
     public void save(StateWriter out) {
-        finder.order().save(out);
+        detector.updates().save(out);
         assemblies.forEach(assembly -> assembly.save(out));
-        finder.collisions().save(out);
+        detector.collisions().save(out);
     }
 
-    /** Takes on a state; factorizations and arrays stay, since what they are reused for does not depend on them. */
+    /** Restores the state. Cached factorizations and arrays do not belong to it, since results do not depend on them. */
     @Override
     public void restore(StateReader in) {
         contacts.begin();
-        finder.order().restore(in);
+        detector.updates().restore(in);
         assemblies.forEach(assembly -> assembly.restore(in));
-        finder.collisions().restore(in);
+        detector.collisions().restore(in);
     }
 }

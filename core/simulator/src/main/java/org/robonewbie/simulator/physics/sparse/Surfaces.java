@@ -4,44 +4,44 @@ import java.util.ArrayList;
 import java.util.List;
 import org.robonewbie.simulator.physics.Material;
 
-/** All materials of a world, numbered, and how each two of them behave in contact. */
+/** Indexed materials of a world and the contact surface of each pair of them. */
 final class Surfaces {
 
     private final List<Material> materials = new ArrayList<>();
-    private final List<List<ContactSurface>> mixed = new ArrayList<>();
+    private final List<List<ContactSurface>> surfaces = new ArrayList<>();
     private double grip = 1;
 
-    /** Changes how well all materials hold; the number of a material stays. */
+    /** Scales the grip of all materials. Material indices do not change. */
     void setGrip(double factor) {
         if (factor != grip) {
             grip = factor;
-            List<Material> known = List.copyOf(materials);
+            List<Material> previous = List.copyOf(materials);
             materials.clear();
-            mixed.clear();
-            known.forEach(this::numberOf);
+            surfaces.clear();
+            previous.forEach(this::indexOf);
         }
     }
 
-    /** Returns the number of a material. */
-    int numberOf(Material material) {
-        int known = materials.indexOf(material);
-        if (known >= 0) {
-            return known;
+    /** Returns the index of a material, which is added if necessary. */
+    int indexOf(Material material) {
+        int index = materials.indexOf(material);
+        if (index >= 0) {
+            return index;
         }
         materials.add(material);
         List<ContactSurface> row = new ArrayList<>();
         for (int i = 0; i < materials.size(); i++) {
             ContactSurface surface = ContactSurface.of(material.mixedWith(materials.get(i)), grip);
             row.add(surface);
-            if (i < mixed.size()) {
-                mixed.get(i).add(surface);
+            if (i < surfaces.size()) {
+                surfaces.get(i).add(surface);
             }
         }
-        mixed.add(row);
+        surfaces.add(row);
         return materials.size() - 1;
     }
 
     ContactSurface between(int one, int other) {
-        return mixed.get(one).get(other);
+        return surfaces.get(one).get(other);
     }
 }

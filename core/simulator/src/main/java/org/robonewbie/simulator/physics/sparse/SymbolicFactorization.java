@@ -3,102 +3,98 @@ package org.robonewbie.simulator.physics.sparse;
 import java.util.Arrays;
 
 /**
- * In which order the joints of an island are eliminated, which blocks of the factor that fills, and where each block is
- * kept.
+ * Symbolic block Cholesky factorization of an island: the elimination order, the sparsity pattern of the factor and the
+ * storage offsets of its blocks.
  *
- * <p>From here on joints are numbered by their place in that order. Column k of the factor has a diagonal block and below
- * it a block for each later joint that is coupled with k; a block is as wide and high as its joints have rows. A factorization
- * depends on nothing but which joints hold which bodies, so it serves as long as the same limbs touch the same things,
- * and for every robot of the kind.
+ * <p>Joints are numbered by elimination order. Column k of the factor has a diagonal block and, below it, one block for each
+ * later joint that is coupled with k. The size of a block is given by the row counts of its two joints. The factorization
+ * depends only on which joints connect which bodies, so it is valid as long as the contact pattern stays the same, and for every
+ * robot of the same type.
  *
- * <p>A pile of robots needs another factorization in nearly every step, so a factorization that is no longer needed can be replaced in the
- * same arrays, which may be longer than what they hold.
+ * <p>A pile of robots needs a new factorization in nearly every step. An unused object can therefore be recomputed for another
+ * island in the same arrays, which may be longer than their content.
  */
 final class SymbolicFactorization {
 
-    /** How many numbers describe an update: source column, left factor, right factor, target, rows of the target. */
-    static final int UPDATE_NUMBERS = 5;
+    /** Length of an update's description: source column, left block, right block, target block, target rows. */
+    static final int INTS_PER_UPDATE = 5;
 
-    /** How many numbers describe an overlap: column, its side, row, its side, offset of the block. */
-    static final int OVERLAP_NUMBERS = 5;
+    /** Length of an overlap's description: column, its side, row, its side, offset of the block. */
+    static final int INTS_PER_OVERLAP = 5;
 
-    /** Which joint of the island comes at each place. */
+    /** Island index of each joint in elimination order. */
     int[] order = {};
-    /** Where each joint's rows begin; one more entry for the end. */
+    /** First row of each joint, with a final entry for the total. */
     int[] firstRow = {0};
-    /** For each column, where it begins in {@link #below}; one more entry for the end. */
+    /** Start of each column in {@link #below}, with a final entry for the total. */
     int[] belowStart = {0};
-    /** For one column after the other, the later joints that have a block in it, in ascending order. */
+    /** Row indices of the blocks below the diagonal, column by column, ascending within a column. */
     int[] below = {};
-    /** Where those blocks begin. */
+    /** Storage offset of each block in {@link #below}. */
     int[] belowOffset = {};
-    /** For each column, where its diagonal block begins, and all others of the column after it; one more entry for the end. */
+    /** Storage offset of each diagonal block, which the column's other blocks follow, with a final entry for the total. */
     int[] diagonalOffset = {0};
-    /** For each column, where it begins in {@link #updates}; one more entry for the end. */
+    /** Start of each column in {@link #updates}, with a final entry for the total. */
     int[] updatesStart = {0};
-    /** For one column after the other, the products of earlier blocks that are taken from it. */
+    /** Products of earlier blocks that are subtracted from each column. */
     int[] updates = {};
-    /** Where joints meet on a body; the side is 0 for a joint's first body and 1 for its second. */
+    /** Pairs of joints that share a body; the side is 0 for a joint's first body and 1 for its second. */
     int[] overlaps = {};
-    /** How many numbers of {@link #overlaps} count. */
+    /** Length of the content of {@link #overlaps}. */
     int overlapsEnd;
 
     private final IntegerList coupled = new IntegerList();
     private int joints;
     private int[] key = {};
     private int keyLength;
-    /** The place of each joint in the order. */
-    private int[] place = {};
-
-    /** Creates the factorization of an island without joints. */
-    SymbolicFactorization() {}
+    /** Elimination index of each joint of the island; the inverse of {@link #order}. */
+    private int[] position = {};
 
     /**
-     * Makes the factorization of an island.
+     * Computes the factorization of an island.
      *
-     * @param newKey {@link CouplingGraph#NUMBERS_PER_JOINT} numbers for each joint
-     * @param length how many numbers there are
-     * @param bodies the number of bodies of the island
-     * @param graph what finds the order
+     * @param newKey {@link CouplingGraph#INTS_PER_JOINT} integers per joint
+     * @param length number of integers
+     * @param bodies number of bodies of the island
+     * @param graph scratch graph for the elimination order
      */
-    void make(int[] newKey, int length, int bodies, CouplingGraph graph) {
+    void compute(int[] newKey, int length, int bodies, CouplingGraph graph) {
         graph.build(newKey, length, bodies);
-        makeRoom(graph.size(), length);
+        ensureCapacity(graph.size(), length);
         System.arraycopy(newKey, 0, key, 0, length);
         graph.eliminate(order, coupled, belowStart);
-        below = coupled.numbers;
-        placeJoints(graph);
-        placeBlocks();
-        planUpdates();
-        planOverlaps(graph);
+        below = coupled.elements;
+        numberJoints(graph);
+        layOutBlocks();
+        scheduleUpdates();
+        listOverlaps(graph);
     }
 
-    private void makeRoom(int newJoints, int length) {
+    private void ensureCapacity(int newJoints, int length) {
         joints = newJoints;
         keyLength = length;
         if (order.length < joints) {
             int room = joints + joints / 4;
             order = new int[room];
-            place = new int[room];
+            position = new int[room];
             firstRow = new int[room + 1];
             belowStart = new int[room + 1];
             diagonalOffset = new int[room + 1];
             updatesStart = new int[room + 1];
-            key = new int[CouplingGraph.NUMBERS_PER_JOINT * room];
+            key = new int[CouplingGraph.INTS_PER_JOINT * room];
         }
     }
 
-    /** Whether this factorization was made for the same joints between the same bodies. */
-    boolean suits(int[] otherKey, int length) {
+    /** Whether this factorization is for the same joints between the same bodies. */
+    boolean matches(int[] otherKey, int length) {
         return Arrays.equals(key, 0, keyLength, otherKey, 0, length);
     }
 
-    /** The memory that the factorization takes, in integers. */
-    int numbers() {
-        return key.length + 6 * order.length + 2 * coupled.numbers.length + updates.length + overlaps.length;
+    int memoryInInts() {
+        return key.length + 6 * order.length + 2 * coupled.elements.length + updates.length + overlaps.length;
     }
 
-    /** Whether its arrays are worth being used for the factorization of so many joints: long enough, and not much too long. */
+    /** Whether the arrays are long enough for a number of joints, but not more than twice as long. */
     boolean hasRoomFor(int otherJoints) {
         return otherJoints <= order.length && order.length <= 2 * otherJoints;
     }
@@ -115,26 +111,26 @@ final class SymbolicFactorization {
         return firstRow[joint + 1] - firstRow[joint];
     }
 
-    /** How many numbers all blocks have together. */
+    /** Storage size of all blocks. */
     int size() {
         return diagonalOffset[joints];
     }
 
-    private void placeJoints(CouplingGraph graph) {
+    private void numberJoints(CouplingGraph graph) {
         firstRow[0] = 0;
         for (int k = 0; k < joints; k++) {
-            place[order[k]] = k;
+            position[order[k]] = k;
             firstRow[k + 1] = firstRow[k] + graph.rows(order[k]);
         }
         for (int i = 0; i < belowStart[joints]; i++) {
-            below[i] = place[below[i]];
+            below[i] = position[below[i]];
         }
         for (int k = 0; k < joints; k++) {
             Arrays.sort(below, belowStart[k], belowStart[k + 1]);
         }
     }
 
-    private void placeBlocks() {
+    private void layOutBlocks() {
         if (belowOffset.length < below.length) {
             belowOffset = new int[below.length];
         }
@@ -151,25 +147,25 @@ final class SymbolicFactorization {
         diagonalOffset[joints] = next;
     }
 
-    private void planUpdates() {
+    private void scheduleUpdates() {
         countUpdates();
         for (int source = 0; source < joints; source++) {
             int end = belowStart[source + 1];
             for (int right = belowStart[source]; right < end; right++) {
-                planUpdates(source, right, end);
+                scheduleUpdates(source, right, end);
             }
         }
         System.arraycopy(updatesStart, 0, updatesStart, 1, joints);
         updatesStart[0] = 0;
     }
 
-    /** Lets the updates of each column begin at their place; it moves on with each update that is planned. */
+    /** Sets {@code updatesStart} to the start of each column; scheduling an update advances it. */
     private void countUpdates() {
         Arrays.fill(updatesStart, 0, joints + 1, 0);
         for (int source = 0; source < joints; source++) {
             int end = belowStart[source + 1];
             for (int right = belowStart[source]; right < end; right++) {
-                updatesStart[below[right]] += UPDATE_NUMBERS * (end - right);
+                updatesStart[below[right]] += INTS_PER_UPDATE * (end - right);
             }
         }
         int next = 0;
@@ -183,8 +179,8 @@ final class SymbolicFactorization {
         }
     }
 
-    /** Plans what a source adds to the column of one of its blocks: its other blocks lie at later places there too. */
-    private void planUpdates(int source, int right, int end) {
+    /** Schedules the updates of the column of the right block by all blocks of the source column from there downwards. */
+    private void scheduleUpdates(int source, int right, int end) {
         int column = below[right];
         int at = updatesStart[column];
         int search = belowStart[column];
@@ -198,19 +194,19 @@ final class SymbolicFactorization {
             updates[at + 2] = belowOffset[right];
             updates[at + 3] = row == column ? diagonalOffset[column] : belowOffset[search];
             updates[at + 4] = rows(row);
-            at += UPDATE_NUMBERS;
+            at += INTS_PER_UPDATE;
         }
         updatesStart[column] = at;
     }
 
-    private void planOverlaps(CouplingGraph graph) {
-        int most = 0;
+    private void listOverlaps(CouplingGraph graph) {
+        int maxOverlaps = 0;
         for (int body = 0; body < graph.bodies(); body++) {
             int ends = graph.firstEnd(body + 1) - graph.firstEnd(body);
-            most += ends * ends;
+            maxOverlaps += ends * ends;
         }
-        if (overlaps.length < OVERLAP_NUMBERS * most) {
-            overlaps = new int[OVERLAP_NUMBERS * (most + most / 4)];
+        if (overlaps.length < INTS_PER_OVERLAP * maxOverlaps) {
+            overlaps = new int[INTS_PER_OVERLAP * (maxOverlaps + maxOverlaps / 4)];
         }
         overlapsEnd = 0;
         for (int body = 0; body < graph.bodies(); body++) {
@@ -223,15 +219,15 @@ final class SymbolicFactorization {
     }
 
     private void addOverlap(int one, int other) {
-        int column = place[one / 2];
-        int row = place[other / 2];
+        int column = position[one / 2];
+        int row = position[other / 2];
         if (column <= row) {
             overlaps[overlapsEnd] = column;
             overlaps[overlapsEnd + 1] = one % 2;
             overlaps[overlapsEnd + 2] = row;
             overlaps[overlapsEnd + 3] = other % 2;
             overlaps[overlapsEnd + 4] = offset(row, column);
-            overlapsEnd += OVERLAP_NUMBERS;
+            overlapsEnd += INTS_PER_OVERLAP;
         }
     }
 

@@ -7,7 +7,7 @@ final class TournamentTree {
 
     private static final long REMOVED = Long.MAX_VALUE;
 
-    /** A binary tree: the children of i are 2i and 2i + 1, and each node holds the smaller of its children. */
+    /** Binary heap layout: the children of node i are 2i and 2i + 1, and each node holds the smaller of them. */
     private long[] nodes = {};
     /** Index of the first leaf. */
     private int leaves = 1;
@@ -21,7 +21,7 @@ final class TournamentTree {
         Arrays.fill(nodes, leaves, 2 * leaves, REMOVED);
     }
 
-    /** Sets a key before {@link #build}. */
+    /** Sets a key; call {@link #build} afterwards. */
     void add(int index, int key) {
         nodes[leaves + index] = entry(index, key);
     }
@@ -33,17 +33,15 @@ final class TournamentTree {
         }
     }
 
-    /** Changes a key. */
     void update(int index, int key) {
         set(leaves + index, entry(index, key));
     }
 
-    /** Removes a key. */
     void remove(int index) {
         set(leaves + index, REMOVED);
     }
 
-    /** The index of the smallest key; at least one must be left. */
+    /** Index of the smallest key; the tree must not be empty. */
     int minimum() {
         return (int) nodes[1];
     }

@@ -4,13 +4,13 @@ import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
-/** Numbers the moves of shapes, so that the collision space receives them later in the same order. */
+/** Numbers the moves of shapes, so that deferred updates reach ODE's collision space in the original order. */
 final class UpdateSequence implements Restorable {
 
     private int period;
     private int moveNumber;
 
-    /** A period lasts from one search for contacts to the next. */
+    /** Counter of contact searches; a period lasts from one search to the next. */
     int period() {
         return period;
     }

@@ -1,20 +1,20 @@
 /**
- * Our own world step: the equations of ODE's exact step, solved in time proportional to the number of joints.
+ * Rigid body engine that solves the equations of ODE's exact step in time proportional to the number of joints.
  *
- * <p><b>The equations.</b> A step of length h computes the velocities after the step. Every joint constrains them, row by row:
- * {@code J v = c - C λ}, where J is the row's Jacobian, c the speed that it demands (such as a share of a gap that has to
- * close), λ the force that the row exerts and C the softness with which it yields (ODE's CFM). Forces change velocities by
- * Newton's law, {@code v = v0 + h M⁻¹ (f + Jᵀ λ)}. Together this is one linear system for the forces,
+ * <p><b>Equations.</b> A step of length h computes the velocities after the step. Each joint constrains them, row by row:
+ * {@code J v = c - C λ}, where J is the Jacobian of the row, c its target speed (for example a fraction of the joint error per
+ * step), λ the constraint force and C its softness (ODE's constraint force mixing, CFM). Forces change velocities by Newton's
+ * law, {@code v = v0 + h M⁻¹ (f + Jᵀ λ)}. Together, this is a linear system for the forces,
  *
  * <pre>{@code (J M⁻¹ Jᵀ + C / h) λ = c / h - J (v0 / h + M⁻¹ f)      A λ = b}</pre>
  *
- * <p>with one condition: a motor, a stop or a contact exerts only a force between two limits, and at a limit its row need not
- * hold. That makes it a linear complementarity problem.
+ * <p>with one condition: the force of a motor, a stop or a contact is bounded, and at a bound its row need not be satisfied.
+ * That makes it a linear complementarity problem (LCP).
  *
- * <p><b>What differs from ODE.</b> ODE fills the whole matrix A and pivots in it row by row, which takes time with the cube of
- * its size. But two joints have a common entry in A only where they share a body, and a robot's bodies shape a tree: a Cholesky
- * factorisation that goes from fingertips and toes to the torso causes no fill-in. The same factorisation is simply repeated,
- * with some rows left out, until every row is either satisfied or at its limit. That takes one or two rounds.
+ * <p><b>Difference from ODE.</b> ODE builds the dense matrix A and pivots in it row by row (Dantzig), in cubic time. But two
+ * joints have a common block in A only if they share a body, and the bodies of a robot form a tree. A Cholesky factorization
+ * that eliminates joints from hands and feet towards the torso therefore has no fill-in. Block principal pivoting repeats it with
+ * different sets of rows until every row is satisfied or at a bound, which takes one or two iterations.
  *
  * <p>Read {@link org.robonewbie.simulator.physics.sparse.SparsePhysicsWorld} first, then {@code IslandSolver}, {@code
  * ConstraintRows}, {@code SymbolicFactorization}, {@code BlockCholesky} and {@code BlockPivotingLcpSolver}.

@@ -46,7 +46,7 @@ class SymbolicFactorizationCacheTest {
             cache.get(chain(length, 3), length + 1);
         }
 
-        assertThat(cache.numbers()).isBetween(100_000, 1 << 18);
+        assertThat(cache.memoryInInts()).isBetween(100_000, 1 << 18);
     }
 
     @Test

@@ -1,7 +1,0 @@
-/**
- * Start scripts of rcssserver3d, which are written in Ruby: {@link org.robonewbie.app.script.StartScript}.
- *
- * <p><strong>Internal</strong>: not part of the API, may change with every version.
- */
-@org.jspecify.annotations.NullMarked
-package org.robonewbie.app.script;

@@ -1,0 +1,7 @@
+/**
+ * Projects of students: {@link org.robonewbie.programs.project.NewProject}.
+ *
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
+ */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.programs.project;
