@@ -168,7 +168,7 @@ public record ClassMarking(
     /** Returns the first error of the compiler without the path of the file, or else the first line of the output. */
     private static String reason(List<String> output, String fileName) {
         if (output.stream().anyMatch(line -> NESTED_TOO_DEEPLY.stream().anyMatch(line::startsWith))) {
-            return "It does not compile: expressions or blocks are nested too deeply for the compiler.";
+            return "It does not compile: its author nested expressions or blocks too deeply for the compiler.";
         }
         return output.stream()
                 .filter(line -> line.contains(ERROR))
