@@ -11,7 +11,7 @@ import org.robonewbie.exercises.Score;
 import org.robonewbie.nao.text.Csv;
 
 /**
- * Progress as a text and as a CSV table.
+ * Prints progress for students, and as a CSV table for teachers.
  *
  * @param progress the progress
  */
@@ -20,7 +20,7 @@ public record ProgressTable(Progress progress) {
     private static final int SECONDS_PER_MINUTE = 60;
     private static final int MINUTES_PER_HOUR = 60;
 
-    /** {@return a line for each exercise, the totals, and the badges} */
+    /** {@return one line per exercise, the sum, and the badges} */
     public String text() {
         List<String> lines = new ArrayList<>();
         for (Exercise exercise : Exercises.all()) {
@@ -30,7 +30,7 @@ public record ProgressTable(Progress progress) {
         lines.add(sum());
         lines.add(
                 progress.badges().isEmpty()
-                        ? "No badges yet. You get the first one for the first exercise that you pass."
+                        ? "No badge yet: the first one is for the first exercise that you pass."
                         : "Badges: "
                                 + progress.badges().stream()
                                         .map(badge -> badge.title() + " (" + badge.reason() + ")")
@@ -38,7 +38,7 @@ public record ProgressTable(Progress progress) {
         return lines.stream().map(line -> line + System.lineSeparator()).collect(Collectors.joining());
     }
 
-    /** {@return the number of passed exercises, the points and the time, in one line} */
+    /** {@return passed exercises, points and working time, as a sentence} */
     public String sum() {
         return String.format(
                 Locale.ROOT,
@@ -56,10 +56,10 @@ public record ProgressTable(Progress progress) {
     }
 
     /**
-     * Returns the table for a teacher.
+     * Formats the table for the teacher.
      *
      * @param name name of the student
-     * @return CSV
+     * @return the table as CSV
      */
     public String csv(String name) {
         List<String> lines = new ArrayList<>(List.of(Csv.line(Stream.of(
