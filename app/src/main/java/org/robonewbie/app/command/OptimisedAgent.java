@@ -10,7 +10,6 @@ import org.robonewbie.learning.optimise.AgentScene;
 import org.robonewbie.learning.optimise.Objective;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.programs.CalledWronglyException;
-import org.robonewbie.programs.ExampleCatalogue;
 import org.robonewbie.programs.ProgramFinder;
 import org.robonewbie.programs.StudentsAgents;
 import picocli.CommandLine.Mixin;
@@ -102,7 +101,7 @@ public final class OptimisedAgent {
         }
         String name = program.orElseThrow();
         List<Path> folders = classPath.folders();
-        StudentsAgents agents = StudentsAgents.of(new ProgramFinder(ExampleCatalogue.load(), folders).findClass(name));
+        StudentsAgents agents = new StudentsAgents(new ProgramFinder(folders).findClass(name));
         AgentScene scene = new AgentScene(
                 new Vector3(pose.get(0), pose.get(1), 0),
                 pose.get(2),
