@@ -211,7 +211,7 @@ class MotionRoom {
     const mine = button('Keep mine', 'The next save replaces the file', () => editor.keepMine(), { id: 'keep-mine' });
     const panel = element(
       'div',
-      { id: 'disk-conflict', class: 'panel', role: 'alert' },
+      { id: 'disk-conflict', class: 'panel centred', role: 'alert' },
       element('p', {}, 'This file was changed by another program and also has unsaved changes here.'),
       reload,
       mine,
@@ -226,7 +226,7 @@ class MotionRoom {
     const now = () => editor.decideRule(false);
     const panel = element(
       'div',
-      { id: 'original-rule', class: 'panel', role: 'status' },
+      { id: 'original-rule', class: 'panel centred', role: 'status' },
       element('p', {}, 'This motion seems to be written for RoboNewbie 1.1, which played short keyframes differently.'),
       button('Play it as 1.1 did', 'Writes // play: 1.1 at its top', old, { id: 'play-original' }),
       button('Leave it', 'Agents play it like other motions', now, { id: 'play-usual' }),

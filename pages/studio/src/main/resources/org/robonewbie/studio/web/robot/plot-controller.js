@@ -5,7 +5,7 @@ import { fixed } from '../state/numbers.js';
 import { unitOf } from '../state/robot/signals.js';
 import { tableOf } from '../state/robot/traces.js';
 import { loadPlotter, newPlot } from './plotter.js';
-import { valueTree } from './value-tree.js';
+import { ValueTree } from './value-tree.js';
 
 /**
  * @typedef {import('../state/robot/robot-watch.js').RobotMoment} RobotMoment
@@ -48,7 +48,7 @@ export class PlotController {
     const more = button('+ Plot', 'Add a plot; choose its values in the tree', () => this.add([]), {
       id: 'add-plot',
     });
-    this.tree = valueTree((name) => this.toggle(name));
+    this.tree = new ValueTree((name) => this.toggle(name));
     const values = element(
       'details',
       { class: 'value-choice', id: 'value-choice' },

@@ -149,17 +149,17 @@ export function withoutEmptyEnd(cells) {
 /**
  * Applies the angles of a row to a posture.
  *
- * @param {object} row
- * @param {Row} row.row
- * @param {readonly string[]} row.cells
- * @param {string} row.expected such as: an angle in degrees
- * @param {(value: number) => number} row.toDegrees
+ * @param {Row} row
+ * @param {readonly string[]} cells of its angles
+ * @param {'degrees' | 'radians'} unit
  * @param {Columns} columns
  * @param {readonly number[]} before angles for cells that are empty
  * @param {Remarks} remarks
  * @returns {number[]}
  */
-export function postureOf({ row, cells, expected, toDegrees }, { names, columns }, before, remarks) {
+export function postureOf(row, cells, unit, { names, columns }, before, remarks) {
+  const example = unit === 'degrees' ? '-12.5' : '-0.35';
+  const toDegrees = unit === 'degrees' ? 1 : 180 / Math.PI;
   const values = [...cells.slice(0, names.length), ...withoutEmptyEnd(cells.slice(names.length))];
   if (values.length !== names.length) {
     throw new UnreadableRow(`found ${values.length} angles, expected ${names.length}, one for each named joint`);
@@ -169,7 +169,9 @@ export function postureOf({ row, cells, expected, toDegrees }, { names, columns 
     if (column && values[i] === '') {
       remarks.add('If a cell is empty (#), the joint keeps its angle.', row);
     } else if (column && values[i] !== '*') {
-      next[column.joint] = fourDecimals(column.sign * toDegrees(numberIn(values[i], expected)));
+      next[column.joint] = fourDecimals(
+        column.sign * toDegrees * numberIn(values[i], `an angle in ${unit}, such as ${example}`),
+      );
     }
   });
   return next;
