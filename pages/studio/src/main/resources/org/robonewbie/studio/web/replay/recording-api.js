@@ -29,6 +29,17 @@
 import { ask } from '../live/server.js';
 import { pathPart } from '../state/path-part.js';
 
+/**
+ * Runs a change, reports its failure, and has the list of recordings reloaded.
+ *
+ * @param {() => Promise<unknown>} change
+ * @param {{note: (text: string) => void, changed: () => Promise<void>}} listener
+ */
+export async function attempt(change, { note, changed }) {
+  await change().catch((error) => note(error.message));
+  await changed().catch(() => {});
+}
+
 /** @returns {Promise<{folder?: string, recordings: RecordingEntry[]}>} */
 export const listRecordings = async () => (await ask('recordings')).json();
 

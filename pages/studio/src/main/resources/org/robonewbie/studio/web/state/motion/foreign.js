@@ -23,6 +23,7 @@
  * @property {number} joint index in the order of the motion files
  * @property {number} sign 1, or -1 if the other program uses the opposite sign
  */
+import { fourDecimals } from '../numbers.js';
 import { EMPTY_DOCUMENT, newLine } from './motion-text.js';
 
 const MIN_WAY = 20;
@@ -223,9 +224,4 @@ export function positiveIn(text, expected) {
 /** Keyframes for export: each duration takes at least one cycle, as when played. @param {readonly Keyframe[]} frames */
 export function playedFrames(frames) {
   return frames.map((frame) => ({ ...frame, millis: Math.max(MIN_WAY, frame.millis) }));
-}
-
-/** @param {number} degrees @returns {number} with four decimals, which exceeds the precision of any motor */
-export function fourDecimals(degrees) {
-  return Math.round(degrees * 1e4) / 1e4 + 0;
 }
