@@ -1,6 +1,6 @@
 /** Drawings of the robots on the ground, rendered as one mesh for all shapes and one sprite per text. */
 import * as THREE from 'three';
-import { isDrawable, onGround, trianglesOf } from '../state/drawing-shapes.js';
+import { isDrawable, onGround, raised, trianglesOf } from '../state/drawing-shapes.js';
 
 /**
  * @typedef {import('../state/drawing-shapes.js').Stand} Stand
@@ -80,10 +80,8 @@ export class FieldDrawings extends DrawingGroup {
     for (const { stand, drawing } of placed) {
       const corners = trianglesOf(stand, drawing);
       const paint = new THREE.Color(knownColour(drawing.colour)).toArray();
-      for (let i = 0; i < corners.length; i += 2) {
-        places.push(corners[i], corners[i + 1], HEIGHT);
-        colours.push(...paint);
-      }
+      places.push(...raised(corners, HEIGHT));
+      corners.filter((_, i) => i % 2 === 0).forEach(() => colours.push(...paint));
     }
     this.fill(places, colours, 3);
   }

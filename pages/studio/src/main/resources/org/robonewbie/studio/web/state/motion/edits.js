@@ -181,7 +181,11 @@ export function timed(state, index, millis, gesture = '') {
 
 /** @param {EditorState} state @returns {EditorState} with left and right of the selected keyframes swapped */
 export function mirroredSelection(state) {
-  return mappedSelection(state, 'Mirror', (degrees) => mirrored(state.body, degrees));
+  const chosen = chosenFrames(state);
+  const document = mapKeyframes(documentOf(state), (frame, i) =>
+    chosen.includes(i) ? { ...frame, degrees: mirrored(state.body, frame.degrees) } : frame,
+  );
+  return edited(state, document, 'Mirror');
 }
 
 /** @param {EditorState} state @returns {EditorState} */
@@ -221,19 +225,6 @@ export function turned(state, joint, degrees, gesture = '') {
   const before = postureNow(state);
   const next = posed(state, before.with(joint, degrees), 'Turn a joint', gesture);
   return { ...next, symmetric: state.symmetric, joint };
-}
-
-/**
- * @param {EditorState} state
- * @param {string} label
- * @param {(degrees: readonly number[]) => number[]} change
- */
-function mappedSelection(state, label, change) {
-  const chosen = chosenFrames(state);
-  const document = mapKeyframes(documentOf(state), (frame, i) =>
-    chosen.includes(i) ? { millis: frame.millis, degrees: change(frame.degrees) } : frame,
-  );
-  return edited(state, document, label);
 }
 
 /** @param {EditorState} state @param {readonly Keyframe[]} frames @param {string} label */
