@@ -17,7 +17,6 @@ let last = performance.now();
 let turns;
 /** @type {ReturnType<typeof setInterval> | undefined} */
 let reports;
-let language = 'en';
 
 /** @param {any} exports functions of the program */
 function turn(exports) {
@@ -30,7 +29,6 @@ function turn(exports) {
 /** @param {any} exports */
 function report(exports) {
   postMessage({ run: exports.programRun() });
-  postMessage({ attempt: exports.attempt(language) });
 }
 
 /**
@@ -108,19 +106,16 @@ const ACTIONS = {
       exports.takeScene(name, bytes);
     }
   },
-  exercise: (exports, wanted) => {
-    language = wanted.language;
-    startProgram(exports, wanted.classes, () => exports.beginExercise(wanted.name, wanted.trials));
-  },
-  language: (_, code) => {
-    language = code;
+  exercise: (exports, { id, request, classes }) => {
+    take(exports, classes);
+    const result = exports.course(request);
+    if (result.startsWith('{')) {
+      announceStart(exports, '');
+    }
+    postMessage({ id, result });
   },
   stopProgram: (exports) => exports.stopProgram(),
   ask: (exports, command) => exports.ask(JSON.stringify(command)),
-  score: (exports, { classes, exercise, seed }) => {
-    take(exports, classes);
-    postMessage({ result: exports.score(exercise, seed) });
-  },
   call: (exports, { id, name, args }) => postMessage({ id, result: exports[name](...args) }),
 };
 

@@ -57,8 +57,8 @@ async function begin(worker) {
   const options = new URLSearchParams(location.search);
   const choice = new AgentChoice(options.getAll('agent'));
   const programs = new ProgramServer(new PageCompiler(() => worker.prepare()), worker, repository, choice);
-  const course = new CourseServer(worker, repository, programs);
   const questions = new WorldQuestions(worker);
+  const course = new CourseServer(questions, repository, programs);
   const motions = new MotionServer(questions);
   worker.ownMotions = () => motions.own;
   motions.changed = () => worker.postMessage({ motions: motions.own });

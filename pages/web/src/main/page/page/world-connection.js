@@ -31,7 +31,6 @@ export class WorldConnection {
       () => this.#begin(),
       (agent) => this.worker.postMessage({ join: agent }),
     );
-    this.course.freePitch = () => this.#begin();
   }
 
   open() {
@@ -48,7 +47,6 @@ export class WorldConnection {
 
   #begin() {
     this.programs.forget();
-    this.course.forget();
     this.worker.postMessage({ begin: { agents: this.choice.all, seed: SEED } });
   }
 
@@ -66,26 +64,22 @@ export class WorldConnection {
       this.recordings.agent = data.begun || this.programs.lastTried;
       this.choice.offer(data.agents);
       this.listener.opened();
-      this.course.answered('');
     } else if ('run' in data) {
       this.programs.receive(data.run);
-    } else if ('attempt' in data) {
-      this.course.receive(data.attempt);
+    } else if ('progress' in data) {
+      this.course.keep(data.progress);
+    } else if ('starter' in data) {
+      this.course.create(data.starter);
+    } else if ('freePitch' in data) {
+      this.#begin();
     } else if ('result' in data) {
       this.questions.answered(data);
     } else if ('scene' in data) {
       this.scenes.keep(data.scene);
     } else if ('refusal' in data) {
-      this.#refuse(data.refusal);
+      this.programs.refused(data.refusal);
     } else {
       this.#fail(data.failure);
-    }
-  }
-
-  /** @param {string} reason why a program cannot run here */
-  #refuse(reason) {
-    if (!this.course.answered(reason)) {
-      this.programs.refused(reason);
     }
   }
 

@@ -2,7 +2,7 @@
 
 export class WorldQuestions {
   #asked = 0;
-  /** @type {Map<number, {call: object, done: (result: any) => void}>} */
+  /** @type {Map<number, {message: object, done: (result: any) => void}>} */
   #waiting = new Map();
 
   /** @param {import('./world-process.js').World} world */
@@ -13,11 +13,22 @@ export class WorldQuestions {
 
   /** @param {string} name name of a function of the program @param {...unknown} args @returns {Promise<any>} its result */
   ask(name, ...args) {
+    return this.#send('call', { name, args });
+  }
+
+  /** @param {string} request start of an exercise @param {Int8Array[]} classes of the program @returns {Promise<string>} its answer */
+  begin(request, classes) {
+    return this.#send('exercise', { request, classes });
+  }
+
+  /** @param {string} action of the worker @param {object} data @returns {Promise<any>} */
+  #send(action, data) {
     this.#asked += 1;
-    const call = { id: this.#asked, name, args };
-    this.world.postMessage({ call });
+    const id = this.#asked;
+    const message = { [action]: { id, ...data } };
+    this.world.postMessage(message);
     return new Promise((done) => {
-      this.#waiting.set(call.id, { call, done });
+      this.#waiting.set(id, { message, done });
     });
   }
 
@@ -29,8 +40,8 @@ export class WorldQuestions {
 
   /** Repeats the unanswered requests to a new worker. */
   #repeatRequests() {
-    for (const { call } of this.#waiting.values()) {
-      this.world.postMessage({ call });
+    for (const { message } of this.#waiting.values()) {
+      this.world.postMessage(message);
     }
   }
 }

@@ -264,9 +264,9 @@ class AttackDoorsTest {
 
     /** What is handed in as a program, made by a shell, and what is said of it where a person runs it and where a class does. */
     enum Input {
-        PIPE("mkfifo F", "is no regular file but a device or a pipe", "is no regular file"),
-        DEVICE("ln -s /dev/zero F", "is no regular file but a device or a pipe", "is a link that leads out"),
-        DEAD_LINK("ln -s /nowhere F", "does not exist", "is a link to nothing"),
+        PIPE("mkfifo F", "is not a regular file but a device or a pipe", "is not a regular file"),
+        DEVICE("ln -s /dev/zero F", "is not a regular file but a device or a pipe", "is a link that leads out"),
+        DEAD_LINK("ln -s /nowhere F", "does not exist", "is a broken link"),
         HUGE("truncate -s 3G F", "is larger than 16 MB", "more than 100 MB"),
         ANOTHERS_FILE("ln -s ../secret F", "The Java file has mistakes", "is a link that leads out"),
         SUM(

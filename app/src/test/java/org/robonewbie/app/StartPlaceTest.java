@@ -64,7 +64,7 @@ class StartPlaceTest {
 
         assertThat(ended.exitCode()).isEqualTo(2);
         assertThat(ended.said())
-                .contains("has letters that cannot be read here, " + ADVICE)
+                .contains("has letters that cannot be decoded, " + ADVICE)
                 .hasLineCount(1);
         assertThat(folder).isEmptyDirectory();
         assertThat(filesIn(temporary)).containsExactly(folder);
@@ -119,7 +119,7 @@ class StartPlaceTest {
         assertThat(ended.exitCode()).isEqualTo(2);
         assertThat(ended.said())
                 .contains(
-                        "--seconds 0.2 was over before the robot could begin, whose start takes about 0.3 s. Give at least 1.");
+                        "--seconds 0.2 ended before the robot was in the game; joining takes about 0.3 s. Give at least 1.");
     }
 
     @Test

@@ -34,11 +34,11 @@ class TextReadersTest {
     private static final Map<String, String> EXCEPTIONS = Map.ofEntries(
             Map.entry("nao/text/DecodedText", READER),
             Map.entry(
-                    "nao/motion/MotionText", "decodes the bytes of a motion, which the room Motion keeps as they are"),
+                    "nao/motion/MotionFile", "decodes the bytes of a motion, which the room Motion keeps as they are"),
             Map.entry("nao/motion/file/ShippedMotions", RESOURCE),
             Map.entry("nao/state/StateReader", WRITTEN),
             Map.entry("protocol/tcp/TelemetryClient", WIRE),
-            Map.entry("protocol/tcp/TelemetryVisitor", WIRE),
+            Map.entry("protocol/tcp/TelemetryConnection", WIRE),
             Map.entry("protocol/frame/MessageBuffer", WIRE),
             Map.entry("protocol/sexp/SexpReader", WIRE),
             Map.entry("protocol/sexp/DecimalParser", WIRE),
@@ -46,7 +46,6 @@ class TextReadersTest {
             Map.entry("simulator/file/RecordingAbout", WRITTEN),
             Map.entry("simulator/recording/RecordingReader", WRITTEN),
             Map.entry("simulator/recording/RecordingState", WRITTEN),
-            Map.entry("simulator/recording/ByteSource", WRITTEN),
             Map.entry("simulator/recording/RecordCursor", WRITTEN),
             Map.entry("workshop/fidelity/FidelityBench", RESOURCE),
             Map.entry("workshop/jmh/ReplayLink", WIRE),

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Clock;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -13,14 +12,17 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.app.course.ProgressService;
-import org.robonewbie.app.studio.LocalCourseService;
+import org.robonewbie.app.studio.LocalCourseHost;
 import org.robonewbie.app.studio.ProcessCompilerService;
+import org.robonewbie.exercises.progress.LocalProgress;
+import org.robonewbie.exercises.progress.ProgressService;
 import org.robonewbie.exercises.progress.SolutionRepository;
+import org.robonewbie.exercises.service.CourseService;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.tcp.TelemetryServer;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
@@ -54,7 +56,7 @@ class ProgramPageTest {
     private final Chromium browser;
     private Simulator simulator;
     private ProcessCompilerService workshop;
-    private LocalCourseService course;
+    private CourseService course;
     private TelemetryServer telemetry;
     private StudioServer studio;
 
@@ -65,22 +67,18 @@ class ProgramPageTest {
     @BeforeEach
     void open() throws IOException {
         simulator = Simulator.start(
-                SimulatorSettings.beginner()
-                        .agentPort(0)
-                        .synchronous(true)
-                        .awaitedAgents(1)
-                        .seed(1)
-                        .build(),
+                SimulatorSettings.of(WorldSettings.beginner().withSeed(1))
+                        .withAgentPort(0)
+                        .withAwaitedAgents(1),
                 sentence -> {});
         ShownSimulation shown = new ShownSimulation(simulator.control());
         workshop = new ProcessCompilerService(folder);
-        course = new LocalCourseService(
-                folder,
-                simulator.control(),
-                shown,
-                new ProgressService(Optional.empty(), new SolutionRepository(Optional.empty()), Clock.systemUTC()));
+        course = new CourseService(
+                new ProgressService(new LocalProgress(Optional.empty()), SolutionRepository.NONE),
+                new LocalCourseHost(folder, simulator.control(), shown),
+                "");
         StudioFolders folders = new StudioFolders(folder.resolve("motions"), Optional.empty());
-        studio = StudioServer.start(shown, 0, AccessToken.random(), folders, course, workshop);
+        studio = StudioServer.start(shown, 0, AccessToken.random(), folders, course::answer, workshop);
         telemetry = TelemetryServer.open(TelemetryServer.portFor(simulator.agentPort()), studio.telemetry());
     }
 

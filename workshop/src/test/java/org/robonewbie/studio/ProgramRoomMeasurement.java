@@ -16,13 +16,15 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.robonewbie.app.course.ProgressService;
-import org.robonewbie.app.studio.LocalCourseService;
+import org.robonewbie.app.studio.LocalCourseHost;
 import org.robonewbie.app.studio.ProcessCompilerService;
+import org.robonewbie.exercises.progress.ProgressService;
+import org.robonewbie.exercises.service.CourseService;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
@@ -131,20 +133,17 @@ class ProgramRoomMeasurement {
     }
 
     private void inStudio(Use use) throws IOException {
-        SimulatorSettings pitch = SimulatorSettings.beginner()
-                .agentPort(0)
-                .synchronous(true)
-                .awaitedAgents(1)
-                .seed(1)
-                .build();
+        SimulatorSettings pitch = SimulatorSettings.of(WorldSettings.beginner().withSeed(1))
+                .withAgentPort(0)
+                .withAwaitedAgents(1);
         StudioFolders folders = new StudioFolders(folder.resolve("motions"), Optional.empty());
         try (Simulator simulator = Simulator.start(pitch, Console.silent());
                 ProcessCompilerService workshop = new ProcessCompilerService(folder)) {
             ShownSimulation shown = new ShownSimulation(simulator.control());
-            try (LocalCourseService course =
-                            new LocalCourseService(folder, simulator.control(), shown, ProgressService.ofUser());
+            try (CourseService course = new CourseService(
+                            ProgressService.ofUser(), new LocalCourseHost(folder, simulator.control(), shown), "");
                     StudioServer studio =
-                            StudioServer.start(shown, 0, AccessToken.random(), folders, course, workshop)) {
+                            StudioServer.start(shown, 0, AccessToken.random(), folders, course::answer, workshop)) {
                 cookie = StudioCookie.of(studio.oneTimeAddress());
                 use.of(studio.address());
             }

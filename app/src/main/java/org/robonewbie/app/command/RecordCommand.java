@@ -4,38 +4,32 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
-import java.util.function.Supplier;
-import org.robonewbie.app.recording.ParallelRecording;
-import org.robonewbie.app.recording.RecordingGuard;
-import org.robonewbie.app.recording.RunOrder;
-import org.robonewbie.app.recording.RunsOnCall;
 import org.robonewbie.learning.dataset.DataSet;
+import org.robonewbie.learning.dataset.Recording;
 import org.robonewbie.nao.file.FolderLock;
 import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.programs.ExampleCatalogue;
-import org.robonewbie.programs.Program;
 import org.robonewbie.programs.ProgramFinder;
-import org.robonewbie.programs.process.JavaCommand;
+import org.robonewbie.programs.process.WorkerPool;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** Runs an agent many times and writes its perception, its commands and the true state as tables. */
 @Command(
         name = "record",
         description = {
-            "Let an agent run many times and write a data set.",
-            "Its tables hold what the robot felt, what it commanded, what was true, and what happened in the game, as CSV. docs/datasets.md"
-                    + " explains the columns, how to read them, and how to make Parquet of them.",
-            "Runs are carried out on all cores; which one a run gets does not change its tables. The table of runs says which have failed",
-            "and why. After a kill the same command goes on where it was."
+            "Run an agent many times and write a data set.",
+            "Its CSV tables contain perception, commands, ground truth and game events. docs/datasets.md"
+                    + " explains the columns, how to read them, and how to convert them to Parquet.",
+            "Runs use all cores, which does not change their tables. The table of runs lists failed runs with the reason.",
+            "Repeat the command to resume an interrupted recording."
         },
         customSynopsis = "robonewbie record AGENT [OPTIONS] [-- OPTIONS OF THE AGENT]",
         sortOptions = false,
@@ -46,16 +40,13 @@ import picocli.CommandLine.Spec;
             "  robonewbie record MyAgent.java --runs 100 --seed 7 --seconds 10 --out falls",
             "  robonewbie record MyAgent.java --runs 1000 --seconds 10 --runs-per-file 100",
             "  robonewbie record MyAgent.java --runs 5 --messages -- --pose -2,1,90",
-            "  robonewbie record MyTeam.java --robots 4           a program that brings four robots"
+            "  robonewbie record MyTeam.java --robots 4           a program with four robots"
         })
 final class RecordCommand implements Callable<Integer> {
 
     private static final String LOCK = ".record.lock";
 
-    private static final int MOST_ROBOTS = 22;
-
-    @Spec
-    private CommandSpec spec = CommandSpec.create();
+    private static final int MAX_ROBOTS = 22;
 
     @Mixin
     final HelpOption help = new HelpOption();
@@ -63,13 +54,16 @@ final class RecordCommand implements Callable<Integer> {
     @Parameters(
             arity = "1..*",
             paramLabel = "AGENT",
-            description = "Name of an example, name of a class of yours, or a .java file; then, after --, its options.")
+            description = "Example, class or .java file; then, after --, its options.")
     private List<String> agentAndOptions = List.of();
 
-    @Option(names = "--runs", paramLabel = "N", description = "How many runs (1).")
+    @Option(names = "--runs", paramLabel = "N", description = "Number of runs (1).")
     private int runs = 1;
 
-    @Option(names = "--seed", paramLabel = "S", description = "Seed of the first run; the next have S+1, S+2, ... (1).")
+    @Option(
+            names = "--seed",
+            paramLabel = "S",
+            description = "Seed of the first run; the others have S+1, S+2, ... (1).")
     private long seed = 1;
 
     @Option(names = "--seconds", paramLabel = "T", description = "Simulated length of each run (60).")
@@ -78,78 +72,94 @@ final class RecordCommand implements Callable<Integer> {
     @Option(names = "--out", paramLabel = "FOLDER", description = "A new folder for the data set (dataset).")
     private Path folder = Path.of("dataset");
 
-    @Option(names = "--messages", description = "Keep the messages between simulator and robot as text too.")
+    @Option(names = "--messages", description = "Add the messages between simulator and robot as text.")
     private boolean messages;
 
     @Option(names = "--runs-per-file", paramLabel = "N", description = "Join the tables of N runs into one file (1).")
     private int runsPerFile = 1;
 
-    @Option(names = "--threads", paramLabel = "N", description = "How many runs at the same time (one per core).")
+    @Option(names = "--threads", paramLabel = "N", description = "Number of runs at the same time (one per core).")
     private int threads = Runtime.getRuntime().availableProcessors();
 
-    @Option(names = RunsOnCall.OPTION, hidden = true)
-    private boolean onCall;
-
-    @Option(names = "--robots", paramLabel = "N", description = "How many robots the program brings, 1 to 22 (1).")
+    @Option(names = "--robots", paramLabel = "N", description = "Number of robots of the program, 1 to 22 (1).")
     private int robots = 1;
 
     @Mixin
     private final ClassPathOption classPath = new ClassPathOption();
 
     @Override
-    public Integer call() throws IOException, InterruptedException {
+    public Integer call() throws IOException {
         check();
-        RunOrder order = new RunOrder(agentAndOptions, robots, seconds, seed);
-        Supplier<Program> programs =
-                new ProgramFinder(ExampleCatalogue.load(), classPath.folders()).findRepeatedly(order.agent());
-        if (onCall) {
-            new RunsOnCall(order, programs, DataSet.joined(folder, messages, facts(order))).serve();
-        }
-        DataSet set = create(order);
+        String agent = agentAndOptions.get(0);
+        new ProgramFinder(ExampleCatalogue.load(), classPath.folders()).findRepeatedly(agent); // rejects a bad program
+        DataSet set = create();
         FolderLock lock = FolderLock.take(folder.resolve(LOCK))
                 .orElseThrow(() -> new CalledWronglyException("Another recording is using the folder " + folder
-                        + ". Wait for its end, or choose another folder with --out."));
-        RecordingGuard guard = RecordingGuard.begin(set, runs);
-        try (lock) {
+                        + ". Wait until it ends, or choose another folder with --out."));
+        Thread hook = new Thread(() -> endEarly(set), "end-of-recording");
+        Runtime.getRuntime().addShutdownHook(hook);
+        try (lock;
+                WorkerPool workers = new WorkerPool(agent, classPath.folders())) {
             if (set.runs() > 0) {
                 System.out.println(set.runs() + " runs are complete already and kept.");
             }
-            new ParallelRecording(order, runs, set, JavaCommand.ofCommand(argumentsOnCall())).run(threads);
+            new Recording(set, runs, robots, seconds, seed)
+                    .run(threads, port -> workers.run(options(port)), System.out::println);
             return end(set);
         } finally {
-            guard.close();
+            remove(hook);
             Files.deleteIfExists(folder.resolve(LOCK));
         }
+    }
+
+    private List<String> options(int port) {
+        List<String> options =
+                new ArrayList<>(List.of("--host", "127.0.0.1", "--port", Integer.toString(port), "--headless"));
+        options.addAll(agentAndOptions.subList(1, agentAndOptions.size()));
+        return options;
+    }
+
+    private static void remove(Thread hook) {
+        try {
+            Runtime.getRuntime().removeShutdownHook(hook);
+        } catch (IllegalStateException shutdown) {
+            // The hook is running.
+        }
+    }
+
+    /** Completes the table of runs when this process is ended during the recording, as by Ctrl+C. */
+    private void endEarly(DataSet set) {
+        try {
+            set.endEarly();
+            System.err.println("robonewbie: The recording was interrupted. " + set.runs() + " of " + runs
+                    + " runs are complete and kept. Repeat the command to resume.");
+        } catch (IOException unwritable) {
+            System.err.println("robonewbie: The table of runs cannot be written: " + unwritable.getMessage());
+        }
+        System.err.flush();
+        Runtime.getRuntime().halt(1);
     }
 
     private int end(DataSet set) throws IOException {
         if (set.runs() == runs) {
             set.finish(runsPerFile);
-            System.out.println("Written to the folder " + folder + "; its dataset.json explains the columns.");
+            System.out.println("Written to the folder " + folder + ". Its dataset.json explains the columns.");
         } else {
             set.endEarly();
             System.err.println(set.runs() + " of " + runs + " runs are complete and kept in the folder " + folder
-                    + "; the same command tries again what is missing.");
+                    + ". Repeat the command to try the missing ones again.");
         }
         set.failures()
                 .forEach(run -> System.err.println("run " + run.run() + ", seed " + run.seed() + ": " + run.failure()));
         return set.failures().isEmpty() && set.runs() == runs ? ExitCode.OK : ExitCode.SOFTWARE;
     }
 
-    /** What a process gets that carries out runs: all that this one got. */
-    private List<String> argumentsOnCall() {
-        List<String> arguments =
-                new ArrayList<>(spec.root().commandLine().getParseResult().originalArgs());
-        arguments.add(arguments.indexOf(spec.name()) + 1, RunsOnCall.OPTION);
-        return arguments;
-    }
-
     private void check() {
         if (runs < 1) {
             throw new CalledWronglyException("--runs " + runs + ": give a number of at least 1.");
         }
-        if (robots < 1 || robots > MOST_ROBOTS) {
-            throw new CalledWronglyException("--robots " + robots + ": give a number from 1 to " + MOST_ROBOTS + ".");
+        if (robots < 1 || robots > MAX_ROBOTS) {
+            throw new CalledWronglyException("--robots " + robots + ": give a number from 1 to " + MAX_ROBOTS + ".");
         }
         if (!(seconds > 0) || Double.isInfinite(seconds)) {
             throw new CalledWronglyException("--seconds " + seconds + ": give a number greater than 0.");
@@ -162,18 +172,21 @@ final class RecordCommand implements Callable<Integer> {
         }
     }
 
-    private DataSet create(RunOrder order) {
+    private DataSet create() {
+        Map<String, String> facts = new LinkedHashMap<>();
+        facts.put("version", new RoboNewbieCommand.Version().getVersion()[0]);
+        facts.put("agent", String.join(" ", agentAndOptions));
+        facts.put("seconds", Double.toString(seconds));
+        facts.put("first seed", Long.toString(seed));
+        facts.put("robots", Integer.toString(robots));
+        facts.put("pitch", "beginner");
         try {
-            return DataSet.create(folder, messages, facts(order));
+            return DataSet.create(folder, messages, facts);
         } catch (IllegalArgumentException occupied) {
             throw new CalledWronglyException(String.valueOf(occupied.getMessage()));
         } catch (IOException unwritable) {
             throw new CalledWronglyException("The folder " + folder + " cannot be written (" + unwritable
-                    + "). Name another one with --out, or make room on the disk.");
+                    + "). Choose another one with --out, or free some disk space.");
         }
-    }
-
-    private static Map<String, String> facts(RunOrder order) {
-        return order.facts(new RoboNewbieCommand.Version().getVersion()[0]);
     }
 }

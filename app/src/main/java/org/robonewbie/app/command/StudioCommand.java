@@ -5,13 +5,15 @@ import java.net.URI;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import org.robonewbie.app.course.ProgressService;
-import org.robonewbie.app.studio.LocalCourseService;
+import org.robonewbie.app.studio.LocalCourseHost;
 import org.robonewbie.app.studio.OpenedFile;
 import org.robonewbie.app.studio.ProcessCompilerService;
+import org.robonewbie.exercises.progress.ProgressService;
+import org.robonewbie.exercises.service.CourseService;
 import org.robonewbie.protocol.tcp.TelemetryServer;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.embedded.Browser;
 import org.robonewbie.simulator.embedded.EnterKey;
 import org.robonewbie.simulator.embedded.Viewer;
@@ -104,13 +106,13 @@ final class StudioCommand implements Callable<Integer> {
         OpenedFile opened = OpenedFile.of(file);
         SimulationControl simulation = monitor.isPresent() ? watch(monitor.get()) : start();
         ShownSimulation shown = new ShownSimulation(simulation);
-        LocalCourseService course =
-                new LocalCourseService(opened.programs(), simulation, shown, ProgressService.ofUser());
-        course.speak(language.language());
+        LocalCourseHost host = new LocalCourseHost(opened.programs(), simulation, shown);
+        CourseService course = new CourseService(ProgressService.ofUser(), host, System.getProperty("user.name", ""));
+        course.setLanguage(language.language().code());
         Runtime.getRuntime().addShutdownHook(new Thread(course::close, "end-of-exercise"));
         ProcessCompilerService workshop = new ProcessCompilerService(opened.programs());
         Runtime.getRuntime().addShutdownHook(new Thread(workshop::close, "end-of-programs"));
-        StudioServer view = StudioViewer.open(shown, port, opened.folders(), course, workshop);
+        StudioServer view = StudioViewer.open(shown, port, opened.folders(), course::answer, workshop);
         URI address = URI.create(view.oneTimeAddress() + opened.place());
         Runtime.getRuntime().addShutdownHook(new Thread(view::close, "end-of-studio"));
         System.out.println("Studio: " + address + EnterKey.listen(view));
@@ -157,14 +159,12 @@ final class StudioCommand implements Callable<Integer> {
                 ? Optional.empty()
                 : RecordingRepository.ofUser().flatMap(shelf -> shelf.next(""));
         Simulator simulator = Simulator.start(
-                SimulatorSettings.beginner()
-                        .agentPort(agentPort)
-                        .synchronous(true)
-                        .awaitedAgents(1)
-                        .landscape(scene.landscape())
-                        .seed(System.nanoTime() & 0xfffff)
-                        .recording(recording)
-                        .build(),
+                SimulatorSettings.of(WorldSettings.beginner()
+                                .withLandscape(scene.landscape())
+                                .withSeed(System.nanoTime() & 0xfffff))
+                        .withAgentPort(agentPort)
+                        .withAwaitedAgents(1)
+                        .withOutput(recording, Optional.empty()),
                 Console.standard());
         agentPort = simulator.agentPort();
         Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "end-of-simulator"));

@@ -39,7 +39,7 @@ final class JavaCheck {
 
     static Finding mathematics(List<MathFingerprint> fingerprints) {
         String different = fingerprints.stream()
-                .filter(fingerprint -> !fingerprint.isAsEverywhere())
+                .filter(fingerprint -> !fingerprint.matches())
                 .map(MathFingerprint::function)
                 .collect(Collectors.joining(", "));
         return different.isEmpty()

@@ -8,90 +8,78 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.robonewbie.app.course.GradingProcess;
 import org.robonewbie.exercises.Exercise;
+import org.robonewbie.exercises.Grade;
+import org.robonewbie.exercises.Grade.SeededScore;
 import org.robonewbie.exercises.Performance;
 import org.robonewbie.exercises.Score;
+import org.robonewbie.exercises.service.CourseHost;
+import org.robonewbie.exercises.service.CourseHost.State;
+import org.robonewbie.exercises.service.CourseHost.Status;
 import org.robonewbie.programs.process.GuestDoor;
 import org.robonewbie.programs.process.RobotProcess;
 import org.robonewbie.programs.process.Sandbox;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.TrialLabel;
-import org.robonewbie.studio.course.Attempt;
-import org.robonewbie.studio.course.Attempt.State;
 import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.watch.WatchedTrial;
 
-/**
- * Trials of one exercise with consecutive seeds, shown to the student. The program runs in its own process, or the student starts it, so
- * that its failures cannot harm the studio.
- */
-final class CourseAttempt implements AutoCloseable {
+/** Attempt with the program in its own process, or one that the student starts, so that its failures cannot harm the studio. */
+final class CourseAttempt implements CourseHost.Attempt {
+
+    /** Preferred port for students' own agents. */
+    private static final int DEFAULT_PORT = 3110;
 
     private final long id;
     private final Exercise exercise;
-    private final String program;
     private final int trials;
     private final Optional<GuestDoor> door;
     private final Optional<RobotProcess> student;
     private final Consumer<SimulationControl> screen;
-    private final Consumer<Attempt> complete;
-    private final List<Attempt.Judged> judged = new ArrayList<>();
+    private final Consumer<Grade> complete;
+    private final List<SeededScore> judged = new ArrayList<>();
     private final List<Controller> guests = new ArrayList<>();
     private State state = State.WAITING;
     private WatchedTrial trial = new WatchedTrial();
     private boolean closed;
-
-    private CourseAttempt(
-            long id,
-            Exercise exercise,
-            String program,
-            int trials,
-            Optional<GuestDoor> door,
-            Optional<RobotProcess> student,
-            Consumer<SimulationControl> screen,
-            Consumer<Attempt> complete) {
-        this.id = id;
-        this.exercise = exercise;
-        this.program = program;
-        this.trials = trials;
-        this.door = door;
-        this.student = student;
-        this.screen = screen;
-        this.complete = complete;
-    }
+    private final Thread thread = new Thread(this::tryAll, "exercise");
 
     /**
-     * Starts the first trial.
+     * Prepares the trials.
      *
-     * @param id number of the attempt
      * @param program a Java file or class; empty for an agent that the student starts
      * @param folder working directory of the program
      * @param screen shows each trial
-     * @param complete receives the attempt when all trials have been judged
+     * @param complete receives the grade when all trials have been judged
      * @throws IOException if no port is free
      */
-    static CourseAttempt begin(
+    CourseAttempt(
             long id,
             Exercise exercise,
             String program,
             int trials,
             Path folder,
             Consumer<SimulationControl> screen,
-            Consumer<Attempt> complete)
+            Consumer<Grade> complete)
             throws IOException {
-        boolean own = program.isEmpty();
-        Optional<GuestDoor> door = own ? Optional.of(defaultDoor()) : Optional.empty();
-        Optional<RobotProcess> student = own ? Optional.empty() : Optional.of(start(program, folder));
-        CourseAttempt attempt = new CourseAttempt(id, exercise, program, trials, door, student, screen, complete);
-        Thread thread = new Thread(attempt::tryAll, "exercise");
+        this.id = id;
+        this.exercise = exercise;
+        this.trials = trials;
+        this.screen = screen;
+        this.complete = complete;
+        door = program.isEmpty() ? Optional.of(defaultDoor()) : Optional.empty();
+        student = program.isEmpty() ? Optional.empty() : Optional.of(start(program, folder));
+    }
+
+    /** Starts the first trial. */
+    void start() {
         thread.setDaemon(true);
         thread.start();
-        return attempt;
     }
 
     /** Opens the same port each time if possible, without a timeout, since the student's agent may be held by a debugger. */
     private static GuestDoor defaultDoor() throws IOException {
         try {
-            return GuestDoor.open(LocalCourseService.DEFAULT_PORT, 0);
+            return GuestDoor.open(DEFAULT_PORT, 0);
         } catch (IOException inUse) {
             return GuestDoor.open(0, 0);
         }
@@ -106,8 +94,8 @@ final class CourseAttempt implements AutoCloseable {
         for (int seed = 1; seed <= trials && beginTrial(seed); seed++) {
             end(seed, play(seed));
         }
-        Attempt result = state();
-        if (result.judged().size() == trials) {
+        Grade result = status().grade();
+        if (result.trials().size() == trials) {
             complete.accept(result);
         }
         finish();
@@ -131,7 +119,7 @@ final class CourseAttempt implements AutoCloseable {
             begins();
             return GradingProcess.trial(exercise, seed, student.get(), Optional.empty(), trial);
         } catch (IOException noPort) {
-            return Score.failed(0, "There is no way to the program (" + noPort.getMessage() + ").", "");
+            return Score.failed(0, "The connection to the program cannot be opened (" + noPort.getMessage() + ").", "");
         }
     }
 
@@ -153,7 +141,7 @@ final class CourseAttempt implements AutoCloseable {
         trial.leave();
         disconnect();
         if (!closed) {
-            judged.add(new Attempt.Judged(seed, score.passed(), score.points(), score.finding(), score.hint()));
+            judged.add(new SeededScore(seed, score));
         }
     }
 
@@ -161,28 +149,22 @@ final class CourseAttempt implements AutoCloseable {
         state = State.OVER;
         door.ifPresent(GuestDoor::close);
         student.ifPresent(RobotProcess::close);
-        notifyAll();
     }
 
     /** Waits until all trials have ended. */
-    synchronized void awaitEnd() throws InterruptedException {
-        while (state != State.OVER) {
-            wait();
-        }
+    void awaitEnd() throws InterruptedException {
+        thread.join();
     }
 
     private synchronized boolean isClosed() {
         return closed;
     }
 
-    /** The current state of the attempt. */
-    synchronized Attempt state() {
-        double points =
-                judged.stream().mapToInt(Attempt.Judged::points).average().orElse(0);
-        boolean passed = judged.size() == trials && judged.stream().allMatch(Attempt.Judged::passed);
+    @Override
+    public synchronized Status status() {
         int port = door.map(GuestDoor::port).orElse(0);
         String output = student.map(RobotProcess::output).orElse("");
-        return new Attempt(id, state, exercise.name(), program, port, trials, judged, points, passed, output);
+        return new Status(state, port, new Grade(exercise.fullName(), judged), output);
     }
 
     private void disconnect() {
@@ -190,7 +172,6 @@ final class CourseAttempt implements AutoCloseable {
         guests.clear();
     }
 
-    /** Ends the attempt in any state. */
     @Override
     public synchronized void close() {
         closed = true;

@@ -101,17 +101,17 @@ class HostileClassTest {
             ln -s /dev/zero e01_RaiseArms.java           | e01,,  | e01_RaiseArms.java is a link
             ln -s zoe/RaiseArms.java e02_RaiseArms.java  | e02,,  | e02_RaiseArms.java is a link
             ln -s nowhere e03_RaiseArms.java             | e03,,  | e03_RaiseArms.java is a link
-            mkfifo e04_RaiseArms.java                    | e04,,  | e04_RaiseArms.java is no regular file but a device
+            mkfifo e04_RaiseArms.java                    | e04,,  | e04_RaiseArms.java is not a regular file but a device
             ln -s zoe e05                                | e05,,  | e05 is a link
             ln -s / e06                                  | e06,,  | e06 is a link
-            mkdir e07; mkfifo e07/RaiseArms.java         | e07,,  | e07/RaiseArms.java is no regular file
-            mkdir e08; mkfifo e08/data                   | e08,,  | e08/data is no regular file
+            mkdir e07; mkfifo e07/RaiseArms.java         | e07,,  | e07/RaiseArms.java is not a regular file
+            mkdir e08; mkfifo e08/data                   | e08,,  | e08/data is not a regular file
             mkdir e09; ln -s ../zoe/RaiseArms.java e09   | e09,,  | e09/RaiseArms.java is a link that leads out
             mkdir e10; ln -s /etc/passwd e10/Pass.java   | e10,,  | e10/Pass.java is a link that leads out
             mkdir e11; ln -s .. e11/up                   | e11,,  | e11/up is a link that leads out of the folder
-            mkdir -p e12/a; ln -s .. e12/a/up            | e12,,  | e12/a/up is a link to a folder in which it lies
-            mkdir e13; truncate -s 3G e13/data.bin       | e13,,  | e13 has more than 100 MB
-            mkdir e14; ln -s . e14/self                  | e14,,  | e14/self is a link to a folder in which it lies
+            mkdir -p e12/a; ln -s .. e12/a/up            | e12,,  | e12/a/up is a link to a folder that contains it
+            mkdir e13; truncate -s 3G e13/data.bin       | e13,,  | e13 contains more than 100 MB
+            mkdir e14; ln -s . e14/self                  | e14,,  | e14/self is a link to a folder that contains it
             mkdir ./-rf                                  | '-rf,, | There is no .java file
             mkdir $'new\\nline'                          | "new   | line",,0.0,0,There is no .java file
             """;

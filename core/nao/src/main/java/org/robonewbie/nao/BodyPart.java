@@ -1,6 +1,6 @@
 package org.robonewbie.nao;
 
-/** The parts of another robot that a camera can recognise; each is reported by the position of its centre. */
+/** A part of another robot that the camera recognises. Its reported position is the centre of the part. */
 public enum BodyPart {
     /** The head. */
     HEAD("head"),

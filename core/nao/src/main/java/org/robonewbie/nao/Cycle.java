@@ -1,6 +1,6 @@
 package org.robonewbie.nao;
 
-/** The beat of the simulated world: sense, think and act happen once per cycle, 50 times per simulated second. */
+/** The control cycle: a robot senses, thinks and acts once per cycle, 50 times per simulated second. */
 public final class Cycle {
 
     /** Length of a cycle in simulated seconds. */

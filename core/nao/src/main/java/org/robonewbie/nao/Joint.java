@@ -6,8 +6,8 @@ import java.util.Optional;
 /**
  * The 22 hinge joints of the NAO, in the order in which a motion file lists their angles.
  *
- * <p>An angle is the rotation of the outer limb against the inner one by the right-hand rule about the joint's axis;
- * it is 0 in the construction pose: standing straight, both arms stretched forward. Ranges and names are those of
+ * <p>An angle is the rotation of the outer limb relative to the inner one, by the right-hand rule about the joint's axis. All
+ * angles are 0 in the construction pose: standing straight with both arms stretched forward. Ranges and names are those of
  * SimSpark's robot {@code rsg/agent/nao/nao.rsg}.
  *
  * <pre>{@code
@@ -107,10 +107,10 @@ public enum Joint {
     }
 
     /**
-     * Finds the joint that a motor moves.
+     * Returns the joint that a motor drives.
      *
      * @param effectorName the motor's name in SimSpark's messages, such as {@code lle4}
-     * @return the joint, or empty if it is no motor of robot type 0, such as that of a toe
+     * @return the joint; empty if robot type 0 has no such motor, as for the motor of a toe
      */
     public static Optional<Joint> ofEffector(String effectorName) {
         return Arrays.stream(values())
@@ -129,7 +129,7 @@ public enum Joint {
     }
 
     /**
-     * {@return the highest speed of the motor in either direction, in degrees per second; the same for every joint of robot
+     * {@return the maximum speed of the motor in either direction, in degrees per second; the same for every joint of robot
      * type 0}
      */
     public double maxDegreesPerSecond() {

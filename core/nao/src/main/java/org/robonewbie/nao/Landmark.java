@@ -1,6 +1,6 @@
 package org.robonewbie.nao;
 
-/** The fixed, named points of the pitch that a camera can recognise: the tops of the goal posts and the corner flags. */
+/** A fixed, named point of the pitch that the camera recognises: the top of a goal post or a corner flag. */
 public enum Landmark {
     /** Left goal, post on the positive y side. */
     GOAL_POST_1_LEFT("G1L", TeamSide.LEFT),
@@ -35,10 +35,5 @@ public enum Landmark {
     /** {@return the side whose goal line the landmark stands on} */
     public TeamSide side() {
         return side;
-    }
-
-    /** {@return whether this is a goal post; false for a corner flag} */
-    public boolean isGoalPost() {
-        return simSparkName.charAt(0) == 'G';
     }
 }

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** The state of the game as decided by the referee, in the order and with the names of SimSpark 0.7.3. */
+/** The state of the game as set by the referee, in the order and with the names of SimSpark 0.7.3. */
 public enum PlayMode {
     /** Play has not begun; robots may be beamed. */
     BEFORE_KICK_OFF("BeforeKickOff"),
@@ -50,7 +50,7 @@ public enum PlayMode {
     /** The right team passes; opponents must keep away from the ball. */
     PASS_RIGHT("pass_right");
 
-    /** The results of {@link #ofSimSparkName}, which is called in every cycle. */
+    /** Cached results of {@link #ofSimSparkName}, which is called in every cycle. */
     private static final Map<String, Optional<PlayMode>> BY_NAME =
             Arrays.stream(values()).collect(Collectors.toUnmodifiableMap(PlayMode::simSparkName, Optional::of));
 
@@ -60,14 +60,14 @@ public enum PlayMode {
         this.simSparkName = simSparkName;
     }
 
-    /** {@return the name in SimSpark's messages, in SimSpark's mixed spelling, such as {@code KickOff_Left}} */
+    /** {@return the name in SimSpark's messages, such as {@code KickOff_Left} or {@code goal_kick_left}} */
     public String simSparkName() {
         return simSparkName;
     }
 
     /**
-     * {@return the team that brings the ball into play while the other keeps away (kick-off, kick-in, corner, goal kick, free
-     * kick, pass); empty if both teams or neither may play the ball}
+     * {@return the team that puts the ball into play while the other team keeps its distance (kick-off, kick-in, corner kick,
+     * goal kick, free kick, pass); empty if both teams or neither may play the ball}
      */
     public Optional<TeamSide> kicker() {
         return switch (this) {
@@ -90,10 +90,10 @@ public enum PlayMode {
     }
 
     /**
-     * Finds a play mode by its name in SimSpark's messages.
+     * Returns the play mode with a name from SimSpark's messages.
      *
      * @param simSparkName the exact name
-     * @return the play mode; empty if a newer server sent a name that is unknown here
+     * @return the play mode; empty for an unknown name, which a newer server may send
      */
     public static Optional<PlayMode> ofSimSparkName(String simSparkName) {
         return BY_NAME.getOrDefault(simSparkName, Optional.empty());

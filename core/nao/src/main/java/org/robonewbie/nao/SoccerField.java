@@ -1,19 +1,19 @@
 package org.robonewbie.nao;
 
 /**
- * The pitch: its dimensions in metres and the positions of its landmarks in the world frame.
+ * The dimensions of a pitch in metres and the positions of its landmarks in the world frame.
  *
  * <p>World frame: origin at the centre spot, x from the left goal to the right goal, y to the left of that direction, z up.
  * Source: SimSpark's {@code soccer.rsg} and {@code goal.rsg}.
  *
- * @param length from goal line to goal line
- * @param width from side line to side line
- * @param goalWidth between the posts
- * @param goalDepth from the goal line to the back wall
- * @param goalHeight of the posts
+ * @param length distance between the goal lines
+ * @param width distance between the side lines
+ * @param goalWidth distance between the posts
+ * @param goalDepth distance from the goal line to the back of the goal
+ * @param goalHeight height of the posts
  * @param penaltyLength depth of the penalty area
- * @param penaltyWidth width of the penalty area beyond the goal's width
- * @param centreCircleRadius of the centre circle, also the distance opponents keep from a free kick
+ * @param penaltyWidth width of the penalty area in excess of the goal's width
+ * @param centreCircleRadius radius of the centre circle, also the distance that opponents keep from a free kick
  */
 public record SoccerField(
         double length,

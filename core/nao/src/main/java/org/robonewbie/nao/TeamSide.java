@@ -2,9 +2,9 @@ package org.robonewbie.nao;
 
 /** The half of the pitch that a team defends in the first half. The first team to join plays on the left. */
 public enum TeamSide {
-    /** Attacks in the direction of positive x, towards the goal posts G1R and G2R. */
+    /** The side of the team that attacks along positive x, towards the goal posts G1R and G2R. */
     LEFT,
-    /** Attacks in the direction of negative x, towards the goal posts G1L and G2L. */
+    /** The side of the team that attacks along negative x, towards the goal posts G1L and G2L. */
     RIGHT;
 
     /** {@return the opponents' side} */

@@ -5,8 +5,8 @@ import java.io.Serializable;
 /**
  * A point or direction in space; components are in metres unless a method says otherwise.
  *
- * <p>In the frames of this framework x points forward, y to the left and z up. Code that works in SimSpark's own frame (x
- * right, y forward, z up) says so.
+ * <p>In this framework x points forward, y to the left and z up. Code that works in SimSpark's own frame (x right, y
+ * forward, z up) says so.
  *
  * @param x first component
  * @param y second component
@@ -18,7 +18,7 @@ public record Vector3(double x, double y, double z) implements Serializable {
     public static final Vector3 ZERO = new Vector3(0, 0, 0);
 
     /**
-     * Adds a vector.
+     * Returns the sum of this vector and another one.
      *
      * @param other the vector to add
      * @return this + other
@@ -28,7 +28,7 @@ public record Vector3(double x, double y, double z) implements Serializable {
     }
 
     /**
-     * Subtracts a vector.
+     * Returns the difference between this vector and another one.
      *
      * @param other the vector to subtract
      * @return this - other
@@ -38,7 +38,7 @@ public record Vector3(double x, double y, double z) implements Serializable {
     }
 
     /**
-     * Scales this vector.
+     * Returns this vector scaled by a factor.
      *
      * @param factor the factor for each component
      * @return factor * this
@@ -48,7 +48,7 @@ public record Vector3(double x, double y, double z) implements Serializable {
     }
 
     /**
-     * Calculates the dot product, which is 0 for perpendicular vectors.
+     * Returns the dot product, which is 0 for perpendicular vectors.
      *
      * @param other the second factor
      * @return the dot product
@@ -58,7 +58,7 @@ public record Vector3(double x, double y, double z) implements Serializable {
     }
 
     /**
-     * Calculates the cross product, which is perpendicular to both vectors.
+     * Returns the cross product, which is perpendicular to both vectors.
      *
      * @param other the second factor
      * @return this × other
@@ -73,7 +73,7 @@ public record Vector3(double x, double y, double z) implements Serializable {
     }
 
     /**
-     * Calculates the distance to another point.
+     * Returns the distance to another point.
      *
      * @param other the other point
      * @return the distance in the unit of the components

@@ -1,3 +1,3 @@
-/** What is true of robot and pitch. Read {@link org.robonewbie.nao.Joint} first. */
+/** The basic facts about robot and pitch. Read {@link org.robonewbie.nao.Joint} first. */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.nao;

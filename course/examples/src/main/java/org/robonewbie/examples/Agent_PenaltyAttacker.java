@@ -4,18 +4,18 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import org.robonewbie.agent.Options;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.nao.motion.BallPlace;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.MotionFiles;
 
 /**
- * Takes penalties: gets behind the ball as {@link Agent_BetterSoccer} does, but then kicks it hard.
+ * A penalty taker: it gets behind the ball as {@link Agent_BetterSoccer} does, but then kicks it hard.
  *
- * <p>A kick needs patience. The robot stops where the ball lies right before one of its feet, stands still, looks once more, and
- * only then plays the motion. Where the ball must lie, the file of the motion says in its comment {@code // ball:}. To see the ball
- * from the torso and not from the leaning head, it asks the accelerometer how much it leans.
+ * <p>A kick requires precision. The robot stops with the ball right in front of a foot, stands still, checks the ball's
+ * position again, and only then plays the motion. The comment {@code // ball:} of the motion file states the required position.
+ * The tilt of the torso, from the accelerometer, is used to convert the sighting from the head's to the torso's frame.
  *
- * <p>Start {@link Agent_PenaltyGoalkeeper} in the same simulator. Ideas: choose the corner that the goalkeeper leaves free.
+ * <p>Start {@link Agent_PenaltyGoalkeeper} in the same simulator. Ideas: aim at the corner that the goalkeeper leaves open.
  */
 public final class Agent_PenaltyAttacker extends Agent_BetterSoccer {
 
@@ -27,7 +27,7 @@ public final class Agent_PenaltyAttacker extends Agent_BetterSoccer {
     private static final double PATIENCE_SECONDS = 8;
     private static final double HEAD_ABOVE_TORSO_METRES = 0.155;
 
-    private final BallPlace kickPlace = kickPlace();
+    private final Translation2d ballBeforeKick = ballBeforeKick();
     private double leanDegrees;
     private double stoppedSeconds;
     private double nearSeconds;
@@ -51,9 +51,9 @@ public final class Agent_PenaltyAttacker extends Agent_BetterSoccer {
 
     @Override
     protected void bring(Vector3 ball, Vector3 goal) {
-        double feltDegrees =
+        double measuredDegrees =
                 Math.toDegrees(Math.asin(limited(-nao.getAcceleration().x() / 9.81, 0.3)));
-        leanDegrees += 0.1 * (feltDegrees - leanDegrees); // smooth, since each step shakes the robot
+        leanDegrees += 0.1 * (measuredDegrees - leanDegrees); // smoothed, since each step shakes the robot
         Vector3 place = fromTorso(ball);
         double turn = Math.toDegrees(Math.atan2(goal.y() - ball.y(), goal.x() - ball.x()));
         if (Math.hypot(place.x(), place.y()) > NEAR_METRES || Math.abs(turn) > 40 || place.x() < 0.05) {
@@ -64,11 +64,11 @@ public final class Agent_PenaltyAttacker extends Agent_BetterSoccer {
         }
     }
 
-    /** Steps to where the kick begins, and kicks. */
+    /** Steps into position and kicks. */
     private void prepareKick(Vector3 ball, double turn) {
         boolean left = ball.y() > 0;
-        double forward = ball.x() - kickPlace.ahead();
-        double aside = ball.y() - (left ? kickPlace.left() : -kickPlace.left());
+        double forward = ball.x() - ballBeforeKick.x();
+        double aside = ball.y() - (left ? ballBeforeKick.y() : -ballBeforeKick.y());
         boolean patient = nao.getTime() - nearSeconds < PATIENCE_SECONDS;
         double tolerance = patient ? GOOD_METRES : FAIR_METRES;
         boolean good = Math.abs(forward) < tolerance && Math.abs(aside) < tolerance && Math.abs(turn) < GOOD_DEGREES;
@@ -86,20 +86,20 @@ public final class Agent_PenaltyAttacker extends Agent_BetterSoccer {
         }
     }
 
-    /** Where a ball lies that the head sees, measured level from below the torso. */
+    /** Converts a position from the head's frame to a horizontal frame below the torso. */
     private Vector3 fromTorso(Vector3 ball) {
         double lean = Math.toRadians(leanDegrees);
         double up = ball.z() + HEAD_ABOVE_TORSO_METRES;
         return new Vector3(ball.x() * Math.cos(lean) + up * Math.sin(lean), ball.y(), 0);
     }
 
-    /** Where the ball must lie for a kick with the left foot. */
-    private static BallPlace kickPlace() {
+    /** Required position of the ball for a kick with the left foot. */
+    private static Translation2d ballBeforeKick() {
         try {
             return MotionFiles.library()
                     .find("kick-left")
                     .flatMap(MotionFile::ball)
-                    .orElse(new BallPlace(0.19, 0.055));
+                    .orElse(new Translation2d(0.19, 0.055));
         } catch (IOException unreadable) {
             throw new UncheckedIOException(unreadable);
         }

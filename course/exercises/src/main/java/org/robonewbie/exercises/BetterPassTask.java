@@ -131,7 +131,7 @@ final class BetterPassTask implements Task {
                 : Score.failed(
                         first || second ? 3 : 0,
                         finding,
-                        "Ask for each mate how near an opponent comes to the way from the ball to it: Translation2d.distanceToWay. Kick.kick gets"
+                        "Ask for each mate how near an opponent comes to the way from the ball to it: Translation2d.distanceToSegment. Kick.kick gets"
                                 + " behind the ball by itself; give it the same direction until the ball rolls.");
     }
 

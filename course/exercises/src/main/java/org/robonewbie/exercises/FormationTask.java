@@ -104,7 +104,7 @@ final class FormationTask implements Task {
         double metres = place.distanceTo(ball);
         return metres >= COVER_LEAST_METRES
                 && metres <= COVER_MOST_METRES
-                && distanceToWay(place, ball, OUR_GOAL) <= COVER_ASIDE_METRES;
+                && distanceToSegment(place, ball, OUR_GOAL) <= COVER_ASIDE_METRES;
     }
 
     private static boolean isFree(Vector3 place, Vector3 ball, Vector3 opponent) {
@@ -112,10 +112,10 @@ final class FormationTask implements Task {
         return metres >= PASS_LEAST_METRES
                 && metres <= PASS_MOST_METRES
                 && place.x() >= ball.x()
-                && distanceToWay(opponent, ball, place) >= LANE_METRES;
+                && distanceToSegment(opponent, ball, place) >= LANE_METRES;
     }
 
-    private static double distanceToWay(Vector3 point, Vector3 from, Vector3 to) {
+    private static double distanceToSegment(Vector3 point, Vector3 from, Vector3 to) {
         Vector3 way = to.minus(from);
         double share = point.minus(from).dot(way) / way.dot(way);
         return point.distanceTo(from.plus(way.times(Math.max(0, Math.min(1, share)))));

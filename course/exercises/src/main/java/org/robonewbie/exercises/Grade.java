@@ -14,8 +14,6 @@ import java.util.stream.Collectors;
  */
 public record Grade(String exercise, List<SeededScore> trials) {
 
-    private static final Gson GSON = new GsonBuilder().setPrettyPrinting().create();
-
     /**
      * The score of one trial.
      *
@@ -49,7 +47,7 @@ public record Grade(String exercise, List<SeededScore> trials) {
      * @return JSON with {@code exercise}, {@code passed}, {@code points} and {@code trials}
      */
     public String json() {
-        return GSON.toJson(new Printed(exercise, passed(), points(), trials)) + "\n";
+        return gson().toJson(new Printed(exercise, passed(), points(), trials)) + "\n";
     }
 
     /**
@@ -59,7 +57,7 @@ public record Grade(String exercise, List<SeededScore> trials) {
      * @return the grade
      */
     public static Grade ofJson(String json) {
-        Printed printed = GSON.fromJson(json, Printed.class);
+        Printed printed = gson().fromJson(json, Printed.class);
         return new Grade(printed.exercise, printed.trials);
     }
 
@@ -108,6 +106,10 @@ public record Grade(String exercise, List<SeededScore> trials) {
                 score.points(),
                 language.translated("points"),
                 score.finding());
+    }
+
+    private static Gson gson() {
+        return new GsonBuilder().setPrettyPrinting().create();
     }
 
     private record Printed(String exercise, boolean passed, double points, List<SeededScore> trials) {}

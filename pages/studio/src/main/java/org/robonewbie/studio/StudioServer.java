@@ -23,8 +23,6 @@ import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.studio.board.BoardReader;
 import org.robonewbie.studio.board.EventBus;
-import org.robonewbie.studio.course.CourseApi;
-import org.robonewbie.studio.course.CourseService;
 import org.robonewbie.studio.motion.MotionApi;
 import org.robonewbie.studio.program.CompilerService;
 import org.robonewbie.studio.program.ProgramApi;
@@ -32,6 +30,7 @@ import org.robonewbie.studio.replay.ReplayApi;
 import org.robonewbie.studio.replay.RunNotes;
 import org.robonewbie.studio.roboviz.RoboVizFeed;
 import org.robonewbie.studio.scene.SceneApi;
+import org.robonewbie.studio.service.PageService;
 
 /**
  * Studio of one running simulation: a web server on 127.0.0.1 with the pages and the live feed on one port.
@@ -123,7 +122,7 @@ public final class StudioServer implements Viewer.View {
 
     /** Starts the studio with exercises. */
     static StudioServer start(
-            SimulationControl simulation, int port, AccessToken token, StudioFolders folders, CourseService course)
+            SimulationControl simulation, int port, AccessToken token, StudioFolders folders, PageService course)
             throws IOException {
         Lessons lessons = new Lessons(Optional.of(course), Optional.empty());
         return start(simulation, port, signIn(token), folders, Optional.empty(), lessons);
@@ -135,7 +134,7 @@ public final class StudioServer implements Viewer.View {
             int port,
             AccessToken token,
             StudioFolders folders,
-            CourseService course,
+            PageService course,
             CompilerService compiler)
             throws IOException {
         Lessons lessons = new Lessons(Optional.of(course), Optional.of(compiler));
@@ -143,7 +142,7 @@ public final class StudioServer implements Viewer.View {
     }
 
     /** Optional services for students. */
-    private record Lessons(Optional<CourseService> course, Optional<CompilerService> compiler) {
+    private record Lessons(Optional<PageService> course, Optional<CompilerService> compiler) {
 
         private static final Lessons NONE = new Lessons(Optional.empty(), Optional.empty());
     }

@@ -5,8 +5,8 @@ import java.util.Optional;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.studio.board.EventBus;
-import org.robonewbie.studio.course.CourseService;
 import org.robonewbie.studio.program.CompilerService;
+import org.robonewbie.studio.service.PageService;
 
 /**
  * Viewer in the browser; found by {@link java.util.ServiceLoader}.
@@ -63,11 +63,7 @@ public final class StudioViewer implements Viewer {
      * @throws IOException if the port cannot be opened
      */
     public static StudioServer open(
-            SimulationControl simulation,
-            int port,
-            StudioFolders folders,
-            CourseService course,
-            CompilerService compiler)
+            SimulationControl simulation, int port, StudioFolders folders, PageService course, CompilerService compiler)
             throws IOException {
         AccessToken token = AccessToken.ofUser();
         try {

@@ -188,8 +188,8 @@ class MotionAccessTest {
 
         assertThat(listed()).containsExactly("good");
         assertThat(list)
-                .contains("folder.txt is a folder", "dead.txt does not exist", "zero.txt is no regular file")
-                .contains("huge.txt is larger than 2 MB", "pipe.txt is no regular file but a device or a pipe")
+                .contains("folder.txt is a folder", "dead.txt does not exist", "zero.txt is not a regular file")
+                .contains("huge.txt is larger than 2 MB", "pipe.txt is not a regular file but a device or a pipe")
                 .contains("The name of the file what?.txt contains \\\"?\\\"");
         for (String name : List.of("huge", "pipe", "folder")) {
             assertThat(asPage("GET /api/motions/" + name, ""))

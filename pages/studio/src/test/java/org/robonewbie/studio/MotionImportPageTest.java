@@ -85,7 +85,7 @@ class MotionImportPageTest {
 
         visit("mine");
 
-        awaitText("The name of the file what?.txt contains \"?\", so that no motion can have it. Rename it.");
+        awaitText("The name of the file what?.txt contains \"?\". Rename it.");
     }
 
     @Test

@@ -120,7 +120,7 @@ class ProgramEncodingPageTest {
         "6F6B0A8161,line 2 is neither UTF-8 nor Windows-1252",
         "C3BCC3BC0AFF,line 2 is not UTF-8",
         "61006200,zero byte",
-        "FFFE610A00,cut within a character"
+        "FFFE610A00,ends within a UTF-16 character"
     })
     void undecodableFileIsReadOnly(String hex, String problem) throws IOException {
         byte[] bytes = HexFormat.of().parseHex(hex);

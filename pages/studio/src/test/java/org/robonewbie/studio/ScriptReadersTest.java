@@ -36,7 +36,7 @@ class ScriptReadersTest {
             Map.entry("live/connection.js", 1), // an error message of the server
             Map.entry("panels/course-panel.js", 1), // an error message of the server
             Map.entry("panels/scene-panel.js", 1), // an error message of the server
-            Map.entry("page/course-solutions.js", 1), // solutions shipped with the page
+            Map.entry("page/course-server.js", 1), // solutions shipped with the page
             Map.entry("page/motion-server.js", 1), // the index of the library
             Map.entry("page/program-server.js", 1), // examples shipped with the page
             Map.entry("page/page-compiler.js", 1), // class names that the build found missing

@@ -1,17 +1,14 @@
 package org.robonewbie.studio;
 
+import com.google.gson.Gson;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.UnaryOperator;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.recording.RecordingTarget;
-import org.robonewbie.studio.course.Attempt;
-import org.robonewbie.studio.course.Attempt.State;
-import org.robonewbie.studio.course.CourseService;
-import org.robonewbie.studio.course.Help;
-import org.robonewbie.studio.course.Lesson;
-import org.robonewbie.studio.course.Standings;
+import org.robonewbie.studio.service.PageService;
 import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
@@ -19,16 +16,18 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.watch.WatchedTrial;
 
 /** A course of two exercises; the test determines the results of trials. */
-final class SmallCourse implements CourseService, AutoCloseable {
+final class SmallCourse implements PageService, AutoCloseable {
+
+    private static final String NONE = "{\"state\":\"NONE\",\"judged\":[],\"output\":\"\"}";
 
     private final ShownSimulation shown;
     private final SimulationControl freePitch;
     private final List<String> programs = new CopyOnWriteArrayList<>(List.of("Other.java"));
     private final List<String> hints = List.of("Look first.", "Then kick.");
-    private volatile int open;
-    private volatile String language = "en";
-    private final AtomicLong begun = new AtomicLong();
-    private volatile Attempt attempt = Attempt.NONE;
+    private int open;
+    private String language = "en";
+    private int attempts;
+    private volatile String attempt = NONE;
     private WatchedTrial view = new WatchedTrial();
     private Thread trial = new Thread();
 
@@ -38,62 +37,66 @@ final class SmallCourse implements CourseService, AutoCloseable {
     }
 
     @Override
-    public List<Lesson> lessons() {
-        return List.of(
-                new Lesson(
-                        1,
-                        "arms",
-                        "Raise arms",
-                        "Raise both.",
-                        "first steps",
-                        15,
-                        10,
-                        "docs/a.html",
-                        "Arms.java",
-                        new Lesson.Standing(2, 8.5, true, 7)),
-                new Lesson(
-                        2,
-                        "kick",
-                        language.equals("de") ? "Ein Schuss" : "A kick",
-                        language.equals("de") ? "Schieß ihn." : "Kick it.",
-                        "challenge",
-                        120,
-                        10,
-                        language.equals("de") ? "docs/exercises/de/k.html" : "docs/exercises/k.html",
-                        "Kick.java",
-                        Lesson.Standing.NONE));
-    }
-
-    @Override
-    public String language() {
-        return language;
-    }
-
-    @Override
-    public void speak(String code) {
-        language = code;
-    }
-
-    @Override
-    public List<String> programs() {
-        return programs;
-    }
-
-    @Override
-    public String handOut(String exercise) {
-        if (programs.contains("Kick.java")) {
-            throw new IllegalArgumentException("There is a file Kick.java already, and it is kept.");
+    public synchronized String answer(String method, List<String> path, UnaryOperator<String> parameters) {
+        String request = method + " " + String.join("/", path);
+        switch (request) {
+            case "POST language" -> language = parameters.apply("code");
+            case "DELETE attempt" -> {
+                close();
+                attempt = NONE;
+                shown.show(freePitch);
+            }
+            case "PUT kick" -> {
+                programs.add(0, "Kick.java");
+                return "\"Kick.java\"";
+            }
+            case "POST kick" -> begin(parameters.apply("program"));
+            case "POST kick/hint" -> open = Math.min(open + 1, hints.size());
+            case "POST kick/solution" -> {
+                return "\"public class Kick extends Agent {}\"";
+            }
+            default -> {}
         }
-        programs.add(0, "Kick.java");
-        return "Kick.java";
+        return path.isEmpty() || path.contains("language") ? overview() : path.size() > 1 ? help() : attempt;
     }
 
-    @Override
-    public void begin(String exercise, String program, int trials) {
-        long id = begun.incrementAndGet();
-        attempt = new Attempt(id, State.RUNNING, exercise, program, 3110, trials, List.of(), 0, false, "");
+    private String help() {
+        return new Gson()
+                .toJson(Map.of(
+                        "hints",
+                        hints.subList(0, open),
+                        "allHints",
+                        hints.size(),
+                        "solution",
+                        true,
+                        "triesLeft",
+                        hints.size() - open));
+    }
+
+    private String overview() {
+        boolean german = language.equals("de");
+        return """
+                {"language":"%s","programs":%s,
+                "standings":{"sum":"1 of 2 exercises passed, 8.5 of 20 points, 7 min","badges":["First success"],"csv":"name"},
+                "lessons":[
+                {"number":1,"name":"arms","title":"Raise arms","goal":"Raise both.","level":"first steps","minutes":15,"points":10,
+                "worksheet":"docs/a.html","file":"Arms.java","standing":{"tries":2,"best":8.5,"passed":true,"minutes":7}},
+                {"number":2,"name":"kick","title":"%s","goal":"%s","level":"challenge","minutes":120,"points":10,
+                "worksheet":"docs/exercises/%sk.html","file":"Kick.java",
+                "standing":{"tries":0,"best":0,"passed":false,"minutes":0}}]}
+                """.formatted(
+                        language,
+                        new Gson().toJson(programs),
+                        german ? "Ein Schuss" : "A kick",
+                        german ? "Schieß ihn." : "Kick it.",
+                        german ? "de/" : "");
+    }
+
+    private void begin(String program) {
+        attempts++;
+        attempt = attempt("RUNNING", program, "", 0, "");
         close();
-        view = view.next(new TrialLabel(exercise, id, 1));
+        view = view.next(new TrialLabel("kick", attempts, 1));
         trial = new Thread(() -> play(view), "trial");
         trial.setDaemon(true);
         trial.start();
@@ -109,52 +112,18 @@ final class SmallCourse implements CourseService, AutoCloseable {
         }
     }
 
-    /** Sets the result of the current trial. */
-    void judge(Attempt.Judged trial, String output) {
-        attempt = new Attempt(
-                attempt.id(),
-                State.OVER,
-                attempt.exercise(),
-                attempt.program(),
-                attempt.port(),
-                1,
-                List.of(trial),
-                trial.points(),
-                trial.passed(),
-                output);
+    private String attempt(String state, String program, String judged, int points, String output) {
+        return """
+                {"id":%d,"state":"%s","exercise":"kick","program":"%s","port":3110,"trials":1,"judged":[%s],"points":%d,
+                "passed":false,"output":"%s"}
+                """.formatted(attempts, state, program, judged, points, output);
     }
 
-    @Override
-    public void leave() {
-        close();
-        attempt = Attempt.NONE;
-        shown.show(freePitch);
-    }
-
-    @Override
-    public Attempt attempt() {
-        return attempt;
-    }
-
-    @Override
-    public Standings standings() {
-        return new Standings("1 of 2 exercises passed, 8.5 of 20 points, 7 min", List.of("First success"), "name\r\n");
-    }
-
-    @Override
-    public Help help(String exercise) {
-        return new Help(hints.subList(0, open), hints.size(), true, 2 - open);
-    }
-
-    @Override
-    public Help nextHint(String exercise) {
-        open = Math.min(open + 1, hints.size());
-        return help(exercise);
-    }
-
-    @Override
-    public String solution(String exercise) {
-        return "public class Kick extends Agent {}";
+    /** Sets the result of the current trial, which is not passed. */
+    synchronized void judge(int points, String finding, String hint, String output) {
+        String trial = "{\"seed\":1,\"passed\":false,\"points\":%d,\"finding\":\"%s\",\"hint\":\"%s\"}"
+                .formatted(points, finding, hint);
+        attempt = attempt("OVER", "Other.java", trial, points, output);
     }
 
     /** Ends the current trial. */

@@ -1,24 +1,24 @@
 package org.robonewbie.web;
 
-import com.google.gson.JsonArray;
-import com.google.gson.JsonObject;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import org.robonewbie.exercises.Exercise;
+import org.robonewbie.exercises.Grade;
 import org.robonewbie.exercises.Grade.SeededScore;
-import org.robonewbie.exercises.Language;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.pagejvm.Program;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.studio.PageFeed;
+import org.robonewbie.exercises.service.CourseHost;
 
-/** Trials of one exercise with consecutive seeds, shown to the student. */
-final class ExerciseAttempt {
+/** Attempt with the program in the interpreter of the page. */
+final class ExerciseAttempt implements CourseHost.Attempt {
 
     private static final int MAX_CHARACTERS = 20_000;
     private static final long SEED_OF_EMPTY_PITCH = 1;
@@ -31,7 +31,9 @@ final class ExerciseAttempt {
     private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     private final PrintStream output = new PrintStream(bytes, true, StandardCharsets.UTF_8);
     private final List<SeededScore> judged = new ArrayList<>();
+    private final Consumer<Grade> complete;
     private ExerciseTrial trial;
+    private boolean closed;
 
     /**
      * Starts the first trial.
@@ -41,35 +43,22 @@ final class ExerciseAttempt {
      * @param id number of the attempt
      * @param trials number of seeds, at least 1
      * @param page receives the messages
+     * @param complete receives the grade when all trials have been judged
      */
-    ExerciseAttempt(Exercise exercise, List<byte[]> classes, long id, int trials, PageFeed.Page page) {
+    ExerciseAttempt(
+            Exercise exercise,
+            List<byte[]> classes,
+            long id,
+            int trials,
+            PageFeed.Page page,
+            Consumer<Grade> complete) {
         this.exercise = exercise;
         this.classes = List.copyOf(classes);
         this.id = id;
         this.trials = trials;
+        this.complete = complete;
         world = new PacedWorld(page, feed -> new FreePitch(SEED_OF_EMPTY_PITCH, feed, RecordingTarget.NONE));
         trial = next();
-    }
-
-    /**
-     * Judges one trial as fast as possible.
-     *
-     * @param exercise the exercise
-     * @param classes class files of the program
-     * @param seed random seed
-     * @return the score
-     */
-    static Score score(Exercise exercise, List<byte[]> classes, long seed) {
-        PrintStream nowhere = new PrintStream(new ByteArrayOutputStream());
-        ExerciseTrial trial = new ExerciseTrial(
-                exercise,
-                seed,
-                () -> new StudentController(new Program(classes), nowhere, TelemetrySink.NONE),
-                RecordingTarget.NONE);
-        while (!trial.isOver()) {
-            trial.cycle();
-        }
-        return trial.score();
     }
 
     private ExerciseTrial next() {
@@ -98,7 +87,7 @@ final class ExerciseAttempt {
      */
     void turn(double seconds) {
         world.turn(seconds);
-        if (!isOver() && trial.isOver()) {
+        if (!closed && !isOver() && trial.isOver()) {
             judge();
         }
     }
@@ -108,7 +97,9 @@ final class ExerciseAttempt {
         while (trial.isStuck() && !isOver()) {
             add(Score.notTried());
         }
-        if (!isOver()) {
+        if (isOver()) {
+            complete.accept(status().grade());
+        } else {
             trial = next();
         }
     }
@@ -121,34 +112,18 @@ final class ExerciseAttempt {
         return judged.size() == trials;
     }
 
-    /**
-     * Returns the state of the attempt.
-     *
-     * @param language language of findings and hints
-     * @return one JSON object: state, number of trials, results, and output of the program
-     */
-    String json(Language language) {
-        JsonObject json = new JsonObject();
-        json.addProperty("id", id);
-        json.addProperty("state", isOver() ? "OVER" : "RUNNING");
-        json.addProperty("exercise", exercise.name());
-        json.addProperty("trials", trials);
-        JsonArray scores = new JsonArray();
-        judged.forEach(each -> scores.add(json(each.seed(), each.score().in(language))));
-        json.add("judged", scores);
-        String said = bytes.toString(StandardCharsets.UTF_8);
-        json.addProperty("output", said.substring(Math.max(0, said.length() - MAX_CHARACTERS)));
-        return json.toString();
+    @Override
+    public CourseHost.Status status() {
+        String printed = bytes.toString(StandardCharsets.UTF_8);
+        return new CourseHost.Status(
+                isOver() ? CourseHost.State.OVER : CourseHost.State.RUNNING,
+                0,
+                new Grade(exercise.fullName(), judged),
+                printed.substring(Math.max(0, printed.length() - MAX_CHARACTERS)));
     }
 
-    /** Writes a score as JSON. */
-    static JsonObject json(long seed, Score score) {
-        JsonObject json = new JsonObject();
-        json.addProperty("seed", seed);
-        json.addProperty("passed", score.passed());
-        json.addProperty("points", score.points());
-        json.addProperty("finding", score.finding());
-        json.addProperty("hint", score.hint());
-        return json;
+    @Override
+    public void close() {
+        closed = true;
     }
 }

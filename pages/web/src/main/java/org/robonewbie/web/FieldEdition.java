@@ -10,6 +10,10 @@ import org.teavm.jso.typedarrays.Int8Array;
  */
 public final class FieldEdition {
 
+    private static final PageCourse COURSE = new PageCourse((exercise, id, trials, judged) -> {
+        throw new IllegalArgumentException("The page starts attempts in the other program.");
+    });
+
     private FieldEdition() {}
 
     /**
@@ -94,6 +98,17 @@ public final class FieldEdition {
     @JSExport
     public static String scenes(String method, String name, String old) {
         return PageContext.scenes(method, name, old);
+    }
+
+    /**
+     * Answers a request of the course.
+     *
+     * @param request one JSON object with the request and what the browser has stored
+     * @return JSON, or a sentence if the request is refused
+     */
+    @JSExport
+    public static String course(String request) {
+        return COURSE.answer(request);
     }
 
     /**

@@ -21,7 +21,6 @@ import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.kinematics.ForwardKinematics;
 import org.robonewbie.nao.kinematics.Leg;
-import org.robonewbie.nao.motion.BallPlace;
 import org.robonewbie.nao.motion.Mirror;
 import org.robonewbie.team.skill.Dribble;
 import org.robonewbie.team.skill.Footwork;
@@ -73,7 +72,6 @@ final class LibraryRoots {
             TeamSide.class,
             ForwardKinematics.class,
             Leg.class,
-            BallPlace.class,
             Mirror.class,
             Dribble.class,
             Footwork.class,

@@ -7,10 +7,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.exercises.Exercise;
-import org.robonewbie.exercises.Exercises;
-import org.robonewbie.exercises.Language;
+import org.robonewbie.exercises.Grade;
 import org.robonewbie.pagejvm.Program;
 import org.robonewbie.simulator.monitor.RecordedLog;
 import org.robonewbie.simulator.recording.RecordingReader;
@@ -25,10 +25,10 @@ import org.teavm.jso.typedarrays.Int8Array;
 public final class WebEdition {
 
     private static final List<byte[]> CLASSES = new ArrayList<>();
+    private static final PageCourse COURSE = new PageCourse(WebEdition::beginAttempt);
 
     private static @Nullable StudentRun run;
     private static @Nullable ExerciseAttempt attempt;
-    private static long attempts;
 
     private WebEdition() {}
 
@@ -270,54 +270,23 @@ public final class WebEdition {
     }
 
     /**
-     * Starts an attempt at an exercise with the program whose classes were added, and shows its trials.
+     * Answers a request of the course.
      *
-     * @param exercise name of the exercise
-     * @param trials number of seeds
-     * @return why the attempt is refused; empty if it has started
+     * @param request one JSON object with the request and what the browser has stored
+     * @return JSON, or a sentence if the request is refused
      */
     @JSExport
-    public static String beginExercise(String exercise, int trials) {
-        try {
-            List<byte[]> taken = takenClasses();
-            StudentController.agentOf(loaded(taken));
-            leave();
-            attempts++;
-            attempt = new ExerciseAttempt(find(exercise), taken, attempts, trials, PageContext.PAGE);
-            PageContext.show(attempt.world());
-            return "";
-        } catch (IllegalArgumentException refused) {
-            return String.valueOf(refused.getMessage());
-        }
+    public static String course(String request) {
+        return COURSE.answer(request);
     }
 
-    /**
-     * Returns the state of the attempt.
-     *
-     * @param language two-letter language code of findings and hints
-     * @return one JSON object; empty without an attempt
-     */
-    @JSExport
-    public static String attempt(String language) {
-        return attempt == null ? "" : attempt.json(Language.of(language).orElse(Language.ENGLISH));
-    }
-
-    /**
-     * Judges one trial of the program whose classes were added, as fast as possible and without display.
-     *
-     * @param exercise name of the exercise
-     * @param seed random seed
-     * @return the score as a JSON object
-     */
-    @JSExport
-    public static String score(String exercise, int seed) {
-        return ExerciseAttempt.json(seed, ExerciseAttempt.score(find(exercise), takenClasses(), seed))
-                .toString();
-    }
-
-    private static Exercise find(String exercise) {
-        return Exercises.find(exercise)
-                .orElseThrow(() -> new IllegalArgumentException("There is no exercise named \"" + exercise + "\"."));
+    private static ExerciseAttempt beginAttempt(Exercise exercise, long id, int trials, Consumer<Grade> judged) {
+        List<byte[]> taken = takenClasses();
+        StudentController.agentOf(loaded(taken));
+        run = null;
+        attempt = new ExerciseAttempt(exercise, taken, id, trials, PageContext.PAGE, judged);
+        PageContext.show(attempt.world());
+        return attempt;
     }
 
     /** {@return the number of classes in the module that only students' programs use} */
@@ -343,6 +312,7 @@ public final class WebEdition {
     private static void leave() {
         run = null;
         attempt = null;
+        COURSE.close();
     }
 
     private static List<byte[]> takenClasses() {

@@ -3,6 +3,7 @@ package org.robonewbie.studio;
 import static java.util.stream.Collectors.joining;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
@@ -61,37 +62,35 @@ class ExercisesInThePageTest {
     @ParameterizedTest
     @MethodSource("exercises")
     void solutionEarnsTheSameInThePageAndOnTheCommandLine(Exercise exercise) {
-        assertSameVerdicts(exercise, 1);
+        assertSameVerdicts(exercise, List.of(1L));
     }
 
     @Tag("slow")
     @ParameterizedTest
     @MethodSource("exercises")
     void solutionEarnsTheSameWithMoreSeeds(Exercise exercise) {
-        assertSameVerdicts(exercise, 2, 3);
+        assertSameVerdicts(exercise, List.of(1L, 2L, 3L));
     }
 
-    private void assertSameVerdicts(Exercise exercise, long... seeds) {
+    private void assertSameVerdicts(Exercise exercise, List<Long> seeds) {
         String text = Solutions.text(exercise);
         browser.visit(server.address() + "webassembly-loader.js");
         browser.evaluate(COMPILE + "compile(" + Chromium.quoted(exercise.className() + ".java") + ", "
                 + Chromium.quoted(text) + ").then((classes) => { window.classes = classes; })");
 
-        for (long seed : seeds) {
-            JsonObject there = JsonParser.parseString(
-                            browser.evaluate(SCORE + "score(" + Chromium.quoted(exercise.name()) + ", " + seed + ")")
-                                    .getAsString())
-                    .getAsJsonObject();
+        JsonArray judged = browser.evaluate(
+                        JUDGE + "judge(" + Chromium.quoted(exercise.name()) + ", " + seeds.size() + ")")
+                .getAsJsonArray();
 
-            Score here = Solutions.judged(exercise, JavaSource.compile(exercise.className(), text), List.of(seed))
-                    .get(0);
-            assertThat(new Score(
-                            there.get("passed").getAsBoolean(),
-                            there.get("points").getAsInt(),
-                            there.get("finding").getAsString(),
-                            there.get("hint").getAsString()))
-                    .isEqualTo(here);
-        }
+        assertThat(judged)
+                .extracting(JsonElement::getAsJsonObject)
+                .extracting(trial -> new Score(
+                        trial.get("passed").getAsBoolean(),
+                        trial.get("points").getAsInt(),
+                        trial.get("finding").getAsString(),
+                        trial.get("hint").getAsString()))
+                .containsExactlyElementsOf(
+                        Solutions.judged(exercise, JavaSource.compile(exercise.className(), text), seeds));
     }
 
     private static final String COMPILE = """
@@ -104,14 +103,24 @@ class ExercisesInThePageTest {
               worker.postMessage({ id: 1, sources: [[path, text]] });
             });
             """;
-    private static final String SCORE = """
-            window.score = (exercise, seed) => new Promise((done) => {
+    private static final String JUDGE = """
+            window.judge = (exercise, trials) => new Promise((done, fail) => {
               const worker = new Worker('world-worker.js', { type: 'module', name: 'programs' });
+              const request = (method, path) => JSON.stringify({
+                method, path, language: 'en', parameters: { program: 'a', trials: String(trials) },
+                progress: {}, programs: [], drafts: [], solutions: {},
+              });
               worker.onmessage = ({ data }) => {
-                worker.terminate();
-                done(data.result ?? data.failure);
+                const attempt = 'result' in data ? JSON.parse(data.result) : { state: 'NONE' };
+                if (attempt.state === 'OVER' || 'failure' in data) {
+                  worker.terminate();
+                  'failure' in data ? fail(new Error(data.failure)) : done(attempt.judged);
+                } else if ('run' in data) {
+                  worker.postMessage({ call: { id: 2, name: 'course', args: [request('GET', ['attempt'])] } });
+                }
               };
-              worker.postMessage({ score: { classes: window.classes, exercise, seed } });
+              worker.postMessage({ exercise: { id: 1, request: request('POST', [exercise]), classes: window.classes } });
+              worker.postMessage({ ask: { do: 'speed', factor: 'fastest' } });
             });
             """;
 

@@ -2,23 +2,23 @@ package org.robonewbie.web;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import com.google.gson.JsonObject;
-import com.google.gson.JsonParser;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
-import org.robonewbie.exercises.Language;
+import org.robonewbie.exercises.Grade;
 import org.robonewbie.pagejvm.JavaSource;
 import org.robonewbie.studio.PageFeed;
+import org.robonewbie.exercises.service.CourseHost.State;
 
 class ExerciseAttemptTest {
 
     private static final double TURN_SECONDS = 0.02;
 
     private final List<String> told = new ArrayList<>();
+    private final List<Grade> complete = new ArrayList<>();
     private int frames;
 
     private final PageFeed.Page page = new PageFeed.Page() {
@@ -42,13 +42,11 @@ class ExerciseAttemptTest {
         Exercise first = Exercises.all().get(0);
         ExerciseAttempt attempt = attempt(first, Solutions.text(first));
 
-        JsonObject end = played(attempt);
+        Grade end = played(attempt);
 
-        assertThat(end.getAsJsonArray("judged"))
-                .hasSize(2)
-                .allSatisfy(trial -> assertThat(
-                                trial.getAsJsonObject().get("passed").getAsBoolean())
-                        .isTrue());
+        assertThat(end.trials()).hasSize(2);
+        assertThat(end.passed()).isTrue();
+        assertThat(complete).containsExactly(end);
         assertThat(frames).isPositive();
         assertThat(told).anyMatch(news -> news.contains("\"task\":\"raise-arms\"") && news.contains("\"seed\":2"));
     }
@@ -59,31 +57,25 @@ class ExerciseAttemptTest {
                 Exercises.all().get(0),
                 "public class RaiseArms extends org.robonewbie.agent.Agent {\nprotected void think() {\nwhile (true) {\n}\n}\n}");
 
-        JsonObject end = played(attempt);
+        Grade end = played(attempt);
 
-        assertThat(end.getAsJsonArray("judged").toString())
+        assertThat(end.toString())
                 .contains("think() has not returned; it is in RaiseArms.java:3.")
                 .contains("Not tried");
     }
 
     private ExerciseAttempt attempt(Exercise exercise, String text) {
         Map<String, byte[]> classes = JavaSource.compile(exercise.className(), text);
-        ExerciseAttempt attempt = new ExerciseAttempt(exercise, List.copyOf(classes.values()), 1, 2, page);
+        ExerciseAttempt attempt = new ExerciseAttempt(exercise, List.copyOf(classes.values()), 1, 2, page, complete::add);
         attempt.world().ask("{\"do\":\"speed\",\"factor\":\"fastest\"}");
         return attempt;
     }
 
-    private JsonObject played(ExerciseAttempt attempt) {
-        JsonObject state = state(attempt);
-        while (!state.get("state").getAsString().equals("OVER")) {
+    private Grade played(ExerciseAttempt attempt) {
+        while (attempt.status().state() != State.OVER) {
             attempt.turn(TURN_SECONDS);
             attempt.world().ask("{\"do\":\"seen\"}");
-            state = state(attempt);
         }
-        return state;
-    }
-
-    private static JsonObject state(ExerciseAttempt attempt) {
-        return JsonParser.parseString(attempt.json(Language.ENGLISH)).getAsJsonObject();
+        return attempt.status().grade();
     }
 }

@@ -2,6 +2,8 @@ package org.robonewbie.web;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.OutputStream;
+import java.io.PrintStream;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -11,6 +13,9 @@ import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.pagejvm.JavaSource;
+import org.robonewbie.pagejvm.Program;
+import org.robonewbie.protocol.telemetry.TelemetrySink;
+import org.robonewbie.simulator.recording.RecordingTarget;
 
 /** Programs get the same score in the page's interpreter as in Java. */
 class SameVerdictInTheMachineTest {
@@ -26,7 +31,7 @@ class SameVerdictInTheMachineTest {
     void solutionEarnsTheSameInTheMachineAndInJava(Exercise exercise) {
         Map<String, byte[]> classes = JavaSource.compile(exercise.className(), Solutions.text(exercise));
 
-        Score here = ExerciseAttempt.score(exercise, List.copyOf(classes.values()), 1);
+        Score here = score(exercise, classes, 1);
 
         assertThat(here)
                 .isEqualTo(Solutions.judged(exercise, classes, List.of(1L)).get(0));
@@ -38,7 +43,7 @@ class SameVerdictInTheMachineTest {
     void starterProgramEarnsTheSameInTheMachineAndInJava(Exercise exercise) {
         Map<String, byte[]> classes = JavaSource.compile(exercise.className(), exercise.startCode());
 
-        Score here = ExerciseAttempt.score(exercise, List.copyOf(classes.values()), 2);
+        Score here = score(exercise, classes, 2);
 
         assertThat(here)
                 .isEqualTo(Solutions.judged(exercise, classes, List.of(2L)).get(0));
@@ -70,6 +75,20 @@ class SameVerdictInTheMachineTest {
     private static Score score(String body) {
         Map<String, byte[]> classes =
                 JavaSource.compile("RaiseArms", HEAD + "public class RaiseArms extends Agent {\n" + body + "\n}\n");
-        return ExerciseAttempt.score(Exercises.all().get(0), List.copyOf(classes.values()), 1);
+        return score(Exercises.all().get(0), classes, 1);
+    }
+
+    private static Score score(Exercise exercise, Map<String, byte[]> classes, long seed) {
+        PrintStream nowhere = new PrintStream(OutputStream.nullOutputStream());
+        ExerciseTrial trial = new ExerciseTrial(
+                exercise,
+                seed,
+                () -> new StudentController(
+                        new Program(List.copyOf(classes.values())), nowhere, TelemetrySink.NONE),
+                RecordingTarget.NONE);
+        while (!trial.isOver()) {
+            trial.cycle();
+        }
+        return trial.score();
     }
 }

@@ -208,7 +208,7 @@ class MotionsTest {
                 "walk-forward.TXT | There is no motion \"walk-forward.TXT\". Leave out \".txt\": \"walk-forward\" is its name.",
                 "nodd.txt | There is no motion \"nodd.txt\". Did you mean \"nod\"? Put a file motions/nodd.txt into the",
                 "NOD | There is no motion \"NOD\". Did you mean \"nod\"? Put a file motions/NOD.txt into the",
-                "'nod ' | There is no motion \"nod \", since this name ends with a blank. Did you mean \"nod\"? Write another",
+                "'nod ' | There is no motion \"nod \", since this name ends with a space. Did you mean \"nod\"? Write another",
                 "my/nod | There is no motion \"my/nod\", since this name contains \"/\".",
                 "n\u200Bod | There is no motion \"n\u200Bod\", since this name contains the invisible character U+200B. Did you mean"
             })
@@ -269,7 +269,7 @@ class MotionsTest {
                 .contains("The motion nod cannot be played: nod.txt")
                 .contains("2")
                 .contains("thirty")
-                .contains("The robot goes on without it.");
+                .contains("The robot continues without it.");
     }
 
     @Test
@@ -283,7 +283,7 @@ class MotionsTest {
         boolean started = motions.start("nod");
 
         assertThat(started).isTrue();
-        assertThat(diagnostics.reported().get(0)).contains("thirty").contains("The robot plays it as it was before.");
+        assertThat(diagnostics.reported().get(0)).contains("thirty").contains("The last valid version is played.");
     }
 
     @Test

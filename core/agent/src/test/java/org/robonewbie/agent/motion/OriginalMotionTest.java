@@ -61,7 +61,7 @@ class OriginalMotionTest {
         }
 
         assertThat(moving).containsExactly(true, true, true, true, false, true, true, true, true, false, false);
-        assertThat(player.durationSeconds()).isCloseTo(0.22, within(1e-9));
+        assertThat(player.seconds()).isCloseTo(0.22, within(1e-9));
     }
 
     @Test

@@ -14,8 +14,8 @@ import java.nio.file.StandardOpenOption;
 import java.util.UUID;
 
 /**
- * Files that appear under their name as a whole or not at all. While they are written they have a name with the ending {@code .part},
- * so a program that is killed, or finds the disk full, leaves the former file as it was.
+ * Atomic writes: a file appears under its name completely or not at all. Until it is complete, its name has the suffix {@code
+ * .part}, so that a killed program or a full disk leaves an existing file unchanged.
  *
  * <pre>{@code
  * AtomicFile.write(Path.of("report.json"), report.toJson());
@@ -23,7 +23,7 @@ import java.util.UUID;
  */
 public final class AtomicFile {
 
-    /** How the names of files end that are not finished. */
+    /** Suffix of a file that is still being written. */
     public static final String UNFINISHED = ".part";
 
     private static final int DIGITS = 8;
@@ -31,27 +31,27 @@ public final class AtomicFile {
     private AtomicFile() {}
 
     /**
-     * Writes a text in UTF-8; a file of the same name is replaced.
+     * Writes a text file in UTF-8, replacing an existing one.
      *
      * @param file the file
-     * @param text all of its text
-     * @throws UnwritableFileException if the file cannot be written; nothing is left behind then
+     * @param text the content of the file
+     * @throws UnwritableFileException if the file cannot be written; no partial file remains
      */
     public static void write(Path file, String text) throws UnwritableFileException {
         write(file, text.getBytes(StandardCharsets.UTF_8));
     }
 
     /**
-     * Writes bytes; a file of the same name is replaced. Of two programs that do it at the same time the later one wins.
+     * Writes a file, replacing an existing one. If two programs write the same file at the same time, the later one wins.
      *
      * @param file the file
-     * @param bytes all of its bytes
-     * @throws UnwritableFileException if the file cannot be written; nothing is left behind then
+     * @param bytes the content of the file
+     * @throws UnwritableFileException if the file cannot be written; no partial file remains
      */
     public static void write(Path file, byte[] bytes) throws UnwritableFileException {
-        String own = UUID.randomUUID().toString().substring(0, DIGITS);
+        String unique = UUID.randomUUID().toString().substring(0, DIGITS);
         Path part = file.resolveSibling(
-                "." + own + UNFINISHED); // the longest name that a file can have leaves no room for more
+                "." + unique + UNFINISHED); // no part of the file's name, which may be of maximum length
         try {
             try {
                 Files.write(part, bytes, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
@@ -65,20 +65,20 @@ public final class AtomicFile {
     }
 
     /**
-     * Names a file that is still being written, by a program that lets others see how it grows.
+     * Returns the path of a file that other programs may read while it is being written.
      *
-     * @param file its name when it is finished
-     * @return its name until then
+     * @param file the final path
+     * @return the path until the file is complete
      */
     public static Path part(Path file) {
         return file.resolveSibling(file.getFileName() + UNFINISHED);
     }
 
     /**
-     * Begins to write {@link #part}. While the stream is open, no other program can begin with the same file.
+     * Opens {@link #part} for writing and locks it against other programs until the stream is closed.
      *
-     * @param file its name when it is finished
-     * @return the stream; what it throws is worded as {@link UnwritableFileException}
+     * @param file the final path
+     * @return a stream whose errors are {@link UnwritableFileException}s
      * @throws UnwritableFileException if the file cannot be written, or another program is writing it
      */
     public static OutputStream begin(Path file) throws UnwritableFileException {
@@ -86,7 +86,7 @@ public final class AtomicFile {
             FileChannel channel = FileChannel.open(part(file), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
             if (FolderLock.isTaken(channel)) {
                 channel.close();
-                throw UnwritableFileException.isInUse(file);
+                throw UnwritableFileException.inUse(file);
             }
             channel.truncate(0);
             return new PartStream(file, Channels.newOutputStream(channel));
@@ -96,10 +96,10 @@ public final class AtomicFile {
     }
 
     /**
-     * Gives a file its name when all of it has been written to {@link #part}; a file of the same name is replaced.
+     * Moves a complete {@link #part} to its final path, replacing an existing file.
      *
-     * @param file the file
-     * @throws UnwritableFileException if it cannot be moved
+     * @param file the final path
+     * @throws UnwritableFileException if the file cannot be moved
      */
     public static void moveIntoPlace(Path file) throws UnwritableFileException {
         try {
@@ -117,7 +117,7 @@ public final class AtomicFile {
         }
     }
 
-    /** Words what goes wrong. */
+    /** Stream that converts errors to {@link UnwritableFileException}s. */
     private static final class PartStream extends FilterOutputStream {
 
         private final Path file;

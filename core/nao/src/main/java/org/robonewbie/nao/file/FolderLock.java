@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Optional;
 
-/** The right to write into a folder, which one program has at a time; the system gives it back if the program is killed. */
+/** Exclusive lock of one program on a folder. The operating system releases it if the program is killed. */
 public final class FolderLock implements AutoCloseable {
 
     private final FileChannel channel;
@@ -18,9 +18,9 @@ public final class FolderLock implements AutoCloseable {
     }
 
     /**
-     * Takes the lock.
+     * Tries to acquire the lock.
      *
-     * @param file the file that stands for the folder; it is made and stays
+     * @param file the lock file; it is created if necessary, and never deleted
      * @return the lock; empty if another program holds it
      * @throws IOException if the file cannot be written
      */
@@ -41,7 +41,7 @@ public final class FolderLock implements AutoCloseable {
         }
     }
 
-    /** Locks a place behind all contents, so that others can read the file where locks keep readers out. */
+    /** Locks one byte far behind the content, since mandatory locks, as on Windows, would prevent others from reading. */
     static boolean isTaken(FileChannel channel) throws IOException {
         try {
             FileLock lock = channel.tryLock(Long.MAX_VALUE - 1, 1, false);

@@ -9,8 +9,8 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * What this Java can read of the names of files. It decodes them by the locale of the shell: without UTF-8, as under cron and in
- * containers, {@code Übung} becomes {@code ??bung}, which would be another folder.
+ * The encoding in which Java decodes file names, which depends on the locale of the shell. In a locale without UTF-8, as under
+ * cron and in containers, {@code Übung} becomes {@code ??bung}, a different folder.
  */
 public final class PathEncoding {
 
@@ -18,21 +18,21 @@ public final class PathEncoding {
 
     private PathEncoding() {}
 
-    /** {@return the encoding in which Java reads and writes names of files} */
+    /** {@return the encoding of file names} */
     public static String name() {
         return System.getProperty("sun.jnu.encoding", "UTF-8");
     }
 
-    /** {@return whether all letters can occur in names; the encoding does not matter on Windows, which has names in Unicode} */
+    /** {@return whether file names can contain all letters; always true on Windows, where names are in Unicode} */
     public static boolean isUnicode() {
         return File.separatorChar == '\\' || name().toUpperCase(Locale.ROOT).startsWith("UTF");
     }
 
     /**
-     * Looks for names that could not be decoded, before anything is written to the wrong place.
+     * Finds file names that could not be decoded, before anything is written to the wrong folder.
      *
-     * @param words arguments of the program, in which names of files may occur
-     * @return a sentence about the working folder or the first word that could not be decoded; empty if all is well
+     * @param words arguments of the program, which may contain file names
+     * @return a sentence about the working folder or the first argument that could not be decoded; empty if there is none
      */
     public static Optional<String> problem(String... words) {
         return Stream.concat(Stream.of(System.getProperty("user.dir", "")), Stream.of(words))
@@ -42,26 +42,26 @@ public final class PathEncoding {
     }
 
     /**
-     * Explains why a name is refused.
+     * Explains why a path is invalid.
      *
-     * @param refused what Java says
-     * @return a sentence with what to do
+     * @param refused the exception from Java
+     * @return a sentence with advice
      */
     public static String explain(InvalidPathException refused) {
         return !isUnicode() && refused.getInput().chars().anyMatch(letter -> letter > '~')
                 ? explain(refused.getInput())
-                : "\"" + refused.getInput() + "\" cannot be the name of a file here: " + refused.getReason() + ".";
+                : "\"" + refused.getInput() + "\" is not a valid file name here: " + refused.getReason() + ".";
     }
 
     private static String explain(String name) {
         return isUnicode()
-                ? "The name \"" + name + "\" is not written in " + name()
-                        + ", so that Java cannot open it. Give that file or folder another name."
-                : "The name \"" + name + "\" has letters that cannot be read here, since the encoding of this shell is "
+                ? "The name \"" + name + "\" is not encoded in " + name()
+                        + ", so Java cannot open it. Rename that file or folder."
+                : "The name \"" + name + "\" has letters that cannot be decoded, since the encoding of this shell is "
                         + name() + ". Write \"export LC_ALL=C.UTF-8\" and start again.";
     }
 
-    /** A name may really have the character that stands for what could not be decoded. */
+    /** Returns whether a name could not be decoded; an existing file may really contain the replacement character. */
     private static boolean isLost(String name) {
         try {
             return name.indexOf(UNDECODABLE) >= 0 && !Files.exists(Path.of(name));

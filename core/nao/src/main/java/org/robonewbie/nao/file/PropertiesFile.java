@@ -10,8 +10,8 @@ import java.util.regex.Pattern;
 import org.robonewbie.nao.text.ConfusableCharacter;
 
 /**
- * A file with one property per line, as {@link java.util.Properties} reads it, but strict: a name that is given twice, a
- * backslash that would vanish, and a character that looks like another one are refused.
+ * Strict reader for files in the format of {@link java.util.Properties}, with one property per line. It rejects duplicate names,
+ * single backslashes, which would be lost, and confusable characters.
  *
  * <pre>
  * # a comment
@@ -20,7 +20,7 @@ import org.robonewbie.nao.text.ConfusableCharacter;
  * headless
  * </pre>
  *
- * <p>A path is written with {@code /} or with two backslashes. {@code \}{@code u00fc} is the letter ü, as NetBeans writes it.
+ * <p>Paths are written with {@code /} or with two backslashes. {@code \}{@code u00fc} is the letter ü, as NetBeans writes it.
  */
 public final class PropertiesFile {
 
@@ -36,11 +36,11 @@ public final class PropertiesFile {
     }
 
     /**
-     * Reads a file. Where its encoding had to be inferred, the terminal says so once.
+     * Reads a file. If its encoding was guessed, prints a note to the terminal once.
      *
      * @param file the file
-     * @return value by name, in the order of the file; an empty value where a line has only a name
-     * @throws UnreadableFileException if it cannot be read or a line is not clear; the message names file and line
+     * @return the values by name, in the order of the file; the value is empty if a line has only a name
+     * @throws UnreadableFileException if the file cannot be read or a line is invalid; the message names file and line
      */
     public static Map<String, String> read(Path file) throws UnreadableFileException {
         PropertiesFile properties = new PropertiesFile(file);
@@ -61,7 +61,8 @@ public final class PropertiesFile {
         }
         Matcher matcher = LINE.matcher(line);
         if (!matcher.matches()) {
-            throw UnreadableFileException.atLine(file, number, "\"" + line + "\" is no property. Write name = value.");
+            throw UnreadableFileException.atLine(
+                    file, number, "\"" + line + "\" is not a property. Write name = value.");
         }
         String name = unescaped(matcher.group(1), number);
         Integer before = lineOf.put(name, number);
@@ -69,7 +70,7 @@ public final class PropertiesFile {
             throw UnreadableFileException.atLine(
                     file,
                     number,
-                    "\"" + name + "\" stands in line " + before + " already. Delete one of the two lines.");
+                    "\"" + name + "\" is already set in line " + before + ". Delete one of the two lines.");
         }
         values.put(name, unescaped(matcher.group(2), number));
     }

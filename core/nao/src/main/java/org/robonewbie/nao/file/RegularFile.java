@@ -7,8 +7,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * Reads files of which nothing is known yet: no device or pipe is opened, which could block for ever, and no more bytes are read
- * than are allowed.
+ * Safe reading of untrusted files: never opens a device or a pipe, which could block forever, and limits the number of bytes
+ * read.
  */
 public final class RegularFile {
 
@@ -18,55 +18,34 @@ public final class RegularFile {
      * Reads a file.
      *
      * @param file the file, or a symbolic link to one
-     * @param maxBytes the largest size that makes sense for it
-     * @return all of its bytes
-     * @throws UnreadableFileException if there is none, it is no regular file, larger than {@code maxBytes}, or cannot be read
+     * @param maxBytes maximum size of such a file in bytes
+     * @return the content of the file
+     * @throws UnreadableFileException if the file does not exist, is not a regular file, is larger than {@code maxBytes}, or cannot
+     *     be read
      */
     public static byte[] read(Path file, int maxBytes) throws UnreadableFileException {
-        try {
-            check(file, maxBytes);
-            try (InputStream in = Files.newInputStream(file)) {
-                byte[] bytes = in.readNBytes(maxBytes);
-                if (in.read() >= 0) {
-                    throw tooLarge(file, maxBytes);
-                }
-                return bytes;
-            }
-        } catch (UnreadableFileException known) {
-            throw known;
+        check(file, maxBytes);
+        byte[] bytes;
+        try (InputStream in = Files.newInputStream(file)) {
+            bytes = in.readNBytes(maxBytes + 1);
         } catch (AccessDeniedException denied) {
-            throw new UnreadableFileException(file, "may not be read. Change its permissions, or copy it.", denied);
+            throw new UnreadableFileException(
+                    file, "cannot be read: permission denied. Change its permissions, or copy it.", denied);
         } catch (IOException other) {
             throw new UnreadableFileException(file, "cannot be read (" + other.getMessage() + ").", other);
         }
+        checkSize(file, bytes.length, maxBytes);
+        return bytes;
     }
 
     /**
      * Checks a file without opening it, as {@link #read} does first.
      *
      * @param file the file, or a symbolic link to one
-     * @param maxBytes the largest size that makes sense for it
-     * @throws UnreadableFileException if {@link #read} would refuse it for what it is
+     * @param maxBytes maximum size of such a file in bytes
+     * @throws UnreadableFileException if the file does not exist, is not a regular file, or is larger than {@code maxBytes}
      */
     public static void check(Path file, int maxBytes) throws UnreadableFileException {
-        check(file);
-        try {
-            if (Files.size(file) > maxBytes) {
-                throw tooLarge(file, maxBytes);
-            }
-        } catch (UnreadableFileException known) {
-            throw known;
-        } catch (IOException other) {
-            throw new UnreadableFileException(file, "cannot be read (" + other.getMessage() + ").", other);
-        }
-    }
-
-    private static UnreadableFileException tooLarge(Path file, int maxBytes) {
-        return new UnreadableFileException(
-                file, "is larger than " + size(maxBytes) + ", which is more than such a file may have.");
-    }
-
-    private static void check(Path file) throws UnreadableFileException {
         if (Files.isDirectory(file)) {
             throw new UnreadableFileException(file, "is a folder. Name a file in it.");
         }
@@ -78,12 +57,16 @@ public final class RegularFile {
                             : "does not exist in the folder " + Path.of("").toAbsolutePath() + ". Is its name right?");
         }
         if (!Files.isRegularFile(file)) {
-            throw new UnreadableFileException(file, "is no regular file but a device or a pipe, and is not read.");
+            throw new UnreadableFileException(file, "is not a regular file but a device or a pipe.");
         }
+        checkSize(file, file.toFile().length(), maxBytes);
     }
 
-    private static String size(int bytes) {
-        int mebibyte = 1 << 20;
-        return bytes >= mebibyte ? bytes / mebibyte + " MB" : bytes + " bytes";
+    private static void checkSize(Path file, long bytes, int maxBytes) throws UnreadableFileException {
+        if (bytes > maxBytes) {
+            int mebibyte = 1 << 20;
+            String limit = maxBytes >= mebibyte ? maxBytes / mebibyte + " MB" : maxBytes + " bytes";
+            throw new UnreadableFileException(file, "is larger than " + limit + ", the maximum for such a file.");
+        }
     }
 }

@@ -17,33 +17,33 @@ import java.util.function.Predicate;
 import org.robonewbie.nao.text.PrintableText;
 
 /**
- * A folder that a stranger has handed in. Only its regular files are admitted, of a number and size that make sense; a link is
- * followed within the folder and refused if it leads out of it, and nothing that is refused is opened. A hard link is a regular
- * file.
+ * An untrusted folder that was submitted for grading or a competition. It may contain regular files only, within limits of number
+ * and total size. Symbolic links are followed within the folder and rejected if they lead out of it; hard links count as regular
+ * files. Nothing that is rejected is opened.
  *
  * <pre>{@code
  * new SubmittedFolder(Path.of("submissions/anna"), folder -> folder.endsWith("target")).copyTo(workFolder);
  * }</pre>
  *
  * @param root the folder, or a single file
- * @param leftOut folders below it that are not looked at
+ * @param leftOut selects folders below the root to ignore
  */
 public record SubmittedFolder(Path root, Predicate<Path> leftOut) {
 
-    /** The size of all files together that is admitted, in bytes. */
+    /** Maximum total size of all files in bytes. */
     public static final long MAX_BYTES = 100_000_000;
 
-    /** How many files and folders are admitted. */
+    /** Maximum number of files and folders. */
     public static final int MAX_FILES = 10_000;
 
-    /** How many folders may lie within each other. */
+    /** Maximum nesting depth of folders. */
     public static final int MAX_DEPTH = 40;
 
     /**
-     * Looks at the folder.
+     * Checks and lists the folder.
      *
-     * @return its files in a fixed order; a file is its own list
-     * @throws UnreadableFileException if something in it is refused; the message names the file and says what to do
+     * @return all files in a fixed order; for a single file, the file itself
+     * @throws UnreadableFileException if a file is rejected; the message names the file and what to do
      */
     public List<Path> files() throws UnreadableFileException {
         Inspection inspection = new Inspection(realRoot());
@@ -54,10 +54,10 @@ public record SubmittedFolder(Path root, Predicate<Path> leftOut) {
     }
 
     /**
-     * Copies the admitted files; what a link leads to becomes a file.
+     * Copies the files, replacing links by their targets.
      *
-     * @param target the folder for the copies; it is made
-     * @throws UnreadableFileException if something in the folder is refused
+     * @param target the folder for the copies; created if necessary
+     * @throws UnreadableFileException if a file is rejected
      * @throws IOException if the copies cannot be written
      */
     public void copyTo(Path target) throws IOException {
@@ -70,10 +70,10 @@ public record SubmittedFolder(Path root, Predicate<Path> leftOut) {
         }
     }
 
-    /** The folder itself is no link: it would be the work of someone else. */
+    /** Resolves the root, which must not be a link: its target could be another submission. */
     private Path realRoot() throws UnreadableFileException {
         if (Files.isSymbolicLink(root)) {
-            throw refused(root, "is a link. Put in its place what it leads to, or name that.");
+            throw refused(root, "is a link. Replace it by its target, or name the target.");
         }
         try {
             return root.toRealPath();
@@ -86,7 +86,7 @@ public record SubmittedFolder(Path root, Predicate<Path> leftOut) {
         return new UnreadableFileException(file, problem);
     }
 
-    /** Goes through the folder once. */
+    /** A single pass over the folder. */
     private final class Inspection {
 
         private final Path realRoot;
@@ -98,29 +98,30 @@ public record SubmittedFolder(Path root, Predicate<Path> leftOut) {
             this.realRoot = realRoot;
         }
 
-        void visit(Path place, List<Path> above) throws UnreadableFileException {
-            if (!place.equals(root) && !Files.isRegularFile(place, LinkOption.NOFOLLOW_LINKS) && leftOut.test(place)) {
+        void visit(Path path, List<Path> above) throws UnreadableFileException {
+            if (!path.equals(root) && !Files.isRegularFile(path, LinkOption.NOFOLLOW_LINKS) && leftOut.test(path)) {
                 return;
             }
-            Path real = real(place);
-            BasicFileAttributes attributes = attributes(place, real);
+            Path real = real(path);
+            BasicFileAttributes attributes = attributes(path, real);
             if (attributes.isDirectory()) {
-                visitFolder(place, real, above);
+                visitFolder(path, real, above);
             } else if (attributes.isRegularFile()) {
                 bytes += attributes.size();
-                files.add(place);
+                files.add(path);
             } else {
-                throw refused(place, "is no regular file but a device, a pipe or a socket. Take it out of the folder.");
+                throw refused(
+                        path, "is not a regular file but a device, a pipe or a socket. Remove it from the folder.");
             }
-            refuseTooMuch();
+            checkLimits();
         }
 
         private void visitFolder(Path folder, Path real, List<Path> above) throws UnreadableFileException {
             if (above.contains(real)) {
-                throw refused(folder, "is a link to a folder in which it lies itself. Take it out of the folder.");
+                throw refused(folder, "is a link to a folder that contains it. Remove it from the folder.");
             }
             if (above.size() >= MAX_DEPTH) {
-                throw refused(folder, "lies more than " + MAX_DEPTH + " folders deep. Hand in fewer folders.");
+                throw refused(folder, "is nested more than " + MAX_DEPTH + " folders deep. Submit fewer folders.");
             }
             List<Path> within = new ArrayList<>(above);
             within.add(real);
@@ -131,41 +132,41 @@ public record SubmittedFolder(Path root, Predicate<Path> leftOut) {
             } catch (UnreadableFileException known) {
                 throw known;
             } catch (IOException unreadable) {
-                throw refused(folder, "cannot be read. Change its permissions, or take it out of the folder.");
+                throw refused(folder, "cannot be read. Change its permissions, or remove it from the folder.");
             }
         }
 
-        /** What is looked at: the place itself, or what a link leads to. */
-        private Path real(Path place) throws UnreadableFileException {
-            if (!Files.isSymbolicLink(place)) {
-                return place.equals(root) ? realRoot : place;
+        /** Resolves a symbolic link; returns any other path unchanged. */
+        private Path real(Path path) throws UnreadableFileException {
+            if (!Files.isSymbolicLink(path)) {
+                return path.equals(root) ? realRoot : path;
             }
             try {
-                Path target = place.toRealPath();
+                Path target = path.toRealPath();
                 if (!target.startsWith(realRoot)) {
-                    throw refused(place, "is a link that leads out of the folder. Put a copy in its place.");
+                    throw refused(path, "is a link that leads out of the folder. Replace it by a copy.");
                 }
                 return target;
             } catch (NoSuchFileException dead) {
-                throw refused(place, "is a link to nothing. Take it out of the folder.");
+                throw refused(path, "is a broken link. Remove it from the folder.");
             } catch (FileSystemException circle) {
-                throw refused(place, "is a link that leads in a circle. Take it out of the folder.");
+                throw refused(path, "is a circular link. Remove it from the folder.");
             } catch (UnreadableFileException known) {
                 throw known;
             } catch (IOException unreadable) {
-                throw refused(place, "is a link that cannot be followed. Take it out of the folder.");
+                throw refused(path, "is a link that cannot be followed. Remove it from the folder.");
             }
         }
 
-        private BasicFileAttributes attributes(Path place, Path real) throws UnreadableFileException {
+        private BasicFileAttributes attributes(Path path, Path real) throws UnreadableFileException {
             try {
                 return Files.readAttributes(real, BasicFileAttributes.class, LinkOption.NOFOLLOW_LINKS);
             } catch (IOException gone) {
-                throw refused(place, "cannot be read. Change its permissions, or take it out of the folder.");
+                throw refused(path, "cannot be read. Change its permissions, or remove it from the folder.");
             }
         }
 
-        private void refuseTooMuch() throws UnreadableFileException {
+        private void checkLimits() throws UnreadableFileException {
             count++;
             if (bytes > MAX_BYTES) {
                 throw tooMuch(MAX_BYTES / 1_000_000 + " MB");
@@ -176,8 +177,8 @@ public record SubmittedFolder(Path root, Predicate<Path> leftOut) {
         }
 
         private UnreadableFileException tooMuch(String limit) {
-            return new UnreadableFileException("The folder " + PrintableText.of(root.toString()) + " has more than "
-                    + limit + ". Name a folder that has only the program in it.");
+            return new UnreadableFileException("The folder " + PrintableText.of(root.toString())
+                    + " contains more than " + limit + ". Name a folder that contains only the program.");
         }
     }
 }

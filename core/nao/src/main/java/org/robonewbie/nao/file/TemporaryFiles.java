@@ -4,17 +4,17 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** Makes files and folders in the system's folder for temporary files. */
+/** Creates files and folders in the system's folder for temporary files. */
 public final class TemporaryFiles {
 
     private TemporaryFiles() {}
 
     /**
-     * Makes an empty folder.
+     * Creates an empty folder.
      *
-     * @param prefix how its name begins
+     * @param prefix start of the folder's name
      * @return the folder
-     * @throws IOException if that is impossible; the message says what to do
+     * @throws IOException if the folder cannot be created; the message says what to do
      */
     public static Path folder(String prefix) throws IOException {
         try {
@@ -25,12 +25,12 @@ public final class TemporaryFiles {
     }
 
     /**
-     * Makes an empty file.
+     * Creates an empty file.
      *
-     * @param prefix how its name begins
-     * @param suffix how it ends
+     * @param prefix start of the file's name
+     * @param suffix end of the file's name
      * @return the file
-     * @throws IOException if that is impossible; the message says what to do
+     * @throws IOException if the file cannot be created; the message says what to do
      */
     public static Path file(String prefix, String suffix) throws IOException {
         try {
@@ -40,9 +40,9 @@ public final class TemporaryFiles {
         }
     }
 
-    /** {@return how another folder for temporary files is named} */
+    /** {@return a sentence with advice for choosing another folder} */
     public static String howToChoose() {
-        return "Name another folder by the environment variable JAVA_TOOL_OPTIONS=-Djava.io.tmpdir=FOLDER.";
+        return "Choose another folder with the environment variable JAVA_TOOL_OPTIONS=-Djava.io.tmpdir=FOLDER.";
     }
 
     private static IOException explained(IOException impossible) {

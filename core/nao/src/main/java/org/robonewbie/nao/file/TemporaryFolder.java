@@ -7,16 +7,16 @@ import java.util.Comparator;
 import java.util.stream.Stream;
 
 /**
- * A folder that is gone with all of its files when it is closed.
+ * A folder that is deleted with all of its files when it is closed.
  *
  * @param path the folder
  */
 public record TemporaryFolder(Path path) implements AutoCloseable {
 
     /**
-     * Makes an empty folder.
+     * Creates an empty folder.
      *
-     * @param name how its name begins
+     * @param name start of the folder's name
      * @return the folder
      * @throws IOException if the system's folder for temporary files cannot be written
      */
@@ -30,9 +30,9 @@ public record TemporaryFolder(Path path) implements AutoCloseable {
     }
 
     /**
-     * Deletes a folder with everything in it, where the system permits it.
+     * Deletes a folder with its contents, as far as the system permits.
      *
-     * @param folder the folder; it need not exist
+     * @param folder the folder, which need not exist
      */
     public static void delete(Path folder) {
         if (!Files.exists(folder)) {
@@ -43,7 +43,7 @@ public record TemporaryFolder(Path path) implements AutoCloseable {
                 Files.deleteIfExists(file);
             }
         } catch (IOException inUse) {
-            // What is left does no harm.
+            // Remaining files do no harm.
         }
     }
 }

@@ -7,8 +7,8 @@ import org.robonewbie.nao.text.DecodedText;
 import org.robonewbie.nao.text.UndecodableTextException;
 
 /**
- * Reads text that people wrote, as their editors, spreadsheets and shells save it; see {@link DecodedText}. Files that only
- * programs write need none of this.
+ * Reads text files in the encodings that editors, spreadsheets and shells use; see {@link DecodedText}. For files that users
+ * edit; files that only programs write are in UTF-8.
  *
  * <pre>{@code
  * for (String line : TextFile.read(Path.of("teams.properties")).lines()) { ... }
@@ -16,7 +16,7 @@ import org.robonewbie.nao.text.UndecodableTextException;
  */
 public final class TextFile {
 
-    /** The largest file that is read as text, in bytes. */
+    /** Maximum size of a text file in bytes. */
     public static final int MAX_BYTES = 16 << 20;
 
     private static final Set<String> NOTED = ConcurrentHashMap.newKeySet();
@@ -28,19 +28,24 @@ public final class TextFile {
      *
      * @param file the file
      * @return its text
-     * @throws UnreadableFileException if it cannot be read or is no text; the message names file, line and what to do
+     * @throws UnreadableFileException if the file cannot be read or is not text; the message names file, line and what to do
      */
     public static DecodedText read(Path file) throws UnreadableFileException {
-        return decode(file, RegularFile.read(file, MAX_BYTES));
+        byte[] bytes = RegularFile.read(file, MAX_BYTES);
+        try {
+            return DecodedText.of(bytes);
+        } catch (UndecodableTextException undecodable) {
+            throw new UnreadableFileException(file, "cannot be read: " + undecodable.getMessage(), undecodable);
+        }
     }
 
     /**
-     * Reads a file for a command or a program. Where its encoding had to be inferred, the terminal says so: once for each file
-     * and process.
+     * Reads a file for a command or a program. If its encoding was guessed, prints a note to the terminal, once for each file and
+     * process.
      *
      * @param file the file
      * @return its text
-     * @throws UnreadableFileException if it cannot be read or is no text; the message names file, line and what to do
+     * @throws UnreadableFileException if the file cannot be read or is not text; the message names file, line and what to do
      */
     public static DecodedText readAndNote(Path file) throws UnreadableFileException {
         DecodedText text = read(file);
@@ -48,13 +53,5 @@ public final class TextFile {
                 .filter(note -> NOTED.add(file.toAbsolutePath() + note))
                 .ifPresent(note -> System.err.println("The file " + file + ", " + note));
         return text;
-    }
-
-    private static DecodedText decode(Path file, byte[] bytes) throws UnreadableFileException {
-        try {
-            return DecodedText.of(bytes);
-        } catch (UndecodableTextException undecodable) {
-            throw new UnreadableFileException(file, "cannot be read: " + undecodable.getMessage(), undecodable);
-        }
     }
 }

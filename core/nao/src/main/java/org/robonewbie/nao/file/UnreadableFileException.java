@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import org.robonewbie.nao.text.PrintableText;
 
-/** Says in a sentence for users why a file cannot be read and what to do about it; the message names the file. */
+/** Thrown when a file cannot be read. The message for the user names the file, the reason and what to do. */
 public final class UnreadableFileException extends IOException {
 
     private static final long serialVersionUID = 1L;
@@ -13,27 +13,19 @@ public final class UnreadableFileException extends IOException {
      * Creates an exception about a line of a file.
      *
      * @param file the file
-     * @param line the number of the line, 1 for the first
-     * @param problem what is wrong and what to write, in whole sentences
+     * @param line the line number, from 1
+     * @param problem the problem and what to do, in complete sentences
      * @return the exception
      */
     public static UnreadableFileException atLine(Path file, int line, String problem) {
         return new UnreadableFileException(PrintableText.of(file.toString()) + ", line " + line + ": " + problem);
     }
 
-    /**
-     * @param file the file
-     * @param problem what follows its name, such as {@code does not exist.}
-     */
+    /** Creates an exception with a problem that follows the file's name, such as {@code does not exist.} */
     UnreadableFileException(Path file, String problem) {
         super(sentence(file, problem));
     }
 
-    /**
-     * @param file the file
-     * @param problem what follows its name, such as {@code cannot be read.}
-     * @param cause what the system says
-     */
     UnreadableFileException(Path file, String problem, IOException cause) {
         super(sentence(file, problem), cause);
     }

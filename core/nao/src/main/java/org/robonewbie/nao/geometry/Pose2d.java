@@ -5,28 +5,28 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * A place on the ground and a heading, in a frame with x forward and y to the left. In the world frame x points to the right goal;
- * in the coordinates of a team the origin is the centre spot and x points to the opponents' goal.
+ * A position on the ground and a heading, in a frame with x forward and y to the left. In the world frame x points to the
+ * right goal. In a team's frame the origin is the centre spot and x points to the opponents' goal.
  *
- * @param x metres
- * @param y metres
- * @param degrees heading against the x axis; positive is left
+ * @param x first coordinate in metres
+ * @param y second coordinate in metres
+ * @param degrees heading relative to the x axis in degrees, positive to the left
  */
 public record Pose2d(double x, double y, double degrees) {
 
-    /** At the origin, facing along x. */
+    /** The origin, facing along x. */
     public static final Pose2d ORIGIN = new Pose2d(0, 0, 0);
 
-    /** {@return the place without the heading} */
+    /** {@return the position without the heading} */
     public Translation2d translation() {
         return new Translation2d(x, y);
     }
 
     /**
-     * Converts a point that was seen from here.
+     * Transforms a point from coordinates relative to this pose to the frame in which this pose is given.
      *
-     * @param seen x forward, y left of this pose, in metres; the height stays
-     * @return the same point in the frame of this pose
+     * @param seen point relative to this pose, x forward and y to the left, in metres; z is kept
+     * @return the same point in the frame in which this pose is given
      */
     public Vector3 toFrame(Vector3 seen) {
         double heading = PortableMath.toRadians(degrees);
@@ -36,10 +36,10 @@ public record Pose2d(double x, double y, double degrees) {
     }
 
     /**
-     * Converts a point to the view from here.
+     * Transforms a point to coordinates relative to this pose.
      *
-     * @param point a point in the frame of this pose, in metres; the height stays
-     * @return x forward, y left of this pose
+     * @param point point in the frame in which this pose is given, in metres; z is kept
+     * @return the same point relative to this pose, x forward and y to the left
      */
     public Vector3 fromFrame(Vector3 point) {
         double heading = PortableMath.toRadians(degrees);
@@ -51,11 +51,11 @@ public record Pose2d(double x, double y, double degrees) {
     }
 
     /**
-     * Moves along the own axes and then turns. The heading is not wrapped.
+     * Returns the pose after a move along this pose's own axes and a turn. The heading is not wrapped.
      *
-     * @param forward metres ahead
-     * @param left metres to the left
-     * @param turnDegrees turn to the left after that
+     * @param forward distance forward in metres
+     * @param left distance to the left in metres
+     * @param turnDegrees turn to the left after the move, in degrees
      * @return the new pose in the same frame
      */
     public Pose2d then(double forward, double left, double turnDegrees) {
@@ -66,11 +66,11 @@ public record Pose2d(double x, double y, double degrees) {
     }
 
     /**
-     * Interpolates place and heading linearly. The heading is not wrapped.
+     * Interpolates position and heading linearly. The heading is not wrapped.
      *
      * @param end the other pose
      * @param fraction 0 for this pose, 1 for the other
-     * @return the pose between
+     * @return the interpolated pose
      */
     public Pose2d interpolate(Pose2d end, double fraction) {
         return new Pose2d(
@@ -78,12 +78,12 @@ public record Pose2d(double x, double y, double degrees) {
     }
 
     /**
-     * Returns a point by its polar coordinates.
+     * Returns the point with the given polar coordinates relative to this pose.
      *
-     * @param distance metres from here
-     * @param bearing degrees to the left of the heading
-     * @param height metres above the ground
-     * @return the point in the frame of this pose
+     * @param distance distance along the ground in metres
+     * @param bearing angle to the left of the heading in degrees
+     * @param height height above the ground in metres
+     * @return the point in the frame in which this pose is given
      */
     public Vector3 point(double distance, double bearing, double height) {
         double angle = PortableMath.toRadians(degrees + bearing);
@@ -91,51 +91,51 @@ public record Pose2d(double x, double y, double degrees) {
     }
 
     /**
-     * Returns the point that lies ahead and to the left.
+     * Returns the point on the ground with the given coordinates relative to this pose.
      *
-     * @param ahead metres along the heading
-     * @param left metres to the left of it
-     * @return the point on the ground
+     * @param ahead distance along the heading in metres
+     * @param left distance to the left of the heading in metres
+     * @return the point in the frame in which this pose is given
      */
     public Vector3 pointAt(double ahead, double left) {
         return point(PortableMath.hypot(ahead, left), Angles.atan2(left, ahead), 0);
     }
 
     /**
-     * Direction of a point as seen from here.
+     * Returns the bearing of a point.
      *
-     * @param point a point in the frame of this pose
-     * @return degrees to the left of the heading, -180 to 180
+     * @param point a point in the frame in which this pose is given
+     * @return angle to the left of the heading in degrees, -180 to 180
      */
     public double bearing(Vector3 point) {
         return Angles.wrap(Angles.atan2(point.y() - y, point.x() - x) - degrees);
     }
 
     /**
-     * Distance to a point.
+     * Returns the distance to a point.
      *
-     * @param point a point in the frame of this pose
-     * @return metres along the ground
+     * @param point a point in the frame in which this pose is given
+     * @return distance along the ground in metres
      */
     public double distance(Vector3 point) {
         return PortableMath.hypot(point.x() - x, point.y() - y);
     }
 
     /**
-     * Distance of a point along the heading.
+     * Returns how far a point lies in front of this pose.
      *
-     * @param point a point in the frame of this pose
-     * @return metres, negative behind
+     * @param point a point in the frame in which this pose is given
+     * @return distance along the heading in metres, negative behind
      */
     public double ahead(Vector3 point) {
         return fromFrame(point).x();
     }
 
     /**
-     * Distance of a point across the heading.
+     * Returns how far a point lies to the left of this pose.
      *
-     * @param point a point in the frame of this pose
-     * @return metres, negative to the right
+     * @param point a point in the frame in which this pose is given
+     * @return distance across the heading in metres, negative to the right
      */
     public double left(Vector3 point) {
         return fromFrame(point).y();

@@ -4,33 +4,33 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * A point on the ground, or the way from one point to another. In the coordinates of the team, x points to the opponents' goal, y to
- * the left of that, and the origin is the centre spot; seen from a robot, x is ahead and y to its left.
+ * A point on the ground, or the displacement between two points. In a team's frame the origin is the centre spot, x points to
+ * the opponents' goal and y to the left. In a robot's frame x points forward and y to the left.
  *
- * @param x metres
- * @param y metres
+ * @param x first component in metres
+ * @param y second component in metres
  */
 public record Translation2d(double x, double y) {
 
-    /** The centre spot, or where the robot itself stands. */
+    /** The origin of the frame: the centre spot in a team's frame, the robot in its own. */
     public static final Translation2d ORIGIN = new Translation2d(0, 0);
 
     /**
-     * Forgets the height of a point.
+     * Projects a point onto the ground.
      *
-     * @param point in metres
-     * @return the point below it
+     * @param point a point in space, in metres
+     * @return the point on the ground below it
      */
     public static Translation2d of(Vector3 point) {
         return new Translation2d(point.x(), point.y());
     }
 
     /**
-     * Returns the way of a length in a direction.
+     * Creates a translation from polar coordinates.
      *
-     * @param degrees 0 is along x, positive turns left
-     * @param metres its length
-     * @return the way
+     * @param degrees direction in degrees, 0 along x, positive to the left
+     * @param metres length in metres
+     * @return the translation
      */
     public static Translation2d polar(double degrees, double metres) {
         double angle = PortableMath.toRadians(degrees);
@@ -38,41 +38,41 @@ public record Translation2d(double x, double y) {
     }
 
     /**
-     * Goes on from here.
+     * Returns the sum of this translation and another one.
      *
-     * @param way where to
-     * @return the end of the way
+     * @param other the translation to add
+     * @return this + other
      */
-    public Translation2d plus(Translation2d way) {
-        return new Translation2d(x + way.x, y + way.y);
+    public Translation2d plus(Translation2d other) {
+        return new Translation2d(x + other.x, y + other.y);
     }
 
     /**
-     * Returns the way that leads here.
+     * Returns the difference between this translation and another one.
      *
-     * @param from where it begins
-     * @return the way
+     * @param other the translation to subtract
+     * @return this - other, the displacement from the other point to this one
      */
-    public Translation2d minus(Translation2d from) {
-        return new Translation2d(x - from.x, y - from.y);
+    public Translation2d minus(Translation2d other) {
+        return new Translation2d(x - other.x, y - other.y);
     }
 
     /**
-     * Stretches the way.
+     * Returns this translation scaled by a factor.
      *
-     * @param factor 1 leaves it as it is
-     * @return the stretched way
+     * @param factor the factor for both components
+     * @return factor * this
      */
     public Translation2d times(double factor) {
         return new Translation2d(factor * x, factor * y);
     }
 
     /**
-     * Goes a part of the way to another point.
+     * Returns the point at a distance from this one in the direction of another.
      *
-     * @param other where to
-     * @param metres how far
-     * @return the point between
+     * @param other the point that gives the direction
+     * @param metres distance from this point in metres
+     * @return the point on the line; this point if both coincide
      */
     public Translation2d towards(Translation2d other, double metres) {
         double distance = distanceTo(other);
@@ -80,70 +80,70 @@ public record Translation2d(double x, double y) {
     }
 
     /**
-     * Calculates how long one way is along another.
+     * Returns the dot product.
      *
-     * @param other the other way
-     * @return the scalar product
+     * @param other the second factor
+     * @return the dot product
      */
     public double dot(Translation2d other) {
         return x * other.x + y * other.y;
     }
 
-    /** {@return the length of the way, metres} */
+    /** {@return the length in metres} */
     public double length() {
         return PortableMath.hypot(x, y);
     }
 
     /**
-     * Calculates a distance.
+     * Returns the distance to another point.
      *
      * @param other another point
-     * @return metres
+     * @return the distance in metres
      */
     public double distanceTo(Translation2d other) {
         return PortableMath.hypot(x - other.x, y - other.y);
     }
 
-    /** {@return the direction of the way in degrees; 0 is along x, positive is left} */
+    /** {@return the direction in degrees, 0 along x, positive to the left} */
     public double degrees() {
         return Angles.atan2(y, x);
     }
 
     /**
-     * Calculates how near a straight way comes by.
+     * Returns the distance from this point to a line segment.
      *
-     * @param from where it begins
-     * @param to where it ends
-     * @return metres from this point to the nearest point of the way
+     * @param from start of the segment
+     * @param to end of the segment
+     * @return distance to the nearest point of the segment in metres
      */
-    public double distanceToWay(Translation2d from, Translation2d to) {
-        Translation2d way = to.minus(from);
-        double square = way.dot(way);
-        double share = square < 1e-9 ? 0 : minus(from).dot(way) / square;
-        return distanceTo(from.plus(way.times(Math.max(0, Math.min(1, share)))));
+    public double distanceToSegment(Translation2d from, Translation2d to) {
+        Translation2d segment = to.minus(from);
+        double square = segment.dot(segment);
+        double fraction = square < 1e-9 ? 0 : minus(from).dot(segment) / square;
+        return distanceTo(from.plus(segment.times(Math.max(0, Math.min(1, fraction)))));
     }
 
     /**
-     * Sees this point from a robot.
+     * Transforms this point from the frame of the pitch to that of a robot.
      *
-     * @param pose where the robot stands
-     * @return metres ahead and to the left of it
+     * @param pose the robot's pose on the pitch
+     * @return the point relative to the robot, x forward and y to the left
      */
     public Translation2d seenFrom(Pose2d pose) {
         return of(pose.fromFrame(vector()));
     }
 
     /**
-     * Puts what a robot sees on the map.
+     * Transforms this point from the frame of a robot to that of the pitch.
      *
-     * @param pose where the robot stands
-     * @return the point in the frame of the pose
+     * @param pose the robot's pose on the pitch
+     * @return the point in the frame of the pitch
      */
     public Translation2d onMap(Pose2d pose) {
         return of(pose.toFrame(vector()));
     }
 
-    /** {@return the same point on the ground} */
+    /** {@return this point in space, at height 0} */
     public Vector3 vector() {
         return new Vector3(x, y, 0);
     }

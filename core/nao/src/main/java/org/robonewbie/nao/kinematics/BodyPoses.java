@@ -3,19 +3,17 @@ package org.robonewbie.nao.kinematics;
 import java.util.ArrayList;
 import java.util.List;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
-import org.robonewbie.nao.model.Shape;
 
 /**
- * Where the links of a robot are in one posture: as seen from the torso in the body frame, or in the world frame if they come from
- * a {@link BodyState}. Unmodifiable.
+ * The poses of all links of a robot: relative to the torso in the body frame, or in the world frame if they come from a {@link
+ * BodyState}. Immutable.
  */
 public final class BodyPoses {
 
     static final String HEAD = "head";
 
-    /** A corner that is not higher than this touches the ground; soles of a robot that stands are a little uneven. */
+    /** Maximum height of a corner that counts as touching the ground; the soles of a standing robot tilt slightly. */
     private static final double TOUCH_METRES = 0.012;
 
     private static final int CORNERS = 8;
@@ -28,12 +26,12 @@ public final class BodyPoses {
         this.poses = List.copyOf(poses);
     }
 
-    /** The same links as seen from where the torso has this pose. */
-    BodyPoses seenFrom(Pose torso) {
+    /** Transforms poses relative to the torso to the frame in which the torso's pose is given. */
+    BodyPoses withTorso(Pose torso) {
         return new BodyPoses(model, poses.stream().map(torso::times).toList());
     }
 
-    /** {@return the pose of each link in the order of {@link NaoModel#links()}; in the construction pose no link is rotated} */
+    /** {@return the pose of each link in the order of {@link NaoModel#links()}; the construction pose has no rotations} */
     public List<Pose> links() {
         return poses;
     }
@@ -59,29 +57,23 @@ public final class BodyPoses {
         return link(leg.footLink());
     }
 
-    /** {@return the pose of the camera, which sits in the centre of the head and looks along the head's x axis} */
+    /** {@return the pose of the camera, which is at the centre of the head and looks along the head's x axis} */
     public Pose camera() {
         return link(HEAD);
     }
 
     /**
-     * Returns the corners of a sole, from which the support polygon is made.
+     * Returns the corners of a sole.
      *
      * @param leg the leg of the foot
      * @return front left, front right, rear right and rear left corner, in metres
      */
     public List<Vector3> soleCorners(Leg leg) {
-        Link foot = model.links().get(model.linkIndex(leg.footLink()));
-        Vector3 half = ((Shape.Box) foot.shape()).size().times(0.5);
-        Pose pose = foot(leg);
-        return List.of(
-                pose.transform(new Vector3(half.y(), half.x(), -half.z())),
-                pose.transform(new Vector3(half.y(), -half.x(), -half.z())),
-                pose.transform(new Vector3(-half.y(), -half.x(), -half.z())),
-                pose.transform(new Vector3(-half.y(), half.x(), -half.z())));
+        List<Vector3> corners = corners(model.linkIndex(leg.footLink()));
+        return List.of(corners.get(5), corners.get(4), corners.get(6), corners.get(7));
     }
 
-    /** {@return the centre of mass of all links in metres} */
+    /** {@return the centre of mass of the robot in metres} */
     public Vector3 centreOfMass() {
         Vector3 sum = Vector3.ZERO;
         double mass = 0;
@@ -93,8 +85,13 @@ public final class BodyPoses {
         return sum.times(1 / mass);
     }
 
-    /** The convex hull of all corners of solid links that touch the ground. */
-    List<Vector3> supportPolygon() {
+    /**
+     * Returns the support polygon: the convex hull of all points that touch the ground, or nearly do. The robot keeps its balance
+     * while its centre of mass is above it. Requires poses in the world frame.
+     *
+     * @return the corners on the ground counter-clockwise, seen from above; empty if nothing touches the ground
+     */
+    public List<Vector3> supportPolygon() {
         List<Vector3> touching = new ArrayList<>();
         for (int i = 0; i < poses.size(); i++) {
             if (model.links().get(i).collides()) {
@@ -108,11 +105,11 @@ public final class BodyPoses {
     }
 
     /**
-     * Returns the corners of the smallest box around a link's shape.
+     * Returns the corners of the bounding box of a link.
      *
-     * @param link its index in {@link NaoModel#links()}
-     * @return eight points in metres; bit 0 of an index is the side along SimSpark's x axis of the link, bit 1 along y, bit 2
-     *     along z
+     * @param link the link's index in {@link NaoModel#links()}
+     * @return eight points in metres; bits 0, 1 and 2 of a corner's index are set on the negative side of the link's x, y and z
+     *     axis in SimSpark's frame
      */
     public List<Vector3> corners(int link) {
         Vector3 size = model.links().get(link).shape().size();

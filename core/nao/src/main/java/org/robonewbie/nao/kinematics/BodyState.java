@@ -1,6 +1,5 @@
 package org.robonewbie.nao.kinematics;
 
-import java.util.List;
 import java.util.function.IntToDoubleFunction;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
@@ -11,8 +10,8 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * The true state of a robot's body: the pose of its torso on the pitch and its joint angles. Everything else follows from these
- * by forward kinematics. Immutable.
+ * The true state of a robot's body: the pose of its torso on the pitch and its joint angles, from which forward kinematics
+ * calculates everything else. Immutable.
  *
  * <pre>{@code
  * BodyState body = robot.body();
@@ -21,8 +20,8 @@ import org.robonewbie.nao.motion.Posture;
  * }
  * }</pre>
  *
- * <p>The world frame has its origin at the centre spot, x towards the right goal, y to the left of that and z up. The torso's
- * own axes are those of the body frame: x forward, y left, z up.
+ * <p>The world frame has its origin at the centre spot, x towards the right goal, y to the left of that and z up. The axes of
+ * the torso are those of the body frame: x forward, y left, z up.
  */
 public final class BodyState {
 
@@ -48,7 +47,7 @@ public final class BodyState {
     }
 
     /**
-     * Creates the state of a body whose toes, if it has any, are straight.
+     * Creates the state of a body with straight toes, if it has toes.
      *
      * @param type the robot type
      * @param torso pose of the torso in the world frame
@@ -67,13 +66,13 @@ public final class BodyState {
      * @param torso pose of the torso in the world frame
      * @param hingeDegrees angle of each hinge in the order of {@link NaoModel#hinges()}; copied
      * @return the state
-     * @throws IllegalArgumentException if the number of angles is not that of the hinges
+     * @throws IllegalArgumentException if the number of angles differs from the number of hinges
      */
     public static BodyState ofHinges(RobotType type, Pose torso, double[] hingeDegrees) {
         NaoModel model = NaoModel.of(type);
         if (hingeDegrees.length != model.hinges().size()) {
-            throw new IllegalArgumentException("A robot of " + type + " has "
-                    + model.hinges().size() + " hinges, but " + hingeDegrees.length + " angles were given.");
+            throw new IllegalArgumentException("Expected " + model.hinges().size()
+                    + " angles, one for each hinge of robot " + type + ", but got " + hingeDegrees.length + ".");
         }
         return new BodyState(model, torso, hingeDegrees.clone());
     }
@@ -83,7 +82,7 @@ public final class BodyState {
      *
      * @param type the robot type
      * @param torso pose of the torso in the world frame
-     * @param hingeDegrees measures the angle of a hinge, of which it gets the index in {@link NaoModel#hinges()}
+     * @param hingeDegrees function from the index of a hinge in {@link NaoModel#hinges()} to its angle in degrees
      * @return the state
      */
     public static BodyState measured(RobotType type, Pose torso, IntToDoubleFunction hingeDegrees) {
@@ -144,12 +143,12 @@ public final class BodyState {
         return Posture.of(degrees);
     }
 
-    /** {@return the direction in which the torso faces, as for {@link #headingDegrees(Vector3)}} */
+    /** {@return the heading of the torso, as for {@link #headingDegrees(Vector3)}} */
     public double headingDegrees() {
         return headingDegrees(torso.rotation().apply(FORWARD));
     }
 
-    /** {@return how far the torso leans to any side: 0 upright, 90 lying, 180 upside down} */
+    /** {@return the tilt of the torso in degrees, in any direction: 0 upright, 90 lying, 180 upside down} */
     public double tiltDegrees() {
         return tiltDegrees(torso.rotation().apply(UP));
     }
@@ -159,78 +158,63 @@ public final class BodyState {
         return isFallen(tiltDegrees(), position().z());
     }
 
-    /** {@return whether the robot is on its feet: tilted by less than 30 degrees and its torso higher than 0.25 m} */
+    /** {@return whether the robot is on its feet: tilted by less than 30 degrees and the torso higher than 0.25 m} */
     public boolean isStanding() {
         return isStanding(tiltDegrees(), position().z());
     }
 
-    /** {@return the poses of all links in the world frame, calculated for each call} */
+    /** {@return the poses of all links in the world frame, recalculated on each call} */
     public BodyPoses limbs() {
-        return ForwardKinematics.of(type()).poses(hingeDegrees).seenFrom(torso);
-    }
-
-    /** {@return the centre of mass of all links in the world frame, metres} */
-    public Vector3 centreOfMass() {
-        return limbs().centreOfMass();
+        return ForwardKinematics.of(type()).poses(hingeDegrees).withTorso(torso);
     }
 
     /**
-     * Returns the area over which the centre of mass must be for the robot to keep its balance: the convex hull of all that
-     * touches the ground, or nearly so.
-     *
-     * @return its corners on the ground counter-clockwise, seen from above; empty if nothing touches the ground
-     */
-    public List<Vector3> supportPolygon() {
-        return limbs().supportPolygon();
-    }
-
-    /**
-     * Calculates the direction in which a torso faces.
+     * Returns the heading of a torso.
      *
      * @param forward the torso's forward axis in the world frame
-     * @return degrees from -180 to 180, 0 along the world's x axis, positive to the left
+     * @return heading in degrees, -180 to 180, 0 along the world's x axis, positive to the left
      */
     public static double headingDegrees(Vector3 forward) {
         return Angles.atan2(forward.y(), forward.x());
     }
 
     /**
-     * Calculates the tilt of a torso.
+     * Returns the tilt of a torso.
      *
      * @param up the torso's upward axis in the world frame, of length 1
-     * @return degrees from the vertical, 0 to 180
+     * @return angle to the vertical in degrees, 0 to 180
      */
     public static double tiltDegrees(Vector3 up) {
         return tiltDegrees(up.z());
     }
 
     /**
-     * Calculates the tilt of a torso.
+     * Returns the tilt of a torso.
      *
-     * @param upwards how far the torso's own z axis looks upwards, from -1 to 1
-     * @return degrees from the vertical, 0 to 180
+     * @param upwards vertical component of the torso's unit z axis, -1 to 1
+     * @return angle to the vertical in degrees, 0 to 180
      */
     public static double tiltDegrees(double upwards) {
         return PortableMath.toDegrees(PortableMath.acos(Math.max(-1, Math.min(1, upwards))));
     }
 
     /**
-     * Decides whether a robot has fallen; a robot that sits on the ground has.
+     * Returns whether a robot has fallen. A robot that sits on the ground counts as fallen.
      *
-     * @param tiltDegrees tilt of its torso
-     * @param torsoMetres height of its torso's centre above the ground
-     * @return whether it is tilted by more than {@link #FALLEN_DEGREES} or lower than {@link #FALLEN_METRES}
+     * @param tiltDegrees tilt of the torso in degrees
+     * @param torsoMetres height of the torso's centre above the ground in metres
+     * @return whether the tilt exceeds {@link #FALLEN_DEGREES} or the height is below {@link #FALLEN_METRES}
      */
     public static boolean isFallen(double tiltDegrees, double torsoMetres) {
         return tiltDegrees > FALLEN_DEGREES || torsoMetres < FALLEN_METRES;
     }
 
     /**
-     * Decides whether a robot is on its feet, with straight or bent knees.
+     * Returns whether a robot is on its feet, with straight or bent knees.
      *
-     * @param tiltDegrees tilt of its torso
-     * @param torsoMetres height of its torso's centre above the ground
-     * @return whether it is tilted by less than 30 degrees and higher than 0.25 m
+     * @param tiltDegrees tilt of the torso in degrees
+     * @param torsoMetres height of the torso's centre above the ground in metres
+     * @return whether the tilt is below 30 degrees and the height above 0.25 m
      */
     public static boolean isStanding(double tiltDegrees, double torsoMetres) {
         return tiltDegrees < STANDING_DEGREES && torsoMetres > STANDING_METRES;

@@ -6,7 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import org.robonewbie.nao.Vector3;
 
-/** The convex hull of points on the ground, by Andrew's monotone chain (Information Processing Letters 9, 1979). */
+/** Convex hull of points on the ground, by Andrew's monotone chain (Information Processing Letters 9, 1979). */
 final class ConvexHull {
 
     private static final double STRAIGHT = 1e-12;
@@ -23,7 +23,7 @@ final class ConvexHull {
         return hull;
     }
 
-    /** The lower half of the hull without its last point, which begins the other half. */
+    /** Returns the lower half of the hull without its last point, which is the first one of the other half. */
     private static List<Vector3> chain(List<Vector3> sorted) {
         List<Vector3> chain = new ArrayList<>();
         for (Vector3 point : sorted) {

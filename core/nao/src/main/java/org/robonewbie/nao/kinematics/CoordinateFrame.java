@@ -4,8 +4,8 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * A frame of coordinates that is moved and turned along its own axes, one step after the other, as seen from where it began. It
- * keeps the three columns of its rotation matrix, so that such a chain of steps is quick and easy to follow.
+ * A coordinate frame, given by its origin and axes in a reference frame. It is built by a chain of translations and rotations,
+ * each along or about the axes of the frame before. The three axes are the columns of the rotation matrix.
  *
  * <pre>{@code
  * CoordinateFrame ground = CoordinateFrame.ORIGIN
@@ -14,10 +14,10 @@ import org.robonewbie.nao.math.PortableMath;
  *         .moved(0, 0, -0.2);             // straight down, whatever the torso's lean
  * }</pre>
  *
- * @param origin where the frame is, in metres
- * @param forward its x axis
- * @param left its y axis
- * @param up its z axis
+ * @param origin the frame's origin in metres
+ * @param forward the frame's x axis
+ * @param left the frame's y axis
+ * @param up the frame's z axis
  */
 public record CoordinateFrame(Vector3 origin, Vector3 forward, Vector3 left, Vector3 up) {
 
@@ -25,13 +25,13 @@ public record CoordinateFrame(Vector3 origin, Vector3 forward, Vector3 left, Vec
     private static final Vector3 Y = new Vector3(0, 1, 0);
     private static final Vector3 Z = new Vector3(0, 0, 1);
 
-    /** Not moved and not turned. */
+    /** The reference frame itself. */
     public static final CoordinateFrame ORIGIN = new CoordinateFrame(Vector3.ZERO, X, Y, Z);
 
     /**
-     * Creates the frame of something whose pose is known.
+     * Creates the frame with a pose.
      *
-     * @param pose position and rotation
+     * @param pose position and rotation of the frame
      * @return the frame
      */
     public static CoordinateFrame of(Pose pose) {
@@ -40,12 +40,12 @@ public record CoordinateFrame(Vector3 origin, Vector3 forward, Vector3 left, Vec
     }
 
     /**
-     * Moves along the frame's own axes.
+     * Translates the frame along its own axes.
      *
-     * @param x metres forward
-     * @param y metres to the left
-     * @param z metres up
-     * @return the moved frame
+     * @param x distance forward in metres
+     * @param y distance to the left in metres
+     * @param z distance up in metres
+     * @return the translated frame
      */
     public CoordinateFrame moved(double x, double y, double z) {
         Vector3 moved = new Vector3(
@@ -56,10 +56,10 @@ public record CoordinateFrame(Vector3 origin, Vector3 forward, Vector3 left, Vec
     }
 
     /**
-     * Turns about the axis that points forward.
+     * Rotates the frame about its forward axis.
      *
-     * @param degrees positive raises the left side
-     * @return the turned frame
+     * @param degrees angle in degrees; positive raises the left side
+     * @return the rotated frame
      */
     public CoordinateFrame turnedAboutX(double degrees) {
         double cosine = PortableMath.cos(PortableMath.toRadians(degrees));
@@ -68,10 +68,10 @@ public record CoordinateFrame(Vector3 origin, Vector3 forward, Vector3 left, Vec
     }
 
     /**
-     * Turns about the axis that points to the left.
+     * Rotates the frame about its left axis.
      *
-     * @param degrees positive bends forward
-     * @return the turned frame
+     * @param degrees angle in degrees; positive bends forward
+     * @return the rotated frame
      */
     public CoordinateFrame turnedAboutY(double degrees) {
         double cosine = PortableMath.cos(PortableMath.toRadians(degrees));
@@ -80,10 +80,10 @@ public record CoordinateFrame(Vector3 origin, Vector3 forward, Vector3 left, Vec
     }
 
     /**
-     * Turns about the axis that points up.
+     * Rotates the frame about its up axis.
      *
-     * @param degrees positive is to the left
-     * @return the turned frame
+     * @param degrees angle in degrees; positive is to the left
+     * @return the rotated frame
      */
     public CoordinateFrame turnedAboutZ(double degrees) {
         double cosine = PortableMath.cos(PortableMath.toRadians(degrees));

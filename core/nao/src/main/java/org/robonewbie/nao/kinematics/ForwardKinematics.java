@@ -11,8 +11,8 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * Calculates the pose of each link from the joint angles: from the torso outwards, each hinge rotates its child link about its
- * axis.
+ * Forward kinematics: the pose of each link, calculated from the joint angles. From the torso outwards, each hinge rotates its
+ * child link about the hinge's axis.
  *
  * <pre>{@code
  * BodyPoses body = ForwardKinematics.of(RobotType.TYPE_0).poses(posture);
@@ -28,9 +28,7 @@ public final class ForwardKinematics {
     private final NaoModel model;
     private final List<Turn> turns = new ArrayList<>();
 
-    /**
-     * One hinge: its child moves with its parent and rotates about the axis, given in the coordinates of the construction pose.
-     */
+    /** One hinge: its child moves with its parent and rotates about the axis, given in coordinates of the construction pose. */
     private record Turn(int parent, int child, Vector3 anchor, Vector3 axis) {}
 
     private ForwardKinematics(RobotType type) {
@@ -55,7 +53,7 @@ public final class ForwardKinematics {
     }
 
     /**
-     * Calculates the poses of all links. The toes of robot type 4 are taken as straight.
+     * Calculates the poses of all links. The toes of robot type 4 are assumed to be straight.
      *
      * @param posture the joint angles
      * @return the poses of all links
@@ -64,9 +62,9 @@ public final class ForwardKinematics {
         return poses(hingeDegrees(posture));
     }
 
-    /** The poses of all links for angles in the order of the model's hinges. */
+    /** Calculates the poses of all links for angles in the order of the model's hinges. */
     BodyPoses poses(double[] hingeDegrees) {
-        // Each entry maps a point of the construction pose to its present position.
+        // Each entry maps a point of the construction pose to its current position.
         Pose[] moved = new Pose[model.links().size()];
         moved[0] = Pose.ORIGIN;
         for (int i = 0; i < hingeDegrees.length; i++) {
@@ -80,7 +78,7 @@ public final class ForwardKinematics {
         return new BodyPoses(model, poses);
     }
 
-    /** The angles of a posture in the order of the model's hinges, with straight toes. */
+    /** Returns the angles of a posture in the order of the model's hinges, with straight toes. */
     double[] hingeDegrees(Posture posture) {
         double[] degrees = new double[model.hinges().size()];
         for (Joint joint : JOINTS) {
@@ -90,7 +88,7 @@ public final class ForwardKinematics {
     }
 
     /**
-     * Calculates the pose of the camera, which sits in the centre of the head and looks along the head's x axis.
+     * Calculates the pose of the camera, which is at the centre of the head and looks along the head's x axis.
      *
      * @param neckYawDegrees angle of {@link Joint#NECK_YAW} in degrees
      * @param neckPitchDegrees angle of {@link Joint#NECK_PITCH} in degrees

@@ -5,24 +5,24 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * Finds the angles of a leg's six joints that bring its foot to a wanted pose relative to the torso.
+ * Inverse kinematics of the legs: the angles of six joints that bring a foot to a target pose relative to the torso.
  *
  * <pre>{@code
  * InverseKinematics kinematics = new InverseKinematics(RobotType.TYPE_0);
- * Pose wanted = new Pose(new Vector3(0.02, 0.055, -0.33), Rotation.NONE);
- * LegSolution solution = kinematics.solve(Leg.LEFT, wanted);
+ * Pose target = new Pose(new Vector3(0.02, 0.055, -0.33), Rotation.NONE);
+ * LegSolution solution = kinematics.solve(Leg.LEFT, target);
  * Posture posture = solution.applyTo(standing);
  * }</pre>
  *
- * <p>Method: damped least squares (Levenberg 1944, Marquardt 1963) within the joints' ranges; a joint at its stop is left out
- * as long as it would have to move further. A reachable pose takes some microseconds, an unreachable one up to a millisecond,
- * since the search is then repeated from several starting points. Instances are not thread-safe.
+ * <p>Method: damped least squares (Levenberg 1944, Marquardt 1963) with joint limits. A joint at its stop is excluded while the
+ * gradient pushes it further. A reachable pose takes a few microseconds. An unreachable one takes up to a millisecond, because
+ * the search is repeated from several initial postures. Instances are not thread-safe.
  */
 public final class InverseKinematics {
 
     private static final double[] BENT_KNEES = {0, 0, 30, -60, 30, 0};
 
-    /** Leg postures spread over the joints' ranges, tried one after the other if the search from the given start fails. */
+    /** Initial leg postures spread over the joints' ranges, tried in turn if the search from the given posture fails. */
     private static final double[][] OTHER_STARTS = {
         {-30, 0, 60, -100, 40, 0},
         {0, 0, -10, -20, 10, 0},
@@ -55,8 +55,8 @@ public final class InverseKinematics {
      * Finds the angles, starting the search with bent knees.
      *
      * @param leg the leg
-     * @param foot wanted centre and orientation of the foot's box relative to the torso; the sole is 1 cm below the centre
-     * @return the angles; if the pose cannot be reached, those that come nearest
+     * @param foot target pose of the foot's box relative to the torso; the sole is 1 cm below the box's centre
+     * @return the angles; for an unreachable pose, those that come closest to it
      */
     public LegSolution solve(Leg leg, Pose foot) {
         return search(leg, CoordinateFrame.of(foot), BENT_KNEES);
@@ -66,34 +66,34 @@ public final class InverseKinematics {
      * Finds the angles, starting the search at a nearby posture, such as that of the previous cycle.
      *
      * @param leg the leg
-     * @param foot wanted centre and orientation of the foot's box relative to the torso; the sole is 1 cm below the centre
-     * @param near where the search starts
-     * @return the angles; if the pose cannot be reached, those that come nearest
+     * @param foot target pose of the foot's box relative to the torso; the sole is 1 cm below the box's centre
+     * @param near initial posture of the search
+     * @return the angles; for an unreachable pose, those that come closest to it
      */
     public LegSolution solve(Leg leg, Pose foot, Posture near) {
         return solve(leg, CoordinateFrame.of(foot), near);
     }
 
     /**
-     * Finds the angles for a foot whose frame is known, beginning the search with a posture that is near.
+     * Finds the angles for a target frame of the foot, starting the search at a nearby posture.
      *
-     * @param leg which leg
-     * @param foot wanted frame of the foot's box as seen from the torso; the sole is 1 cm below its origin
-     * @param near where the search begins
-     * @return the angles; if the frame cannot be reached, those that come nearest
+     * @param leg the leg
+     * @param foot target frame of the foot's box relative to the torso; the sole is 1 cm below the frame's origin
+     * @param near initial posture of the search
+     * @return the angles; for an unreachable frame, those that come closest to it
      */
     public LegSolution solve(Leg leg, CoordinateFrame foot, Posture near) {
-        double[] begin = new double[LegChain.JOINTS];
-        for (int i = 0; i < begin.length; i++) {
-            begin[i] = near.degrees(leg.joints().get(i));
+        double[] start = new double[LegChain.JOINTS];
+        for (int i = 0; i < start.length; i++) {
+            start[i] = near.degrees(leg.joints().get(i));
         }
-        return search(leg, foot, begin);
+        return search(leg, foot, start);
     }
 
-    private LegSolution search(Leg leg, CoordinateFrame foot, double[] begin) {
+    private LegSolution search(Leg leg, CoordinateFrame foot, double[] start) {
         LegSolver solver = solvers[leg.ordinal()];
         solver.setTarget(foot);
-        solver.solve(begin);
+        solver.solve(start);
         for (int i = 0; i < OTHER_STARTS.length && !solver.isReached(); i++) {
             solver.solve(OTHER_STARTS[i]);
         }

@@ -32,7 +32,7 @@ public enum Leg {
         return this == LEFT ? LEFT_JOINTS : RIGHT_JOINTS;
     }
 
-    /** {@return the name of the leg's foot in {@link org.robonewbie.nao.model.NaoModel}} */
+    /** {@return the name of the foot's link in {@link org.robonewbie.nao.model.NaoModel}} */
     public String footLink() {
         return footLink;
     }

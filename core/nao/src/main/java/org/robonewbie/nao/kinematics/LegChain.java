@@ -3,11 +3,12 @@ package org.robonewbie.nao.kinematics;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.Hinge;
+import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
 
 /**
- * The six hinges from torso to foot as plain numbers, for fast repeated evaluation of foot pose and Jacobian. Matrices are in
- * row-major order.
+ * The kinematic chain of six hinges from torso to foot, stored in arrays for fast repeated evaluation of foot pose and Jacobian.
+ * Matrices are in row-major order.
  */
 final class LegChain {
 
@@ -15,7 +16,7 @@ final class LegChain {
 
     private final double[] anchors = new double[3 * JOINTS];
     private final double[] axes = new double[3 * JOINTS];
-    private final double[] footStart;
+    private final double[] footStart = new double[3];
     private final double[] rotation = new double[9];
     private final double[] turn = new double[9];
     private final double[] product = new double[9];
@@ -30,12 +31,8 @@ final class LegChain {
             put(anchors, i, SimSparkFrame.toBody(hinge.anchor()));
             put(axes, i, SimSparkFrame.toBody(hinge.axis()));
         }
-        footStart = new double[3];
-        put(
-                footStart,
-                0,
-                SimSparkFrame.toBody(
-                        model.links().get(model.linkIndex(leg.footLink())).position()));
+        Link footLink = model.links().get(model.linkIndex(leg.footLink()));
+        put(footStart, 0, SimSparkFrame.toBody(footLink.position()));
     }
 
     /** Sets the six joint angles in radians. */
@@ -59,19 +56,19 @@ final class LegChain {
         }
     }
 
-    /** The foot's position, valid until the next update. */
+    /** Returns the foot's position, valid until the next update. */
     double[] foot() {
         return foot;
     }
 
-    /** The foot's rotation matrix, valid until the next update. */
+    /** Returns the foot's rotation matrix, valid until the next update. */
     double[] rotation() {
         return rotation;
     }
 
     /**
-     * Fills one column of the Jacobian: how the foot moves (three rows, metres) and rotates (three rows, multiplied by a
-     * weight) per radian of the joint.
+     * Fills one column of the Jacobian: the derivative of the foot's position (three rows, metres per radian) and of its
+     * orientation (three rows, scaled by the weight) with respect to the joint angle.
      */
     void jacobianColumn(int joint, double rotationWeight, double[] column) {
         int at = 3 * joint;

@@ -3,7 +3,7 @@ package org.robonewbie.nao.kinematics;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Posture;
 
-/** The angles of one leg that bring its foot to a wanted pose, or as close as the joints' ranges allow. Immutable. */
+/** The joint angles of one leg that bring its foot to a target pose, or as close as the joints' ranges allow. Immutable. */
 public final class LegSolution {
 
     private static final double REACHED_METRES = 1e-4;
@@ -21,22 +21,21 @@ public final class LegSolution {
         this.rotationErrorDegrees = rotationErrorDegrees;
     }
 
-    /** {@return whether the wanted pose is reached, to less than 0.1 mm and 0.05°} */
+    /** {@return whether the target pose is reached, to less than 0.1 mm and 0.05°} */
     public boolean isReachable() {
         return isReached(positionErrorMetres, rotationErrorDegrees);
     }
 
-    /** Whether the remaining error is small enough to count as reached. */
     static boolean isReached(double errorMetres, double errorDegrees) {
         return errorMetres < REACHED_METRES && errorDegrees < REACHED_DEGREES;
     }
 
-    /** {@return the distance between the foot and the wanted position in metres} */
+    /** {@return the distance between the foot and the target position in metres} */
     public double positionErrorMetres() {
         return positionErrorMetres;
     }
 
-    /** {@return the angle between the foot and the wanted orientation in degrees} */
+    /** {@return the angle between the foot and the target orientation in degrees} */
     public double rotationErrorDegrees() {
         return rotationErrorDegrees;
     }
@@ -51,13 +50,13 @@ public final class LegSolution {
     public double degrees(Joint joint) {
         int index = leg.joints().indexOf(joint);
         if (index < 0) {
-            throw new IllegalArgumentException(joint + " is no joint of the " + leg + " leg.");
+            throw new IllegalArgumentException(joint + " is not a joint of the " + leg + " leg.");
         }
         return degrees[index];
     }
 
     /**
-     * Puts this leg's angles into a posture.
+     * Replaces this leg's angles in a posture.
      *
      * @param posture any posture
      * @return the posture with the six angles of this leg replaced

@@ -6,12 +6,12 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.NaoModel;
 
 /**
- * The search for one leg's angles: Levenberg-Marquardt with joint limits. It keeps the best angles of all searches for the same
+ * Levenberg-Marquardt solver with joint limits for the angles of one leg. It keeps the best result of all searches for the same
  * target.
  */
 final class LegSolver {
 
-    /** How many metres of position error weigh as much as one radian of rotation error. */
+    /** Position error in metres that costs as much as a rotation error of one radian. */
     private static final double ROTATION_WEIGHT = 0.2;
 
     private static final int JOINTS = LegChain.JOINTS;
@@ -52,7 +52,7 @@ final class LegSolver {
         }
     }
 
-    /** Searches from a start; a result closer to the target than any before becomes the best. */
+    /** Searches from an initial posture. A result closer to the target than any before becomes the best. */
     void solve(double[] startDegrees) {
         for (int i = 0; i < JOINTS; i++) {
             angles[i] = clamp(i, PortableMath.toRadians(startDegrees[i]));
@@ -87,21 +87,14 @@ final class LegSolver {
         }
     }
 
-    /** Whether a search has reached the target. */
     boolean isReached() {
         return LegSolution.isReached(bestMetres, bestRotationDegrees);
     }
 
-    /** The best angle of a joint of the leg, counted from the hip. */
-    double bestDegrees(int joint) {
-        return leg.joints().get(joint).clampDegrees(PortableMath.toDegrees(best[joint]));
-    }
-
-    /** The best angles. */
     LegSolution best() {
         double[] degrees = new double[JOINTS];
         for (int i = 0; i < JOINTS; i++) {
-            degrees[i] = bestDegrees(i);
+            degrees[i] = leg.joints().get(i).clampDegrees(PortableMath.toDegrees(best[i]));
         }
         return new LegSolution(leg, degrees, bestMetres, bestRotationDegrees);
     }
@@ -111,7 +104,7 @@ final class LegSolver {
                 error[from] * error[from] + error[from + 1] * error[from + 1] + error[from + 2] * error[from + 2]);
     }
 
-    /** Forgets what was found and takes another target. */
+    /** Sets a new target and discards the results of earlier searches. */
     void setTarget(CoordinateFrame foot) {
         bestSquare = Double.POSITIVE_INFINITY;
         target[0] = foot.origin().x();
@@ -128,7 +121,7 @@ final class LegSolver {
         targetRotation[6 + column] = axis.z();
     }
 
-    /** Sets the angles, calculates the error and returns its square. */
+    /** Sets the angles, calculates the error vector and returns its squared norm. */
     private double evaluate(double[] radians) {
         chain.update(radians);
         for (int k = 0; k < 3; k++) {
@@ -142,7 +135,7 @@ final class LegSolver {
         return square;
     }
 
-    /** The remaining rotation as a vector along its axis whose length is its angle in radians times the weight. */
+    /** Calculates the remaining rotation as a rotation vector: along its axis, as long as its angle in radians times the weight. */
     private void evaluateRotation(double[] rotation) {
         double x = (missing(rotation, 2, 1) - missing(rotation, 1, 2)) / 2;
         double y = (missing(rotation, 0, 2) - missing(rotation, 2, 0)) / 2;
@@ -158,7 +151,7 @@ final class LegSolver {
         }
     }
 
-    /** An element of the target's rotation times the inverse of the current one. */
+    /** Returns an element of the remaining rotation: the target rotation times the inverse of the current one. */
     private double missing(double[] rotation, int row, int column) {
         return targetRotation[3 * row] * rotation[3 * column]
                 + targetRotation[3 * row + 1] * rotation[3 * column + 1]
@@ -197,7 +190,7 @@ final class LegSolver {
                 || (angles[joint] >= upper[joint] && gradient[joint] > 0);
     }
 
-    /** Solves factor * x = step in place; the matrix is symmetric, given by its lower half, and positive definite. */
+    /** Solves factor * x = step in place. The matrix is symmetric positive definite, given by its lower triangle. */
     private void solveByCholesky() {
         for (int i = 0; i < JOINTS; i++) {
             for (int j = 0; j <= i; j++) {

@@ -10,7 +10,7 @@ import org.robonewbie.nao.Vector3;
  */
 public record Pose(Vector3 position, Rotation rotation) {
 
-    /** The identity: at the origin and not rotated. */
+    /** The identity: at the origin, not rotated. */
     public static final Pose ORIGIN = new Pose(Vector3.ZERO, Rotation.NONE);
 
     /**

@@ -5,7 +5,7 @@ import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * A rotation in space by the right-hand rule, kept as a unit quaternion.
+ * A rotation in space by the right-hand rule, stored as a unit quaternion.
  *
  * <pre>{@code
  * Vector3 left = Rotation.about(new Vector3(0, 0, 1), 90).apply(new Vector3(1, 0, 0));   // (0, 1, 0)
@@ -35,7 +35,7 @@ public record Rotation(double w, double x, double y, double z) {
     }
 
     /**
-     * Creates the rotation of a body that looks along x with z up: first about z, then about its own y, then about its own x.
+     * Creates a rotation from intrinsic Tait-Bryan angles: first about z, then about the new y axis, then about the new x axis.
      *
      * @param yawDegrees rotation about z in degrees; positive is to the left
      * @param pitchDegrees rotation about y in degrees; positive leans forward
@@ -88,9 +88,7 @@ public record Rotation(double w, double x, double y, double z) {
         return PortableMath.toDegrees(2 * PortableMath.atan2(Math.sqrt(x * x + y * y + z * z), Math.abs(w)));
     }
 
-    /**
-     * {@return the direction of the rotated x axis as an angle about z in degrees, -180 to 180; positive is to the left}
-     */
+    /** {@return the direction of the rotated x axis as an angle about z in degrees, -180 to 180; positive is to the left} */
     public double yawDegrees() {
         return Angles.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
     }

@@ -3,9 +3,9 @@ package org.robonewbie.nao.kinematics;
 import org.robonewbie.nao.Vector3;
 
 /**
- * Converts between the body frame of this framework (x forward, y to the left, z up) and SimSpark's (x to the right, y forward,
- * z up). Both have the same origin, the centre of the torso. Components change their sign by {@code 0 - x}, which unlike {@code -x}
- * never gives a negative zero: readings that are 0 print as 0.
+ * Converts between the body frame of this framework (x forward, y left, z up) and SimSpark's (x right, y forward, z up). Both
+ * have their origin at the centre of the torso. Components are negated as {@code 0 - x}, which unlike {@code -x} never yields a
+ * negative zero, so that readings of 0 print as 0.
  */
 public final class SimSparkFrame {
 
@@ -57,7 +57,7 @@ public final class SimSparkFrame {
     }
 
     /**
-     * Renames the axes of a link whose place is given in the world frame, which both conventions share.
+     * Converts the axes of a link from SimSpark's convention. The pose stays in the world frame, which both conventions share.
      *
      * @param link pose of a link with x right, y forward, z up
      * @return the same pose of the link with x forward, y left, z up
@@ -67,7 +67,7 @@ public final class SimSparkFrame {
     }
 
     /**
-     * Renames the axes of a link whose place is given in the world frame, which both conventions share.
+     * Converts the axes of a link to SimSpark's convention. The pose stays in the world frame, which both conventions share.
      *
      * @param link pose of a link with x forward, y left, z up
      * @return the same pose of the link with x right, y forward, z up

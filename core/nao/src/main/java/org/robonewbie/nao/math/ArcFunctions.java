@@ -74,7 +74,7 @@ final class ArcFunctions {
         return 2.0 * (head + (asinBend(square) * root + rest));
     }
 
-    /** (asin(x) - x) / x from the square of x. */
+    /** Returns (asin(x) - x) / x, given the square of x. */
     private static double asinBend(double square) {
         double p = square * (P0 + square * (P1 + square * (P2 + square * (P3 + square * (P4 + square * P5)))));
         double q = 1 + square * (Q1 + square * (Q2 + square * (Q3 + square * Q4)));
@@ -93,7 +93,7 @@ final class ArcFunctions {
         return Double.isNaN(x) ? x : Math.copySign(HALF_PI + HALF_PI_TAIL, x);
     }
 
-    /** Subtracts one of four angles whose tangents are known, 0.5, 1, 1.5 and infinity. */
+    /** Reduces the argument by the nearest of four reference angles, whose tangents are 0.5, 1, 1.5 and infinity. */
     private static double atanAboveZero(double x) {
         if (x < 0.6875) {
             return atanBeside(0.4636476090008061, 2.2698777452961687e-17, (2.0 * x - 1) / (2.0 + x));
@@ -111,7 +111,7 @@ final class ArcFunctions {
         return angle - ((x * atanBend(x) - angleTail) - x);
     }
 
-    /** (x - atan(x)) / x. */
+    /** Returns (x - atan(x)) / x. */
     private static double atanBend(double x) {
         double square = x * x;
         double fourth = square * square;
@@ -136,7 +136,7 @@ final class ArcFunctions {
         return x == 0 ? y != 0 : Double.isInfinite(y) && !Double.isInfinite(x);
     }
 
-    /** The angle in the first quadrant. */
+    /** Returns the angle of a point in the first quadrant. */
     private static double angleFromAxis(double y, double x) {
         if (y == 0) {
             return 0;

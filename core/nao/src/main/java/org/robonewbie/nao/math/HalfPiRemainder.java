@@ -3,15 +3,15 @@ package org.robonewbie.nao.math;
 import java.math.BigInteger;
 
 /**
- * What is left of an angle when the nearest multiple of pi/2 is taken off.
+ * Argument reduction: the remainder of an angle after subtraction of the nearest multiple of pi/2.
  *
- * <p>Angles of up to 800,000 radians by Cody and Waite (1980): pi/2 is a sum of parts with 33 bits, whose multiples are exact,
- * and a further part is used where two numbers almost cancel. Larger ones by Payne and Hanek (1983): so many digits of 2/pi
- * that what is left of the largest double is exact.
+ * <p>Angles up to 800,000 radians are reduced by the method of Cody and Waite (1980): pi/2 is split into parts of 33 bits, whose
+ * multiples are exact, and further parts are used where two numbers nearly cancel. Larger angles are reduced by the method of Payne
+ * and Hanek (1983), with enough digits of 2/pi for the largest double.
  *
- * @param quadrant the multiple of pi/2; its last two bits say which quadrant it is
- * @param head the rest, between -pi/4 and pi/4 radians
- * @param tail what the rest lost by rounding, radians
+ * @param quadrant the multiple of pi/2; its last two bits are the quadrant
+ * @param head the remainder, between -pi/4 and pi/4 radians
+ * @param tail rounding error of the head in radians
  */
 record HalfPiRemainder(int quadrant, double head, double tail) {
 
@@ -24,12 +24,12 @@ record HalfPiRemainder(int quadrant, double head, double tail) {
     private static final double PART_3 = 2.0222662487111665e-21;
     private static final double REST_3 = 8.4784276603689e-32;
 
-    /** The multiples of pi/2 in parts of 33 bits are exact below, 2^19 pi/2. */
+    /** Limit below which multiples of the 33-bit parts of pi/2 are exact: 2^19 pi/2. */
     private static final double LARGE = 0x1.921fcp19;
 
     private static final int MANY_MULTIPLES = 32;
 
-    /** 2/pi in units of 2^-1216: enough for 2^1024 and 192 more bits. */
+    /** 2/pi in units of 2^-1216, enough for arguments up to 2^1024 with 192 extra bits. */
     private static final BigInteger TWO_OVER_PI_DIGITS = new BigInteger(
             "a2f9836e4e441529fc2757d1f534ddc0db6295993c439041fe5163abdebbc561b7246e3a424dd2e006492eea09d1921cfe1deb1c"
                     + "b129a73ee88235f52ebb4484e99c7026b45f7e413991d639835339f49c845f8bbdf9283b1ff897ffde05980fef2f118b5a0a"
@@ -45,7 +45,7 @@ record HalfPiRemainder(int quadrant, double head, double tail) {
     private static final int FRACTION = 192;
     private static final int DOUBLE_BITS = 53;
 
-    /** Of an angle that is not negative. The result is created in one place, so that the JVM need not put it on the heap. */
+    /** Reduces a non-negative angle. The record is created in one place so that escape analysis can avoid the allocation. */
     static HalfPiRemainder of(double radians) {
         if (radians < LARGE) {
             return ofMedium(radians);
@@ -100,7 +100,7 @@ record HalfPiRemainder(int quadrant, double head, double tail) {
         return new HalfPiRemainder(quadrant, -head, -tail);
     }
 
-    /** A positive number in units of 2^-384 as a sum of two doubles. */
+    /** Splits a positive number in units of 2^-384 into a sum of two doubles. */
     private static HalfPiRemainder split(int quadrant, BigInteger number) {
         int below = number.bitLength() - DOUBLE_BITS;
         BigInteger first = number.shiftRight(below);

@@ -1,6 +1,6 @@
 package org.robonewbie.nao.math;
 
-/** The length of a vector in the plane, as in fdlibm (e_hypot.c): the sum of the squares is kept in two parts. */
+/** The length of a vector in the plane, as in fdlibm (e_hypot.c): the sum of squares is calculated in two parts. */
 final class Hypotenuse {
 
     private static final int NEGLIGIBLE_EXPONENTS = 60;
@@ -19,7 +19,7 @@ final class Hypotenuse {
         return scaled(longer, shorter);
     }
 
-    /** Keeps squares away from overflow and from the range where digits are lost. */
+    /** Scales the components so that their squares neither overflow nor become subnormal. */
     private static double scaled(double longer, double shorter) {
         if (longer >= 0x1.00001p500) {
             return 0x1p600 * rootOfSquares(longer * 0x1p-600, shorter * 0x1p-600);

@@ -1,8 +1,8 @@
 package org.robonewbie.nao.math;
 
 /**
- * Logarithms, as in fdlibm (e_log.c, e_log10.c): x = 2^k (1 + f) with 1 + f between sqrt(1/2) and sqrt(2), then log(1 + f) by
- * a polynomial in s = f / (2 + f).
+ * Logarithms, as in fdlibm (e_log.c, e_log10.c): x = 2^k (1 + f) with 1 + f between sqrt(1/2) and sqrt(2), and
+ * log(1 + f) is a polynomial in s = f / (2 + f).
  */
 final class Logarithm {
 

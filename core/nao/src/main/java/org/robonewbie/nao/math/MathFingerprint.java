@@ -6,18 +6,18 @@ import java.util.function.DoubleBinaryOperator;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * Checks on this very machine that {@link PortableMath} gives the bits that it gives everywhere: 200,000 results of each
- * function, made from seeded arguments of all magnitudes, are folded into one number and compared with the kept one.
+ * Check that {@link PortableMath} yields the same bits on this machine as everywhere: a hash of 200,000 results of a function, for
+ * pseudo-random arguments of all magnitudes, is compared with a stored one.
  *
  * @param function name of the function in {@link PortableMath}
- * @param expected the number that 200,000 results give everywhere
- * @param actual the number that they give here
+ * @param expected the stored hash
+ * @param actual the hash on this machine
  */
 public record MathFingerprint(String function, long expected, long actual) {
 
     private static final int VALUES = 200_000;
 
-    /** An odd number whose bits are mixed: 2^64 divided by the golden ratio. */
+    /** Multiplier of the hash: 2^64 divided by the golden ratio, an odd number. */
     private static final long MIXER = 0x9E37_79B9_7F4A_7C15L;
 
     private static final List<Check> CHECKS = List.of(
@@ -46,15 +46,15 @@ public record MathFingerprint(String function, long expected, long actual) {
         return new Check(function, expected, (first, second) -> operation.applyAsDouble(first));
     }
 
-    /** {@return the fingerprints of all functions; takes a fraction of a second} */
+    /** {@return the fingerprints of all functions, calculated in a fraction of a second} */
     public static List<MathFingerprint> all() {
         return CHECKS.stream()
                 .map(check -> new MathFingerprint(check.function(), check.expected(), of(check.operation())))
                 .toList();
     }
 
-    /** {@return whether this machine gives the bits that all others give} */
-    public boolean isAsEverywhere() {
+    /** {@return whether the hashes are equal} */
+    public boolean matches() {
         return expected == actual;
     }
 
@@ -68,7 +68,7 @@ public record MathFingerprint(String function, long expected, long actual) {
         return sum;
     }
 
-    /** In turn any double at all, a sine, an angle, and a number of a usual magnitude. */
+    /** Returns, in turn, a double with random bits, a number from -1 to 1, one from -10 to 10, and one of moderate magnitude. */
     static double argument(SplittableRandom random, int kind) {
         double between = 2 * random.nextDouble() - 1;
         return switch (kind & 3) {

@@ -1,23 +1,22 @@
 package org.robonewbie.nao.math;
 
 /**
- * The functions of {@link Math} whose last bit is left to the platform, defined here by arithmetic alone.
+ * Portable versions of the functions of {@link Math} whose last bit depends on the platform.
  *
- * <p>A walking robot magnifies the last bit of a sine into another step within seconds. {@link Math#sin} and its kin may be
- * one unit in the last place off, each JVM, processor and browser in its own way, and compilers to WebAssembly replace
- * others ({@code rint}, {@code round}, {@code IEEEremainder}, {@code toRadians}) by simpler formulas. All that moves the
- * world therefore calls this class:
+ * <p>A walking robot amplifies a difference in the last bit of a sine into a different step within seconds. {@link Math#sin} and
+ * similar functions may be off by one unit in the last place, depending on JVM, processor and browser, and compilers to
+ * WebAssembly replace others ({@code rint}, {@code round}, {@code IEEEremainder}, {@code toRadians}) by simpler formulas. All
+ * code that affects the simulated world therefore calls this class:
  *
  * <pre>{@code
  * double side = PortableMath.sin(PortableMath.toRadians(30)) * length;
  * }</pre>
  *
- * <p>Only operations that IEEE 754 rounds correctly are used: {@code + - * /}, the square root, comparisons and bit
- * patterns. {@link Math#sqrt}, {@code abs}, {@code min}, {@code max}, {@code floor}, {@code ceil}, {@code signum} and
- * {@code copySign} are exact everywhere and are called directly. Algorithms and coefficients are those of fdlibm (Sun
- * Microsystems, 1993), which {@link StrictMath} prescribes too, so that the results equal those of {@code StrictMath}: bit
- * by bit wherever a test has looked, and certainly within one unit in the last place. Special values are those of {@code
- * Math}.
+ * <p>It uses only operations that IEEE 754 rounds correctly: {@code + - * /}, the square root, comparisons and bit patterns.
+ * {@link Math#sqrt}, {@code abs}, {@code min}, {@code max}, {@code floor}, {@code ceil}, {@code signum} and {@code copySign} are
+ * exact on every platform and can be called directly. Algorithms and coefficients are those of fdlibm (Sun Microsystems, 1993), on
+ * which {@link StrictMath} is based too: the results equal those of {@code StrictMath} bit by bit in all tests, and are always
+ * within one unit in the last place. Special values are those of {@code Math}.
  */
 public final class PortableMath {
 
@@ -81,7 +80,7 @@ public final class PortableMath {
     }
 
     /**
-     * {@return the direction of a point in radians between -pi and pi, counted from the x axis towards the y axis}
+     * {@return the polar angle of a point in radians between -pi and pi, from the x axis towards the y axis}
      *
      * @param y second coordinate of the point
      * @param x first coordinate of the point
@@ -120,15 +119,15 @@ public final class PortableMath {
     /**
      * {@return a number to the power of another, with the special cases of {@link Math#pow}}
      *
-     * @param base the number that is raised
-     * @param exponent what it is raised to
+     * @param base the base
+     * @param exponent the exponent
      */
     public static double pow(double base, double exponent) {
         return Power.pow(base, exponent);
     }
 
     /**
-     * {@return the length of the vector (x, y), without overflow on the way}
+     * {@return the length of the vector (x, y), without intermediate overflow}
      *
      * @param x first component
      * @param y second component
@@ -138,7 +137,7 @@ public final class PortableMath {
     }
 
     /**
-     * {@return an angle in radians}
+     * {@return an angle converted to radians}
      *
      * @param degrees the angle in degrees
      */
@@ -147,7 +146,7 @@ public final class PortableMath {
     }
 
     /**
-     * {@return an angle in degrees}
+     * {@return an angle converted to degrees}
      *
      * @param radians the angle in radians
      */
@@ -156,7 +155,7 @@ public final class PortableMath {
     }
 
     /**
-     * {@return the nearest whole number as a double; of two equally near ones the even one}
+     * {@return the nearest integer as a double; ties round to the even one}
      *
      * @param x the number to round
      */
@@ -165,7 +164,7 @@ public final class PortableMath {
     }
 
     /**
-     * {@return the nearest whole number; of two equally near ones the larger one; 0 for NaN}
+     * {@return the nearest integer; ties round up; 0 for NaN}
      *
      * @param x the number to round
      */
@@ -174,22 +173,21 @@ public final class PortableMath {
     }
 
     /**
-     * {@return dividend - n * divisor without any rounding, where n is the whole number nearest to the quotient, the even
-     * one of two}
+     * {@return the exact value of dividend - n * divisor, where n is the integer nearest to the quotient, the even one of a tie}
      *
-     * <p>The remainder of an angle by 360 is the same direction between -180 and 180 degrees.
+     * <p>The remainder of an angle by 360 is the equivalent angle between -180 and 180 degrees.
      *
-     * @param dividend the number to divide
-     * @param divisor what it is divided by
+     * @param dividend the dividend
+     * @param divisor the divisor
      */
     public static double IEEEremainder(double dividend, double divisor) {
         return Rounding.remainder(dividend, divisor);
     }
 
     /**
-     * {@return what the product of two numbers lost when it was rounded: the exact product is {@code a * b} plus this}
+     * {@return the rounding error of a product: the exact product is {@code a * b} plus this}
      *
-     * <p>By Dekker (1971): each factor is split into halves of 26 bits whose products are exact.
+     * <p>Dekker's algorithm (1971): each factor is split into halves of 26 bits, whose products are exact.
      *
      * @param a first factor, of a magnitude below 2^970
      * @param b second factor, of a magnitude below 2^970

@@ -1,8 +1,7 @@
 package org.robonewbie.nao.math;
 
 /**
- * x to the power of y, as in fdlibm (e_pow.c): log2(x) as a sum of two doubles with 70 bits, times y, then 2 to the power of
- * that.
+ * The power function, as in fdlibm (e_pow.c): x^y = 2^(y log2(x)), where log2(x) is a sum of two doubles with 70 significant bits.
  */
 final class Power {
 
@@ -30,12 +29,12 @@ final class Power {
     private static final double LOG2_OF_3_HALVES_HEAD = 0.5849624872207642;
     private static final double LOG2_OF_3_HALVES_TAIL = 1.350039202129749e-08;
 
-    /** From here on a power overflows or vanishes unless its base is 1, nearly. */
+    /** Exponent from which a power overflows or underflows unless its base is very close to 1. */
     private static final double HUGE_EXPONENT = 0x1.00001p31;
 
     private static final double HOPELESS_EXPONENT = 0x1.00001p64;
 
-    /** How far the rounded logarithm 1024 may be below the limit. */
+    /** Distance of the rounded logarithm 1024 to the overflow threshold. */
     private static final double OVERFLOW_MARGIN = 8.008566259537294e-17;
 
     private Power() {}
@@ -102,7 +101,7 @@ final class Power {
         return Math.abs(y) >= HOPELESS_EXPONENT || x < 0x1.fffffp-1 || x >= 0x1.00001p0;
     }
 
-    /** log2(x) by a series, for an x within 2^-20 of 1. */
+    /** Calculates log2(x) by a series, for x within 2^-20 of 1. */
     private static double powerNear1(double x, double y) {
         double t = x - 1;
         double w = (t * t) * (0.5 - t * (0.3333333333333333 - t * 0.25));
@@ -150,7 +149,7 @@ final class Power {
         return twoToThe(y, head, zTail - (((head - n) - ofBase) - zHead));
     }
 
-    /** 2^(y (head + tail)). */
+    /** Returns 2^(y (head + tail)). */
     private static double twoToThe(double y, double head, double tail) {
         double yHead = Words.head(y);
         double low = (y - yHead) * head + y * tail;

@@ -1,12 +1,12 @@
 package org.robonewbie.nao.math;
 
-/** Rounding to whole numbers, remainders, and what rounding has taken away. */
+/** Rounding to integers, exact remainders and rounding errors. */
 final class Rounding {
 
-    /** From here on a double has no places behind the point. */
+    /** Magnitude from which every double is an integer. */
     private static final double WHOLE = 0x1p52;
 
-    /** Splits a double into halves when multiplied with (Veltkamp 1968). */
+    /** Factor of Veltkamp's splitting of a double into halves (1968). */
     private static final double SPLITTER = 0x1p27 + 1;
 
     private Rounding() {}
@@ -21,7 +21,7 @@ final class Rounding {
         return (long) (x - below >= 0.5 ? below + 1 : below);
     }
 
-    /** Division as on paper, in binary: each subtraction is exact, since the rest is less than twice what is taken off. */
+    /** Binary long division. Each subtraction is exact, since the remainder is less than twice the subtrahend. */
     static double remainder(double dividend, double divisor) {
         double rest = Math.abs(dividend);
         double unit = Math.abs(divisor);

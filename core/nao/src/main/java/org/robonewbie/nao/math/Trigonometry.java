@@ -1,14 +1,14 @@
 package org.robonewbie.nao.math;
 
 /**
- * Sine, cosine and tangent: the angle is reduced to what is left of the nearest multiple of pi/2, at most pi/4, and there a
- * polynomial is near enough. The polynomials are fdlibm's (k_sin.c, k_cos.c, k_tan.c), found by Remez' algorithm.
+ * Sine, cosine and tangent: the angle is reduced by the nearest multiple of pi/2 to at most pi/4, where a polynomial is accurate.
+ * The minimax polynomials are those of fdlibm (k_sin.c, k_cos.c, k_tan.c).
  *
- * <p>The reduced angle is a sum of two doubles, {@code x + tail}, since one would not be exact enough.
+ * <p>The reduced angle is a sum of two doubles, {@code x + tail}, for sufficient precision.
  */
 final class Trigonometry {
 
-    /** Up to here, just above pi/4, an angle needs no reduction. */
+    /** Largest angle without reduction, slightly above pi/4. */
     private static final double QUARTER_PI = 0x1.921fcp-1;
 
     private static final double TOO_SMALL_TO_BEND = 0x1p-27;
@@ -41,7 +41,7 @@ final class Trigonometry {
     private static final double T11 = -1.8558637485527546e-05;
     private static final double T12 = 2.590730518636337e-05;
 
-    /** From here on the tangent is computed from the angle that is missing to pi/4. */
+    /** Angle from which the tangent is calculated from the difference to pi/4. */
     private static final double STEEP = 0x1.59428p-1;
 
     private static final double PI_QUARTER_HEAD = 0.7853981633974483;
@@ -75,7 +75,7 @@ final class Trigonometry {
         return x < 0 ? -tangent : tangent;
     }
 
-    /** The sine of a reduced angle plus a number of quarter turns. */
+    /** Returns the sine of a reduced angle plus a number of quarter turns. */
     private static double turned(HalfPiRemainder angle, int quarterTurns) {
         return switch (quarterTurns & 3) {
             case 0 -> sinNearZero(angle.head(), angle.tail());
@@ -108,8 +108,7 @@ final class Trigonometry {
         if (magnitude < 0x1.33333p-2) {
             return 1 - (0.5 * square - bend);
         }
-        // About a quarter of the angle is taken off 1 and off the square, so that little is lost when they are
-        // subtracted.
+        // About a quarter of the angle is subtracted from both 1 and the square, which reduces the cancellation error.
         double share = magnitude < 0x1.90001p-1 ? 0.25 * Words.head(magnitude) : 0.28125;
         return (1 - share) - ((0.5 * square - share) - bend);
     }
@@ -137,7 +136,7 @@ final class Trigonometry {
         return sign * (one - 2.0 * (missing - (tangent * tangent / (tangent + one) - bend)));
     }
 
-    /** What the tangent of x + tail is larger than x. */
+    /** Returns tan(x + tail) - x. */
     private static double tanBend(double x, double tail) {
         double square = x * x;
         double fourth = square * square;
@@ -147,7 +146,7 @@ final class Trigonometry {
         return (tail + square * (cube * (odd + even) + tail)) + T0 * cube;
     }
 
-    /** -1 / (x + bend), more exact than a quotient: the error of its head is put right. */
+    /** Returns -1 / (x + bend), more precisely than a division: the error of its leading part is corrected. */
     private static double minusInverse(double sum, double x, double bend) {
         double head = Words.head(sum);
         double rest = bend - (head - x);

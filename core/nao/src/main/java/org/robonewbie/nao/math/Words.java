@@ -1,6 +1,6 @@
 package org.robonewbie.nao.math;
 
-/** A double seen as bits: sign, exponent and the first 20 bits of the fraction are its high word, 32 bits follow. */
+/** Access to the 32-bit words of a double. The high word holds sign, exponent and the first 20 bits of the fraction. */
 final class Words {
 
     private static final int EXPONENT_BIAS = 1023;
@@ -19,17 +19,17 @@ final class Words {
         return Double.longBitsToDouble((long) high << 32);
     }
 
-    /** The number without its low word: 21 significant bits, so that products of two such numbers are exact. */
+    /** Clears the low word, which leaves 21 significant bits, so that the product of two such numbers is exact. */
     static double head(double x) {
         return Double.longBitsToDouble(Double.doubleToRawLongBits(x) & 0xFFFF_FFFF_0000_0000L);
     }
 
-    /** 2 to the power of n, -1022 to 1023. */
+    /** Returns 2^n for n from -1022 to 1023. */
     static double powerOfTwo(int n) {
         return Double.longBitsToDouble((long) (n + EXPONENT_BIAS) << 52);
     }
 
-    /** x * 2^n, rounded once, for a normal x between 2^-500 and 2^500 and any n that may come out of exp and pow. */
+    /** Returns x * 2^n, rounded once, for a normal x between 2^-500 and 2^500 and any n that exp and pow produce. */
     static double scale(double x, int n) {
         int half = n / 2;
         return x * powerOfTwo(half) * powerOfTwo(n - half);

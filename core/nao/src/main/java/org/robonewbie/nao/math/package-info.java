@@ -1,8 +1,8 @@
 /**
- * Mathematics that gives the same bits on each processor, JVM and browser. Read {@link
- * org.robonewbie.nao.math.PortableMath} first; its neighbours hold the formulas.
+ * Mathematical functions that yield the same bits on every processor, JVM and browser. Read {@link
+ * org.robonewbie.nao.math.PortableMath} first.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.nao.math;

@@ -11,7 +11,7 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 
 /**
- * The robot's body: 23 links in a tree, joined by 22 hinges (25 and 24 with toes), in SimSpark's order.
+ * The kinematic tree of the robot: 23 links joined by 22 hinges, or 25 links and 24 hinges with toes, in SimSpark's order.
  *
  * <p>Source: the scene files {@code nao_hetero.rsg}, {@code naoneckhead.rsg}, {@code naoarm.rsg}, {@code naoleg.rsg} and
  * {@code naolegtoe.rsg} of rcssserver3d 0.7.3. All positions are in SimSpark's frame: x to the robot's right, y forward,
@@ -56,28 +56,28 @@ public final class NaoModel {
     }
 
     /**
-     * Returns the body of a robot type.
+     * Returns the model of a robot type.
      *
      * @param type the robot type
-     * @return its body
+     * @return its model
      */
     public static NaoModel of(RobotType type) {
         return MODELS.get(type.ordinal());
     }
 
-    /** {@return the robot type of this body} */
+    /** {@return the robot type} */
     public RobotType type() {
         return type;
     }
 
-    /** {@return the rigid bodies in SimSpark's order; the torso comes first and each parent before its children} */
+    /** {@return the links in SimSpark's order: the torso first, and each parent before its children} */
     public List<Link> links() {
         return allLinks;
     }
 
     /**
-     * {@return the hinges in SimSpark's order, in which a perceptor message reports them: head, right arm, left arm, right leg,
-     * left leg}
+     * {@return the hinges in SimSpark's order, which is also their order in a perceptor message: head, right arm, left arm, right
+     * leg, left leg}
      */
     public List<Hinge> hinges() {
         return allHinges;
@@ -93,7 +93,7 @@ public final class NaoModel {
     public int linkIndex(String name) {
         Integer index = linkOfName.get(name);
         if (index == null) {
-            throw new IllegalArgumentException("Link \"" + name + "\" does not exist in robot " + type);
+            throw new IllegalArgumentException("Robot " + type + " has no link \"" + name + "\".");
         }
         return index;
     }
@@ -109,7 +109,7 @@ public final class NaoModel {
     }
 
     /**
-     * Finds the hinge that an effector moves.
+     * Returns the index of the hinge that an effector drives.
      *
      * @param effectorName SimSpark's name, such as {@code lle4}
      * @return its index in {@link #hinges()}; empty if this robot has no such hinge
@@ -123,15 +123,15 @@ public final class NaoModel {
         Vector3 head = neck.plus(new Vector3(0, 0, 0.065));
         links.add(new Link("neck", new Shape.Capsule(0.015, 0.08), 0.05, neck, true));
         links.add(new Link("head", new Shape.Sphere(0.065), 0.35, head, true));
-        addHinge(Joint.NECK_YAW, "neck", TORSO, neck, Z_AXIS, MAX_RADIANS_PER_SECOND);
-        addHinge(
-                Joint.NECK_PITCH, "head", "neck", head.plus(new Vector3(0, 0, -0.005)), X_AXIS, MAX_RADIANS_PER_SECOND);
+        addHinge("he1", "neck", TORSO, neck, Z_AXIS);
+        addHinge("he2", "head", "neck", head.plus(new Vector3(0, 0, -0.005)), X_AXIS);
     }
 
     private void addArm(int side) {
         String prefix = side > 0 ? "r" : "l";
         Vector3 shoulder = mirrored(new Vector3(0.098, 0, 0.075), side);
         Vector3 upperArm = shoulder.plus(mirrored(new Vector3(0.01, 0.02, 0), side));
+        Vector3 upperArmHinge = upperArm.plus(mirrored(new Vector3(-0.01, -0.02, 0), side));
         Vector3 elbow = upperArm.plus(mirrored(type.elbowFromUpperArm(), side));
         Vector3 lowerArm = elbow.plus(new Vector3(0, 0.05, 0));
         links.add(new Link(prefix + "shoulder", new Shape.Sphere(0.01), 0.07, shoulder, false));
@@ -139,42 +139,20 @@ public final class NaoModel {
         links.add(new Link(prefix + "elbow", new Shape.Sphere(0.01), 0.035, elbow, false));
         links.add(new Link(prefix + "lowerarm", box(0.05, 0.11, 0.05), 0.2, lowerArm, true));
 
-        boolean right = side > 0;
+        addHinge(prefix + "ae1", prefix + "shoulder", TORSO, shoulder, X_AXIS);
+        addHinge(prefix + "ae2", prefix + "upperarm", prefix + "shoulder", upperArmHinge, Z_AXIS);
+        addHinge(prefix + "ae3", prefix + "elbow", prefix + "upperarm", elbow, Y_AXIS);
         addHinge(
-                right ? Joint.RIGHT_SHOULDER_PITCH : Joint.LEFT_SHOULDER_PITCH,
-                prefix + "shoulder",
-                TORSO,
-                shoulder,
-                X_AXIS,
-                MAX_RADIANS_PER_SECOND);
-        addHinge(
-                right ? Joint.RIGHT_SHOULDER_YAW : Joint.LEFT_SHOULDER_YAW,
-                prefix + "upperarm",
-                prefix + "shoulder",
-                upperArm.plus(mirrored(new Vector3(-0.01, -0.02, 0), side)),
-                Z_AXIS,
-                MAX_RADIANS_PER_SECOND);
-        addHinge(
-                right ? Joint.RIGHT_ARM_ROLL : Joint.LEFT_ARM_ROLL,
-                prefix + "elbow",
-                prefix + "upperarm",
-                elbow,
-                Y_AXIS,
-                MAX_RADIANS_PER_SECOND);
-        addHinge(
-                right ? Joint.RIGHT_ARM_YAW : Joint.LEFT_ARM_YAW,
-                prefix + "lowerarm",
-                prefix + "elbow",
-                lowerArm.plus(new Vector3(0, -0.05, 0)),
-                Z_AXIS,
-                MAX_RADIANS_PER_SECOND);
+                prefix + "ae4", prefix + "lowerarm", prefix + "elbow", lowerArm.plus(new Vector3(0, -0.05, 0)), Z_AXIS);
     }
 
     private void addLeg(int side) {
         String prefix = side > 0 ? "r" : "l";
         Vector3 hip = mirrored(type.hipFromTorso(), side);
+        Vector3 hipAxis = new Vector3(-HALF_ROOT, 0, side * HALF_ROOT);
         Vector3 thigh = hip.plus(type.thighFromHip());
         Vector3 shank = thigh.plus(new Vector3(0, 0.005, -0.125));
+        Vector3 knee = shank.plus(new Vector3(0, -0.01, 0.045));
         Vector3 ankle = shank.plus(type.ankleFromShank());
         links.add(new Link(prefix + "hip1", new Shape.Sphere(0.01), 0.09, hip, false));
         links.add(new Link(prefix + "hip2", new Shape.Sphere(0.01), 0.125, hip, false));
@@ -182,58 +160,21 @@ public final class NaoModel {
         links.add(new Link(prefix + "shank", box(0.08, 0.07, 0.11), 0.225, shank, true));
         links.add(new Link(prefix + "ankle", new Shape.Sphere(0.01), 0.125, ankle, false));
 
-        boolean right = side > 0;
-        addHinge(
-                right ? Joint.RIGHT_HIP_YAW_PITCH : Joint.LEFT_HIP_YAW_PITCH,
-                prefix + "hip1",
-                TORSO,
-                hip,
-                new Vector3(-HALF_ROOT, 0, side * HALF_ROOT),
-                MAX_RADIANS_PER_SECOND);
-        addHinge(
-                right ? Joint.RIGHT_HIP_ROLL : Joint.LEFT_HIP_ROLL,
-                prefix + "hip2",
-                prefix + "hip1",
-                hip,
-                Y_AXIS,
-                MAX_RADIANS_PER_SECOND);
-        addHinge(
-                right ? Joint.RIGHT_HIP_PITCH : Joint.LEFT_HIP_PITCH,
-                prefix + "thigh",
-                prefix + "hip2",
-                hip,
-                X_AXIS,
-                MAX_RADIANS_PER_SECOND);
-        addHinge(
-                right ? Joint.RIGHT_KNEE_PITCH : Joint.LEFT_KNEE_PITCH,
-                prefix + "shank",
-                prefix + "thigh",
-                shank.plus(new Vector3(0, -0.01, 0.045)),
-                X_AXIS,
-                MAX_RADIANS_PER_SECOND);
-        addHinge(
-                right ? Joint.RIGHT_FOOT_PITCH : Joint.LEFT_FOOT_PITCH,
-                prefix + "ankle",
-                prefix + "shank",
-                ankle,
-                X_AXIS,
-                type.anklePitchSpeed());
-        addFoot(side, ankle);
+        addHinge(prefix + "le1", prefix + "hip1", TORSO, hip, hipAxis);
+        addHinge(prefix + "le2", prefix + "hip2", prefix + "hip1", hip, Y_AXIS);
+        addHinge(prefix + "le3", prefix + "thigh", prefix + "hip2", hip, X_AXIS);
+        addHinge(prefix + "le4", prefix + "shank", prefix + "thigh", knee, X_AXIS);
+        addHinge(prefix + "le5", prefix + "ankle", prefix + "shank", ankle, X_AXIS, type.anklePitchSpeed());
+        addFoot(prefix, ankle);
     }
 
-    private void addFoot(int side, Vector3 ankle) {
-        String prefix = side > 0 ? "r" : "l";
+    private void addFoot(String prefix, Vector3 ankle) {
         double footLength = FOOT_LENGTH - type.toeLength();
         double toeMass = 0.2 * 0.5 * type.toeLength() / FOOT_LENGTH;
         Vector3 foot = ankle.plus(new Vector3(0, footLength / 2 - 0.05, -0.04));
+        Vector3 footHinge = new Vector3(ankle.x(), foot.y() - 0.03, ankle.z() - 0.005);
         links.add(new Link(prefix + "foot", box(0.08, footLength, 0.02), 0.2 - toeMass, foot, true));
-        addHinge(
-                side > 0 ? Joint.RIGHT_FOOT_ROLL : Joint.LEFT_FOOT_ROLL,
-                prefix + "foot",
-                prefix + "ankle",
-                new Vector3(ankle.x(), foot.y() - 0.03, ankle.z() - 0.005),
-                Y_AXIS,
-                type.ankleRollSpeed());
+        addHinge(prefix + "le6", prefix + "foot", prefix + "ankle", footHinge, Y_AXIS, type.ankleRollSpeed());
         if (type.hasToes()) {
             Vector3 toe = foot.plus(new Vector3(0, FOOT_LENGTH / 2, -0.005));
             links.add(new Link(prefix + "toe", box(0.08, type.toeLength(), 0.01), toeMass, toe, true));
@@ -250,11 +191,21 @@ public final class NaoModel {
         }
     }
 
+    private void addHinge(String effectorName, String child, String parent, Vector3 anchor, Vector3 axis) {
+        addHinge(effectorName, child, parent, anchor, axis, MAX_RADIANS_PER_SECOND);
+    }
+
     private void addHinge(
-            Joint joint, String child, String parent, Vector3 anchor, Vector3 axis, double maxRadiansPerSecond) {
+            String effectorName,
+            String child,
+            String parent,
+            Vector3 anchor,
+            Vector3 axis,
+            double maxRadiansPerSecond) {
+        Joint joint = Joint.ofEffector(effectorName).orElseThrow();
         hinges.add(new Hinge(
                 joint.perceptorName(),
-                joint.effectorName(),
+                effectorName,
                 child,
                 parent,
                 anchor,

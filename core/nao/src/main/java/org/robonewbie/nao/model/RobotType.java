@@ -3,7 +3,7 @@ package org.robonewbie.nao.model;
 import org.robonewbie.nao.Vector3;
 
 /**
- * The five builds of the NAO in SimSpark ({@code naorobottypes.rb}); masses and link sizes are the same in all.
+ * The five variants of the NAO in SimSpark ({@code naorobottypes.rb}). Masses and link sizes are the same in all of them.
  *
  * <p>Lengths in metres, speeds in radians per second.
  */
@@ -12,11 +12,11 @@ public enum RobotType {
     TYPE_0(0.055, -0.04, -0.055, 6.1395, 6.1395, 0.07, 0),
     /** Longer legs and arms. */
     TYPE_1(0.055, -0.05832, -0.07332, 6.1395, 6.1395, 0.10664, 0),
-    /** Quicker ankle pitch, slower ankle roll. */
+    /** Faster ankle pitch, slower ankle roll. */
     TYPE_2(0.055, -0.04, -0.055, 8.80667, 3.47234, 0.07, 0),
     /** Longest legs and arms, wider hips. */
     TYPE_3(0.072954143, -0.067868424, -0.082868424, 6.1395, 6.1395, 0.125736848, 0),
-    /** Toes that bend. */
+    /** Hinged toes. */
     TYPE_4(0.055, -0.04, -0.055, 6.1395, 6.1395, 0.07, 0.035517656);
 
     private final double hipX;
@@ -49,19 +49,15 @@ public enum RobotType {
         return toeLength > 0;
     }
 
-    /** {@return whether the legs are longer than those of the standard robot; true for types 1 and 3} */
-    public boolean hasLongLegs() {
-        return thighZ < TYPE_0.thighZ;
-    }
-
     /**
-     * Names the motion for robots of this build, where the library has different ones: that for long legs ends with {@code -long-legs}.
+     * Returns the name of this robot's variant of a motion. Types 1 and 3, which have longer legs, use the motion with the suffix
+     * {@code -long-legs}.
      *
      * @param motion the name of the motion for the standard robot, such as {@code quick-stand-up-from-back}
      * @return the name of the motion for this robot
      */
     public String ownMotion(String motion) {
-        return hasLongLegs() ? motion + "-long-legs" : motion;
+        return thighZ < TYPE_0.thighZ ? motion + "-long-legs" : motion;
     }
 
     double toeLength() {

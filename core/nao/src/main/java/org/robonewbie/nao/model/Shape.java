@@ -2,10 +2,10 @@ package org.robonewbie.nao.model;
 
 import org.robonewbie.nao.Vector3;
 
-/** The solid shape of a link, in metres; its centre is the link's origin and its mass is distributed evenly. */
+/** The solid shape of a link. Its centre is the link's origin, and its density is uniform. */
 public sealed interface Shape {
 
-    /** {@return the edge lengths of the smallest box around the form along x, y and z, in metres} */
+    /** {@return the size of the bounding box along x, y and z in metres} */
     Vector3 size();
 
     /**
@@ -18,7 +18,7 @@ public sealed interface Shape {
     /**
      * A sphere.
      *
-     * @param radius in metres
+     * @param radius radius in metres
      */
     record Sphere(double radius) implements Shape {
 
@@ -31,8 +31,8 @@ public sealed interface Shape {
     /**
      * A cylinder along z with a hemisphere at each end.
      *
-     * @param radius of cylinder and hemispheres in metres
-     * @param length of the cylinder without the hemispheres in metres
+     * @param radius radius of cylinder and hemispheres in metres
+     * @param length length of the cylinder without the hemispheres in metres
      */
     record Capsule(double radius, double length) implements Shape {
 

@@ -3,7 +3,7 @@ package org.robonewbie.nao.motion;
 import org.robonewbie.nao.Joint;
 
 /**
- * The path of a joint between two keyframes. Implement it to make motions smoother.
+ * The path of a joint between two keyframes. Implement it for smoother motions.
  *
  * <pre>{@code
  * Interpolation smooth = (section, joint, fraction) -> {
@@ -15,15 +15,19 @@ import org.robonewbie.nao.Joint;
 @FunctionalInterface
 public interface Interpolation {
 
-    /** Constant speed from one keyframe to the next. */
-    Interpolation LINEAR = new LinearInterpolation();
+    /** Constant speed from one keyframe to the next; the speed changes abruptly at each keyframe. */
+    Interpolation LINEAR = (section, joint, fraction) -> {
+        double from = section.from().degrees(joint);
+        double to = section.to().degrees(joint);
+        return fraction >= 1 ? to : from + fraction * (to - from);
+    };
 
     /**
-     * Returns the angle of a joint on its way.
+     * Returns the angle of a joint within an interval.
      *
      * @param section the interval between two keyframes, with its neighbours
      * @param joint the joint
-     * @param fraction elapsed fraction of the time, from 0 at the interval's start to 1 at its end
+     * @param fraction elapsed fraction of the interval, from 0 at its start to 1 at its end
      * @return the joint's angle in degrees
      */
     double degrees(KeyframeInterval section, Joint joint, double fraction);

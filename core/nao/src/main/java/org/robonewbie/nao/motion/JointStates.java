@@ -3,7 +3,7 @@ package org.robonewbie.nao.motion;
 import org.robonewbie.nao.Joint;
 
 /**
- * The angles of all joints as their sensors last reported them. A joint whose sensor has not reported yet is at 0.
+ * The last sensor reading of each joint's angle; 0 for a joint without a reading yet.
  *
  * <pre>{@code
  * joints.sense(Joint.NECK_YAW, 12.5);
@@ -14,14 +14,14 @@ public final class JointStates {
 
     private final double[] degrees = new double[Joint.COUNT];
 
-    /** Creates joints that are all at 0. */
+    /** Creates joint states with all angles at 0. */
     public JointStates() {}
 
     /**
      * Stores the reading of a joint's sensor.
      *
      * @param joint the joint
-     * @param newDegrees its angle in degrees; NaN, a reading that is missing, leaves the last one in place
+     * @param newDegrees its angle in degrees; NaN, a missing reading, keeps the last one
      */
     public void sense(Joint joint, double newDegrees) {
         if (Double.isFinite(newDegrees)) {

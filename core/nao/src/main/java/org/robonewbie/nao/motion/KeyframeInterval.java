@@ -1,19 +1,19 @@
 package org.robonewbie.nao.motion;
 
 /**
- * The interval from one keyframe of a motion to the next, together with its neighbours, which a smooth curve needs.
+ * The interval between two consecutive keyframes of a motion, with the neighbours that a smooth curve needs.
  *
- * @param start where the robot was when the motion began
+ * @param start the robot's posture when the motion began
  * @param motion the motion
  * @param index index of the keyframe at the end of the interval, from 0
  */
 public record KeyframeInterval(Posture start, Motion motion, int index) {
 
-    /** Checks the index. */
+    /** Rejects an index without a keyframe. */
     public KeyframeInterval {
         if (index < 0 || index >= motion.keyframes().size()) {
-            throw new IllegalArgumentException("Motion " + motion.name() + " has "
-                    + motion.keyframes().size() + " keyframes, so there is no keyframe " + index + ".");
+            throw new IllegalArgumentException("Keyframe " + index + " does not exist: motion " + motion.name()
+                    + " has " + motion.keyframes().size() + " keyframes, counted from 0.");
         }
     }
 
@@ -27,12 +27,12 @@ public record KeyframeInterval(Posture start, Motion motion, int index) {
         return postureAt(index);
     }
 
-    /** {@return the posture before {@link #from}; {@link #from} itself at the beginning of the motion} */
+    /** {@return the posture before {@link #from}; at the beginning of the motion {@link #from} itself} */
     public Posture before() {
         return postureAt(index - 2);
     }
 
-    /** {@return the posture after {@link #to}; {@link #to} itself at the end of the motion} */
+    /** {@return the posture after {@link #to}; at the end of the motion {@link #to} itself} */
     public Posture after() {
         return postureAt(index + 1);
     }

@@ -2,16 +2,15 @@ package org.robonewbie.nao.motion;
 
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 
 /**
- * Exchanges left and right, as a mirror does that stands lengthwise in the middle of the robot.
+ * Reflection of joint angles in the robot's sagittal plane, which exchanges left and right.
  *
- * <p>A mirror turns a rotation by an angle about an axis into one by the opposite angle about the mirrored axis. Where the
- * partner joint's axis in {@link NaoModel} is the mirrored one, the angle changes its sign; where it points the other way, the
- * angle stays.
+ * <p>A reflection turns a rotation about an axis into the opposite rotation about the reflected axis. The angle therefore changes
+ * its sign where the partner joint's axis in {@link NaoModel} equals the reflected axis, and keeps it where the partner's axis
+ * points the other way.
  */
 public final class Mirror {
 
@@ -32,10 +31,10 @@ public final class Mirror {
     private Mirror() {}
 
     /**
-     * Returns the corresponding joint of the other side.
+     * Returns the corresponding joint on the other side.
      *
      * @param joint a joint
-     * @return the same joint of the other arm or leg; a joint of the neck is its own partner
+     * @return the same joint of the other arm or leg; for a joint of the neck, the joint itself
      */
     public static Joint partner(Joint joint) {
         return PARTNERS[joint.ordinal()];
@@ -61,7 +60,6 @@ public final class Mirror {
     }
 
     private static Vector3 axis(NaoModel model, Joint joint) {
-        Hinge hinge = model.hinges().get(model.hingeIndex(joint));
-        return hinge.axis();
+        return model.hinges().get(model.hingeIndex(joint)).axis();
     }
 }

@@ -2,22 +2,25 @@ package org.robonewbie.nao.motion;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
-import org.robonewbie.nao.Joint;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.motion.MotionLine.Frame;
 import org.robonewbie.nao.motion.MotionLine.Note;
 import org.robonewbie.nao.motion.MotionLine.Unreadable;
+import org.robonewbie.nao.text.DecodedText;
+import org.robonewbie.nao.text.UndecodableTextException;
 
 /**
- * The text of a motion, with everything that people write into it. Each line with a keyframe holds the time to get there in
- * milliseconds and 22 angles in degrees in the order of {@link org.robonewbie.nao.Joint}, separated by blanks or tabs;
- * {@code //} begins a comment. A comment {@code // key: value} keeps further facts. This is the format of the original
- * RoboNewbie framework. Unmodifiable: changes give a new file in which all other lines are kept to the letter.
+ * The content of a motion file, including comments. Each line with a keyframe holds its duration in milliseconds and 22 angles in
+ * degrees in the order of {@link org.robonewbie.nao.Joint}, separated by spaces or tabs. {@code //} starts a comment, and a
+ * comment {@code // key: value} sets a property. This is the format of the original RoboNewbie framework. Immutable: each change
+ * returns a new file in which all other lines keep their exact text.
  *
  * <pre>{@code
  * MotionFile file = MotionFiles.load(Path.of("wave.txt"));
@@ -27,51 +30,77 @@ import org.robonewbie.nao.motion.MotionLine.Unreadable;
  */
 public final class MotionFile {
 
+    private static final String BALL = "ball";
+    private static final Pattern BALL_POSITION = Pattern.compile("(-?[0-9.]+) m ahead, (-?[0-9.]+) m to the left");
+
     private final String name;
-    private final MotionText text;
+    private final DecodedText decoded;
+    private final Optional<MotionProblem> decodingError;
     private final List<MotionLine> lines;
 
-    private MotionFile(String name, MotionText text, List<MotionLine> lines) {
+    private MotionFile(
+            String name, DecodedText decoded, Optional<MotionProblem> decodingError, List<MotionLine> lines) {
         this.name = name;
-        this.text = text;
+        this.decoded = decoded;
+        this.decodingError = decodingError;
         this.lines = List.copyOf(lines);
     }
 
     /**
-     * Parses the text of a file.
+     * Parses the text of a motion file.
      *
      * @param name the file's name for messages, such as {@code wave.txt}
-     * @param text its lines
-     * @return its content; lines that cannot be understood are kept, see {@link #errors}
+     * @param text the content of the file
+     * @return the file; lines that cannot be parsed are kept, see {@link #errors}
      */
     public static MotionFile parse(String name, String text) {
         return parse(name, text.getBytes(StandardCharsets.UTF_8));
     }
 
     /**
-     * Understands the bytes of a file.
+     * Decodes and parses the bytes of a motion file.
      *
      * @param name the file's name for messages, such as {@code wave.txt}
-     * @param bytes text as editors save it: UTF-8, UTF-16 with a byte order mark, or Windows-1252
-     * @return its content; lines that cannot be understood, and bytes that are no text, are kept, see {@link #errors}
+     * @param bytes text in UTF-8, UTF-16 with a byte order mark, or Windows-1252
+     * @return the file; bytes that cannot be decoded and lines that cannot be parsed are kept, see {@link #errors}
      */
     public static MotionFile parse(String name, byte[] bytes) {
-        MotionText text = MotionText.of(bytes);
-        return new MotionFile(name, text, text.parse());
+        try {
+            DecodedText decoded = DecodedText.of(bytes);
+            return new MotionFile(name, decoded, Optional.empty(), parseLines(decoded.content()));
+        } catch (UndecodableTextException undecodable) {
+            MotionProblem error = new MotionProblem(undecodable.line(), 1, undecodable.problem());
+            String characters = new String(bytes, StandardCharsets.ISO_8859_1);
+            MotionLine line = new Unreadable(characters, "", 1, error.text());
+            return new MotionFile(name, DecodedText.EMPTY, Optional.of(error), List.of(line));
+        }
+    }
+
+    private static List<MotionLine> parseLines(String content) {
+        List<MotionLine> lines = new ArrayList<>();
+        int start = 0;
+        while (start < content.length()) {
+            int end = start;
+            while (end < content.length() && content.charAt(end) != '\n' && content.charAt(end) != '\r') {
+                end++;
+            }
+            int next = content.startsWith("\r\n", end) ? end + 2 : Math.min(end + 1, content.length());
+            lines.add(MotionLine.parse(content.substring(start, end), content.substring(end, next)));
+            start = next;
+        }
+        return lines;
     }
 
     /**
      * Creates a new file.
      *
-     * @param motion the motion that it holds
+     * @param motion the content of the file
      * @return a file with one line for each keyframe
      */
     public static MotionFile of(Motion motion) {
         List<MotionLine> lines = new ArrayList<>();
-        for (Keyframe keyframe : motion.keyframes()) {
-            lines.add(new Frame(MotionLineFormat.format(keyframe), "\n", keyframe));
-        }
-        return new MotionFile(motion.name() + ".txt", MotionText.EMPTY, lines);
+        motion.keyframes().forEach(keyframe -> lines.add(Frame.of(keyframe)));
+        return new MotionFile(motion.name() + ".txt", DecodedText.EMPTY, Optional.empty(), lines);
     }
 
     /** {@return the file's name without folders, such as {@code wave.txt}} */
@@ -82,8 +111,8 @@ public final class MotionFile {
     /**
      * Returns the motion that the file describes.
      *
-     * @return the motion, named like the file without its extension
-     * @throws MotionFormatException if a line cannot be understood or there is no keyframe
+     * @return the motion, named after the file without its extension
+     * @throws MotionFormatException if a line cannot be parsed or there is no keyframe
      */
     public Motion motion() {
         for (MotionProblem error : errors()) {
@@ -101,7 +130,7 @@ public final class MotionFile {
         return new Motion(name.replaceFirst("\\.[^.]*$", ""), keyframes);
     }
 
-    /** {@return the keyframes of all lines that can be understood, in their order} */
+    /** {@return the keyframes of all lines that can be parsed, in the order of the file} */
     public List<Keyframe> keyframes() {
         return lines.stream()
                 .filter(Frame.class::isInstance)
@@ -109,10 +138,10 @@ public final class MotionFile {
                 .toList();
     }
 
-    /** {@return the lines that cannot be understood: one problem for each line that is neither keyframe nor comment} */
+    /** {@return one problem for each line that is neither a keyframe nor a comment, or one if the bytes cannot be decoded} */
     public List<MotionProblem> errors() {
-        if (text.problem().isPresent()) {
-            return List.of(text.problem().get());
+        if (decodingError.isPresent()) {
+            return List.of(decodingError.get());
         }
         List<MotionProblem> errors = new ArrayList<>();
         for (int i = 0; i < lines.size(); i++) {
@@ -124,21 +153,21 @@ public final class MotionFile {
     }
 
     /**
-     * {@return where a robot cannot quite follow what is written, angles beyond a joint's range and odd times, in the order of
+     * {@return what a robot cannot play exactly as written, such as angles beyond a joint's range and odd times, in the order of
      * the file}
      */
     public List<MotionProblem> warnings() {
         List<MotionProblem> warnings = new ArrayList<>();
         for (int i = 0; i < lines.size(); i++) {
             if (lines.get(i) instanceof Frame frame) {
-                warnings.addAll(MotionWarnings.of(i + 1, frame));
+                warnings.addAll(frame.warnings(i + 1));
             }
         }
         return Collections.unmodifiableList(warnings);
     }
 
     /**
-     * Looks up a property, given by a comment {@code // key: value}.
+     * Returns a property, set by a comment {@code // key: value}.
      *
      * @param key the word before the colon
      * @return the value of the first such comment
@@ -150,18 +179,38 @@ public final class MotionFile {
                 .findFirst();
     }
 
-    /** {@return where the ball must lie for the motion to kick it, from the comment {@code // ball:}} */
-    public Optional<BallPlace> ball() {
-        return property("ball").flatMap(BallPlace::parse);
+    /**
+     * Returns where the ball must lie for the motion to kick it. A comment such as {@code // ball: 0.190 m ahead, -0.055 m to
+     * the left} sets this property.
+     *
+     * @return the ball's position relative to the torso; empty if the file does not set one
+     * @throws NumberFormatException if a distance is not a number
+     */
+    public Optional<Translation2d> ball() {
+        Matcher position = BALL_POSITION.matcher(property(BALL).orElse(""));
+        return position.find()
+                ? Optional.of(
+                        new Translation2d(Double.parseDouble(position.group(1)), Double.parseDouble(position.group(2))))
+                : Optional.empty();
     }
 
     /**
-     * Sets a property in a comment {@code // key: value}: changes the first comment with this key, or adds one at the top.
+     * Sets where the ball must lie for the motion to kick it.
+     *
+     * @param ball the ball's position relative to the torso
+     * @return the changed file
+     */
+    public MotionFile withBall(Translation2d ball) {
+        return withProperty(BALL, String.format(Locale.ROOT, "%.3f m ahead, %.3f m to the left", ball.x(), ball.y()));
+    }
+
+    /**
+     * Sets a property by a comment {@code // key: value}. Changes the first comment with this key, or adds one at the top.
      *
      * @param key the word before the colon
-     * @param value the text after it, on one line
+     * @param value the text after the colon, without line ends
      * @return the changed file
-     * @throws MotionFormatException if the bytes of the file are no text
+     * @throws MotionFormatException if the bytes of the file could not be decoded
      */
     public MotionFile withProperty(String key, String value) {
         List<MotionLine> changed = new ArrayList<>(lines);
@@ -171,22 +220,17 @@ public final class MotionFile {
                 return with(changed);
             }
         }
-        changed.add(0, Note.ofProperty(key, value, usualLineEnd()));
+        String lineEnd = lines.stream()
+                .map(MotionLine::lineEnd)
+                .filter(end -> !end.isEmpty())
+                .findFirst()
+                .orElse("\n");
+        changed.add(0, Note.ofProperty(key, value, lineEnd));
         return with(changed);
     }
 
-    /** {@return the file with a comment at the top that says what each column is, in the order of {@link Joint}} */
-    public MotionFile withColumns() {
-        return withProperty(
-                "columns",
-                Stream.concat(
-                                Stream.of("milliseconds"),
-                                Arrays.stream(Joint.values()).map(Joint::name))
-                        .collect(Collectors.joining(", ")));
-    }
-
     /**
-     * Changes a keyframe; numbers that stay the same keep their digits.
+     * Replaces a keyframe. Numbers that stay the same keep their digits.
      *
      * @param index index of the keyframe, from 0
      * @param keyframe the new keyframe
@@ -194,19 +238,27 @@ public final class MotionFile {
      * @throws IndexOutOfBoundsException if there is no such keyframe
      */
     public MotionFile withKeyframe(int index, Keyframe keyframe) {
-        int line = lineOfKeyframe(index);
-        Frame before = (Frame) lines.get(line);
-        List<MotionLine> changed = new ArrayList<>(lines);
-        changed.set(line, new Frame(MotionLineFormat.replace(before, keyframe), before.lineEnd(), keyframe));
-        return with(changed);
+        int next = 0;
+        for (int i = 0; i < lines.size(); i++) {
+            if (lines.get(i) instanceof Frame frame) {
+                if (next == index) {
+                    List<MotionLine> changed = new ArrayList<>(lines);
+                    changed.set(i, frame.with(keyframe));
+                    return with(changed);
+                }
+                next++;
+            }
+        }
+        throw new IndexOutOfBoundsException(
+                name + " has " + next + " keyframes, so there is no keyframe " + index + ".");
     }
 
     /**
-     * Changes the keyframes from the first on, as {@link #withKeyframe} does.
+     * Replaces keyframes, starting with the first one, as {@link #withKeyframe} does.
      *
-     * @param keyframes the new ones
+     * @param keyframes the new keyframes
      * @return the changed file
-     * @throws IndexOutOfBoundsException if the file has fewer
+     * @throws IndexOutOfBoundsException if the file has fewer keyframes
      */
     public MotionFile withKeyframes(List<Keyframe> keyframes) {
         MotionFile changed = this;
@@ -216,65 +268,26 @@ public final class MotionFile {
         return changed;
     }
 
-    /**
-     * Inserts a keyframe.
-     *
-     * @param index index that it gets, from 0; the number of keyframes appends it
-     * @param keyframe the new keyframe
-     * @return the changed file
-     * @throws IndexOutOfBoundsException if the index is negative or too large
-     */
-    public MotionFile withInsertedKeyframe(int index, Keyframe keyframe) {
-        List<MotionLine> changed = new ArrayList<>(lines);
-        Frame inserted = new Frame(MotionLineFormat.format(keyframe), usualLineEnd(), keyframe);
-        if (index < keyframes().size()) {
-            changed.add(lineOfKeyframe(index), inserted);
-            return with(changed);
-        }
-        int line = index == 0 ? changed.size() : lineOfKeyframe(index - 1) + 1;
-        if (line > 0) {
-            changed.set(line - 1, terminated(changed.get(line - 1)));
-        }
-        changed.add(line, inserted);
-        return with(changed);
-    }
-
-    /**
-     * Removes a keyframe; comments stay.
-     *
-     * @param index index of the keyframe, from 0
-     * @return the changed file
-     * @throws IndexOutOfBoundsException if there is no such keyframe
-     */
-    public MotionFile withoutKeyframe(int index) {
-        List<MotionLine> changed = new ArrayList<>(lines);
-        changed.remove(lineOfKeyframe(index));
-        return with(changed);
-    }
-
-    /**
-     * {@return the text of the file: all lines with their line ends as they were loaded, and the byte order mark if there was
-     * one}
-     */
+    /** {@return the text of the file with its original line ends, and the byte order mark if there was one} */
     public String text() {
-        return text.mark() + content();
+        return (decoded.hasByteOrderMark() ? "\uFEFF" : "") + content();
     }
 
     private String content() {
         return lines.stream().map(line -> line.text() + line.lineEnd()).collect(Collectors.joining());
     }
 
-    /** {@return the bytes of the file in the encoding in which it was loaded, or in UTF-8 if that has not all characters} */
+    /** {@return the bytes of the file in its original encoding, or in UTF-8 if that encoding lacks one of the characters} */
     public byte[] bytes() {
-        return text.encode(content());
+        return decodingError.isPresent() ? content().getBytes(StandardCharsets.ISO_8859_1) : decoded.encode(content());
     }
 
     /**
-     * Exchanges left and right, also in the states {@code start} and {@code end}.
+     * Exchanges left and right, also in the properties {@code start} and {@code end}.
      *
-     * @param newName the name of the mirror image, without {@code .txt}
+     * @param newName the name of the mirrored motion, without {@code .txt}
      * @return a file with the mirrored motion
-     * @throws MotionFormatException if the file cannot be understood
+     * @throws MotionFormatException if the file cannot be parsed
      */
     public MotionFile mirrored(String newName) {
         MotionFile mirrored = of(motion().mirrored().named(newName));
@@ -285,45 +298,15 @@ public final class MotionFile {
         return mirrored;
     }
 
-    /** Replaces each word left in a text by right, or if it has none, each right by left. */
+    /** Replaces every "left" in a text by "right" or, if there is none, every "right" by "left". */
     static String otherSide(String text) {
         return text.contains("left") ? text.replace("left", "right") : text.replace("right", "left");
     }
 
-    /** What was not understood is not changed. */
     private MotionFile with(List<MotionLine> changed) {
-        text.problem().ifPresent(problem -> {
-            throw new MotionFormatException(name, problem);
+        decodingError.ifPresent(error -> {
+            throw new MotionFormatException(name, error);
         });
-        return new MotionFile(name, text, changed);
-    }
-
-    private int lineOfKeyframe(int index) {
-        int seen = 0;
-        for (int i = 0; i < lines.size(); i++) {
-            if (lines.get(i) instanceof Frame) {
-                if (seen == index) {
-                    return i;
-                }
-                seen++;
-            }
-        }
-        throw new IndexOutOfBoundsException(
-                name + " has " + seen + " keyframes, so there is no keyframe " + index + ".");
-    }
-
-    private MotionLine terminated(MotionLine line) {
-        if (!line.lineEnd().isEmpty()) {
-            return line;
-        }
-        return MotionLineParser.parse(line.text(), usualLineEnd());
-    }
-
-    private String usualLineEnd() {
-        return lines.stream()
-                .map(MotionLine::lineEnd)
-                .filter(end -> !end.isEmpty())
-                .findFirst()
-                .orElse("\n");
+        return new MotionFile(name, decoded, decodingError, changed);
     }
 }

@@ -9,9 +9,9 @@ import java.util.TreeSet;
 import org.robonewbie.nao.text.FileName;
 
 /**
- * Finds motions by their names: first among the user's, then among those that come with the framework. A new motion is a new
- * file; nothing else has to be changed. The user's files are read again each time, so an edit shows at the next start of the
- * motion. A motion with {@code left} in its name also exists in its mirror image with {@code right}, and the other way round.
+ * Finds motions by name, first among the user's and then among those shipped with the framework. A new file is a new motion;
+ * nothing has to be registered. The user's files are read again on each call, so an edit takes effect at the next start of the
+ * motion. A motion with {@code left} in its name is also available mirrored with {@code right}, and vice versa.
  *
  * <pre>{@code
  * MotionLibrary library = MotionFiles.library();
@@ -28,7 +28,7 @@ public final class MotionLibrary {
      * Creates a library.
      *
      * @param own the user's motions
-     * @param shipped the motions that come with the framework, which never change
+     * @param shipped the motions shipped with the framework, which never change
      */
     public MotionLibrary(MotionSource own, MotionSource shipped) {
         this.own = own;
@@ -38,21 +38,23 @@ public final class MotionLibrary {
     /**
      * Finds a motion.
      *
-     * @param name its name without {@code .txt}, in the letters of any language
-     * @return the file; empty if there is none of this name, or if no file can have it
+     * @param name the motion's name without {@code .txt}, in any script
+     * @return the file; empty if no motion has this name
      * @throws IOException if the file exists but cannot be read
      */
     public Optional<MotionFile> find(String name) throws IOException {
         if (FileName.problem(name).isPresent()) {
             return Optional.empty();
         }
-        Optional<MotionFile> file = findAsItIs(name);
+        Optional<MotionFile> file = findUnmirrored(name);
         String other = MotionFile.otherSide(name);
-        return file.isPresent() || other.equals(name) ? file : findAsItIs(other).map(found -> found.mirrored(name));
+        return file.isPresent() || other.equals(name)
+                ? file
+                : findUnmirrored(other).map(found -> found.mirrored(name));
     }
 
     /**
-     * {@return whether a file that was found comes with the framework}
+     * {@return whether a file is shipped with the framework}
      *
      * @param file a result of {@link #find}
      */
@@ -60,7 +62,7 @@ public final class MotionLibrary {
         return shippedFiles.containsValue(file);
     }
 
-    /** {@return the names of all motions that {@link #find} finds, in alphabetical order; a set of the caller's own} */
+    /** {@return a new set with the names of all motions that {@link #find} finds without mirroring, in alphabetical order} */
     public SortedSet<String> names() {
         SortedSet<String> names = new TreeSet<>(own.names());
         names.removeIf(name -> FileName.problem(name).isPresent());
@@ -68,7 +70,7 @@ public final class MotionLibrary {
         return names;
     }
 
-    private Optional<MotionFile> findAsItIs(String name) throws IOException {
+    private Optional<MotionFile> findUnmirrored(String name) throws IOException {
         Optional<byte[]> bytes = own.read(name);
         return bytes.isPresent() ? bytes.map(content -> parse(name, content)) : findShipped(name);
     }

@@ -1,22 +1,63 @@
 package org.robonewbie.nao.motion;
 
+import java.math.BigDecimal;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
+import java.util.regex.Pattern;
+import org.robonewbie.nao.Joint;
 
-/** One line of a motion file with its original text. */
+/** A line of a motion file with its original text, so that everything that is not edited is saved unchanged. */
 sealed interface MotionLine {
 
-    /** The characters of the line without its end. */
+    /** Returns the characters of the line without its line end. */
     String text();
 
-    /** The line end as it was: {@code \n}, {@code \r\n}, {@code \r} or nothing. */
+    /** Returns the line end: {@code \n}, {@code \r\n}, {@code \r} or nothing. */
     String lineEnd();
+
+    static MotionLine parse(String text, String lineEnd) {
+        List<Word> words = Word.allIn(text);
+        if (words.isEmpty()) {
+            return new Note(text, lineEnd);
+        }
+        for (int i = 0; i < words.size(); i++) {
+            String problem = words.get(i).problem(i);
+            if (!problem.isEmpty()) {
+                return new Unreadable(text, lineEnd, words.get(i).column() + 1, problem);
+            }
+        }
+        int angles = words.size() - 1;
+        if (angles != Joint.COUNT) {
+            int column = angles > Joint.COUNT
+                    ? words.get(1 + Joint.COUNT).column()
+                    : words.get(angles).end();
+            String found = angles == 1 ? "1 angle" : angles + " angles";
+            return new Unreadable(
+                    text,
+                    lineEnd,
+                    column + 1,
+                    found + ", expected " + Joint.COUNT
+                            + ": write one angle in degrees for each joint after the time in milliseconds");
+        }
+        double[] degrees = words.stream()
+                .skip(1)
+                .mapToDouble(word -> Double.parseDouble(word.text()))
+                .toArray();
+        return new Frame(
+                text, lineEnd, new Keyframe(Integer.parseInt(words.get(0).text()), Posture.of(degrees)));
+    }
 
     /** A line without a keyframe: empty or a comment. */
     record Note(String text, String lineEnd) implements MotionLine {
 
         private static final String MARK = "//";
 
-        /** The value of a comment such as {@code // author: Ada}. */
+        static Note ofProperty(String key, String value, String lineEnd) {
+            return new Note(MARK + " " + key + ": " + value, lineEnd);
+        }
+
+        /** Returns the value of a comment such as {@code // author: Ada}. */
         Optional<String> property(String key) {
             String trimmed = text.strip();
             if (!trimmed.startsWith(MARK)) {
@@ -27,15 +68,138 @@ sealed interface MotionLine {
                     ? Optional.of(comment.substring(key.length() + 1).strip())
                     : Optional.empty();
         }
+    }
 
-        static Note ofProperty(String key, String value, String lineEnd) {
-            return new Note(MARK + " " + key + ": " + value, lineEnd);
+    /** A line that should hold a keyframe but does not. */
+    record Unreadable(String text, String lineEnd, int column, String problem) implements MotionLine {}
+
+    /** A line with a keyframe. */
+    record Frame(String text, String lineEnd, Keyframe keyframe) implements MotionLine {
+
+        private static final int CYCLE_MILLIS = 20;
+        private static final int MAX_MILLIS = 60_000;
+
+        static Frame of(Keyframe keyframe) {
+            StringBuilder text = new StringBuilder();
+            text.append(keyframe.durationMillis());
+            for (Joint joint : Joint.values()) {
+                text.append(' ').append(format(keyframe.posture().degrees(joint)));
+            }
+            return new Frame(text.toString(), "\n", keyframe);
+        }
+
+        /** Replaces the keyframe. Unchanged numbers keep their digits; white space and comments are kept. */
+        Frame with(Keyframe changed) {
+            List<Word> words = Word.allIn(text);
+            StringBuilder line = new StringBuilder();
+            int copied = 0;
+            for (int i = 0; i < words.size(); i++) {
+                Word word = words.get(i);
+                line.append(text, copied, word.column());
+                line.append(number(word.text(), i, changed));
+                copied = word.end();
+            }
+            return new Frame(line.append(text.substring(copied)).toString(), lineEnd, changed);
+        }
+
+        private String number(String original, int index, Keyframe changed) {
+            if (index == 0) {
+                boolean same = keyframe.durationMillis() == changed.durationMillis();
+                return same ? original : Integer.toString(changed.durationMillis());
+            }
+            Joint joint = Joint.values()[index - 1];
+            double degrees = changed.posture().degrees(joint);
+            return keyframe.posture().degrees(joint) == degrees ? original : format(degrees);
+        }
+
+        private static String format(double degrees) {
+            return degrees == 0
+                    ? "0"
+                    : BigDecimal.valueOf(degrees).stripTrailingZeros().toPlainString();
+        }
+
+        /** Returns what a robot cannot play exactly as written: odd times and angles beyond a joint's range. */
+        List<MotionProblem> warnings(int line) {
+            List<Word> words = Word.allIn(text);
+            List<MotionProblem> warnings = new ArrayList<>();
+            String time = timeWarning(keyframe.durationMillis());
+            if (!time.isEmpty()) {
+                warnings.add(new MotionProblem(line, words.get(0).column() + 1, time));
+            }
+            for (Joint joint : Joint.values()) {
+                double degrees = keyframe.posture().degrees(joint);
+                if (joint.clampDegrees(degrees) != degrees) {
+                    Word word = words.get(1 + joint.ordinal());
+                    warnings.add(new MotionProblem(
+                            line,
+                            word.column() + 1,
+                            "angle " + word.text() + " is beyond the range of " + joint + ", expected "
+                                    + joint.minDegrees() + " to " + joint.maxDegrees() + " degrees"));
+                }
+            }
+            return warnings;
+        }
+
+        private static String timeWarning(int millis) {
+            if (millis <= 0) {
+                return "time " + millis + " ms is not positive, expected at least " + CYCLE_MILLIS;
+            }
+            if (millis % CYCLE_MILLIS != 0) {
+                return "time " + millis + " ms is not a multiple of the robot's cycle of " + CYCLE_MILLIS
+                        + " ms and will be rounded";
+            }
+            return millis > MAX_MILLIS
+                    ? "time " + millis + " ms is longer than a minute; times are in milliseconds"
+                    : "";
         }
     }
 
-    /** A line that holds a keyframe. */
-    record Frame(String text, String lineEnd, Keyframe keyframe) implements MotionLine {}
+    /** A word of a line; the column counts from 0. */
+    record Word(String text, int column) {
 
-    /** A line that should hold a keyframe but does not; kept as it is. */
-    record Unreadable(String text, String lineEnd, int column, String problem) implements MotionLine {}
+        private static final Pattern DECIMAL = Pattern.compile("[+-]?(\\d+(\\.\\d*)?|\\.\\d+)([eE][+-]?\\d+)?");
+        private static final Pattern INTEGER = Pattern.compile("[+-]?\\d{1,9}");
+
+        /** Returns the words before the comment of a line. */
+        static List<Word> allIn(String line) {
+            int comment = line.indexOf("//");
+            int end = comment < 0 ? line.length() : comment;
+            List<Word> words = new ArrayList<>();
+            int at = 0;
+            while (at < end) {
+                int start = at;
+                while (at < end && !isBlank(line.charAt(at))) {
+                    at++;
+                }
+                if (at > start) {
+                    words.add(new Word(line.substring(start, at), start));
+                } else {
+                    at++;
+                }
+            }
+            return words;
+        }
+
+        int end() {
+            return column + text.length();
+        }
+
+        /** Returns why this word cannot be the number at an index of the line; empty if it can. */
+        String problem(int index) {
+            if (index == 0) {
+                return INTEGER.matcher(text).matches()
+                        ? ""
+                        : "found \"" + text + "\", expected the time in whole milliseconds, such as 500";
+            }
+            if (DECIMAL.matcher(text).matches() && Double.isFinite(Double.parseDouble(text))) {
+                return "";
+            }
+            String joint = index <= Joint.COUNT ? " of " + Joint.values()[index - 1] : "";
+            return "found \"" + text + "\", expected the angle" + joint + " in degrees, such as -12.5";
+        }
+
+        private static boolean isBlank(char character) {
+            return character == ' ' || character == '\t';
+        }
+    }
 }

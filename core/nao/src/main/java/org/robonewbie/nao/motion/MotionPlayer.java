@@ -10,7 +10,7 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * Plays one motion: turns keyframes into one speed for each joint and cycle. Pure calculation, without a connection.
+ * Plays one motion: calculates a speed for each joint and cycle from the keyframes. Needs no connection to a simulator.
  *
  * <pre>{@code
  * MotionPlayer player = new MotionPlayer(motion, Interpolation.LINEAR);
@@ -22,18 +22,17 @@ import org.robonewbie.nao.math.PortableMath;
  * }
  * }</pre>
  *
- * <p>In each cycle a joint gets the speed that leads from where it will be when the speed begins to act ({@link
- * Motors#expectedDegrees}) to where the interpolation wants it one cycle later. The plan runs through the keyframes without
- * a stop; a difference between plan and robot is made good by half in each cycle, and all of it in the last one. The time of
- * a keyframe is played in whole cycles of 20 ms, at least one, and their sum is that of the motion. After its last step the
- * player stops all motors.
+ * <p>In each cycle a joint gets the speed that moves it from its angle when the speed takes effect ({@link
+ * Motors#expectedDegrees}) to the interpolated angle one cycle later. The trajectory passes through the keyframes without
+ * stopping. Half of the tracking error is corrected in each cycle, and all of it in the last one. Each keyframe takes a whole
+ * number of cycles of 20 ms, at least one; rounding errors do not accumulate. After the last step the player stops all motors.
  */
 public final class MotionPlayer {
 
-    /** The property of a motion file that names the rule by which it is played. */
+    /** The property of a motion file that selects the playback rule. */
     public static final String RULE = "play";
 
-    /** The value of {@link #RULE} for files that were made for RoboNewbie 1.1. */
+    /** The value of {@link #RULE} for files made for RoboNewbie 1.1. */
     public static final String ORIGINAL = "1.1";
 
     private static final int CYCLE_MILLIS = 20;
@@ -52,10 +51,10 @@ public final class MotionPlayer {
     private boolean looping;
 
     /**
-     * Prepares a motion; it begins with the first {@link #step}.
+     * Creates a player at the start of a motion.
      *
      * @param motion the motion
-     * @param interpolation how joints move from one keyframe to the next
+     * @param interpolation the path of the joints between keyframes
      */
     public MotionPlayer(Motion motion, Interpolation interpolation) {
         this(motion, interpolation, Optional.empty());
@@ -69,12 +68,12 @@ public final class MotionPlayer {
     }
 
     /**
-     * Prepares the motion of a file as the file wants to be played: by the rule of RoboNewbie 1.1 if it says {@code // play: 1.1}, else
-     * by the given interpolation.
+     * Creates a player for the motion of a file. A file with the comment {@code // play: 1.1} is played by the rule of RoboNewbie
+     * 1.1, any other with the given interpolation.
      *
      * @param file the file
-     * @param speed 1 as in the file, 2 twice as fast
-     * @param interpolation how joints move from one keyframe to the next
+     * @param speed factor of the speed; 1 plays as written, 2 twice as fast
+     * @param interpolation the path of the joints between keyframes
      * @return the player
      */
     public static MotionPlayer of(MotionFile file, double speed, Interpolation interpolation) {
@@ -83,26 +82,22 @@ public final class MotionPlayer {
         return new MotionPlayer(motion, interpolation, old ? Optional.of(new OriginalRule(motion)) : Optional.empty());
     }
 
-    /**
-     * Names what is played.
-     *
-     * @return the motion
-     */
+    /** {@return the motion that is played} */
     public Motion motion() {
         return motion;
     }
 
-    /** {@return the index of the keyframe that is being approached, from 0; the last one after the end} */
+    /** {@return the index of the keyframe that the robot is approaching, from 0; the last one after the end} */
     public int keyframe() {
         return original.map(OriginalRule::keyframe).orElse(keyframe);
     }
 
     /**
-     * Returns whether the motion turns a joint on the way to the present keyframe. On the way to its first one it is where the robot was
-     * that decides which joints turn; there those count that the motion turns later.
+     * Returns whether the motion turns a joint on the way to the current keyframe. On the way to the first keyframe, which depends
+     * on the robot's initial posture, the joints count that the motion turns later.
      *
      * @param joint the joint
-     * @return whether a command for it would compete with the motion
+     * @return whether a command for the joint would conflict with the motion
      */
     public boolean turns(Joint joint) {
         List<Keyframe> frames = motion.keyframes();
@@ -123,33 +118,26 @@ public final class MotionPlayer {
         return original.map(OriginalRule::cycles).orElse(cycle) * Cycle.SECONDS;
     }
 
-    /** {@return the duration of the motion in seconds, in whole cycles} */
-    public double durationSeconds() {
-        return original.map(OriginalRule::lengthInCycles).orElse(lengthInCycles()) * Cycle.SECONDS;
-    }
-
     /**
-     * Repeats the motion or lets it end.
+     * Sets whether the motion repeats.
      *
-     * @param looping whether the motion begins again after its last keyframe
+     * @param looping whether the motion starts again after its last keyframe
      */
     public void setLooping(boolean looping) {
         this.looping = looping;
     }
 
-    /** {@return whether the motion is over: all its speeds have been set} */
+    /** {@return whether the motion is finished: all its speeds have been set} */
     public boolean isFinished() {
-        return original.isPresent() ? original.get().isOver() && !looping : isPlanOver();
-    }
-
-    private boolean isPlanOver() {
-        return cycle >= lengthInCycles() && !(looping && lengthInCycles() > 0);
+        return original.isPresent()
+                ? original.get().isFinished() && !looping
+                : cycle >= lengthInCycles() && !(looping && lengthInCycles() > 0);
     }
 
     /**
-     * Plays one cycle of 20 ms; after the end it stops the motors.
+     * Plays one cycle of 20 ms. After the end of the motion, stops the motors.
      *
-     * @param motors know where the joints are and take their new speeds
+     * @param motors the motors to read and to drive
      */
     public void step(Motors motors) {
         if (isFinished()) {
@@ -162,7 +150,7 @@ public final class MotionPlayer {
     }
 
     private static void stepAsOriginal(OriginalRule rule, Motors motors) {
-        if (rule.isOver()) {
+        if (rule.isFinished()) {
             rule.begin();
         }
         rule.step(motors);
@@ -184,12 +172,11 @@ public final class MotionPlayer {
     }
 
     /**
-     * Finds what the motors cannot do in time.
+     * Returns where the motion exceeds the maximum speed of a motor.
      *
-     * @param motors tell from where the robot starts
-     * @param fromKeyframe index of the first keyframe that counts; 1 if the way from where the robot happens to be to the
-     *     beginning of the motion may take longer
-     * @return one sentence for each joint and keyframe that asks for too much
+     * @param motors the motors, which determine the initial posture
+     * @param fromKeyframe index of the first keyframe to check; 1 if the robot may take longer to reach the first keyframe
+     * @return one sentence for each joint and keyframe that is too fast
      */
     public List<String> problems(Motors motors, int fromKeyframe) {
         List<String> problems = new ArrayList<>();
@@ -262,7 +249,7 @@ public final class MotionPlayer {
         return Motors.inside(joint, posture.degrees(joint));
     }
 
-    /** In which cycle each keyframe is reached: the nearest to its time, but later than the one before. */
+    /** Returns the cycle in which each keyframe is reached: the nearest to its time, but later than that of the keyframe before. */
     private static int[] keyframeEnds(Motion motion) {
         int[] ends = new int[motion.keyframes().size()];
         int millis = 0;

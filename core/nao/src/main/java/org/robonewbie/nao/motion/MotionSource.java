@@ -4,14 +4,14 @@ import java.io.IOException;
 import java.util.Optional;
 import java.util.SortedSet;
 
-/** A place that keeps motion files: a folder, the class path, memory. */
+/** A store of motion files, such as a folder or the class path. */
 public interface MotionSource {
 
     /**
      * Reads a motion file.
      *
      * @param name the motion's name without {@code .txt}
-     * @return the bytes of the file; empty if there is none of this name
+     * @return the bytes of the file; empty if no motion has this name
      * @throws IOException if the file exists but cannot be read
      */
     Optional<byte[]> read(String name) throws IOException;

@@ -5,17 +5,17 @@ import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 
 /**
- * The motors of the 22 joints. A simulator takes speeds only, so this class keeps them: a motor goes on with its speed until
- * it gets another one, a target angle is approached and held, and no joint is driven against its stop.
+ * Speed controller for the motors of the 22 joints. The simulator accepts speeds only: a motor keeps its speed until it receives
+ * another one. This class adds target angles, which a joint approaches and holds, and stops joints before their mechanical stops.
  *
- * <p>It knows the delay of the simulation: the speed that answers message k turns the joint in the step before message k + 2.
- * Until then the speed that answered message k - 1 still acts, so a joint will be at its sensed angle plus one step of that
- * speed when the new speed begins to act: {@link #expectedDegrees}.
+ * <p>It compensates the delay of the simulation. The speed that answers message k turns the joint in the step before message k +
+ * 2. Until then the speed that answered message k - 1 still acts, so that when the new speed takes effect, the joint will be at its
+ * sensed angle plus one step of that speed: {@link #expectedDegrees}.
  */
 public final class Motors {
 
-    /** A joint is stopped this much before its mechanical stop, where a simulator no longer listens; degrees. */
-    public static final double MARGIN_DEGREES = 0.1;
+    /** Distance to the mechanical stop at which a joint is stopped; at the stop itself a simulator ignores commands. */
+    private static final double MARGIN_DEGREES = 0.1;
 
     private static final Joint[] JOINTS = Joint.values();
     private static final double NO_TARGET = Double.NaN;
@@ -31,22 +31,22 @@ public final class Motors {
     private final boolean[] stopped = new boolean[Joint.COUNT];
 
     /**
-     * Creates motors that stand still.
+     * Creates motors at rest.
      *
-     * @param joints where the joints are; to be updated by each message
+     * @param joints the sensed joint angles, to be updated with each message
      */
     public Motors(JointStates joints) {
         this.joints = joints;
         Arrays.fill(targetDegrees, NO_TARGET);
     }
 
-    /** {@return where the joints are} */
+    /** {@return the sensed joint angles} */
     public JointStates joints() {
         return joints;
     }
 
     /**
-     * Returns where a joint will be when a speed that is set now takes effect.
+     * Returns the predicted angle of a joint at the time when a speed that is set now takes effect.
      *
      * @param joint the joint
      * @return its expected angle in degrees
@@ -56,10 +56,10 @@ public final class Motors {
     }
 
     /**
-     * Turns a joint from now on.
+     * Sets the speed of a joint, which stays in effect until the next command.
      *
      * @param joint the joint
-     * @param speed in degrees per second, finite
+     * @param speed speed in degrees per second, finite
      */
     public void setSpeed(Joint joint, double speed) {
         takeCommand(joint);
@@ -71,8 +71,8 @@ public final class Motors {
      * Moves a joint to an angle and holds it there.
      *
      * @param joint the joint
-     * @param target angle in degrees, finite
-     * @param speed how fast it may move, in degrees per second above 0
+     * @param target target angle in degrees, finite
+     * @param speed maximum speed in degrees per second, above 0
      */
     public void setTarget(Joint joint, double target, double speed) {
         takeCommand(joint);
@@ -80,7 +80,7 @@ public final class Motors {
         targetDegreesPerSecond[joint.ordinal()] = speed;
     }
 
-    /** Hands all joints over to a motion that starts, except those that were commanded in this very cycle. */
+    /** Releases all joints for a motion that starts, except those that were commanded in this cycle. */
     public void release() {
         for (int i = 0; i < Joint.COUNT; i++) {
             commanded[i] = commandedNow[i];
@@ -88,26 +88,26 @@ public final class Motors {
         }
     }
 
-    /** Whether a motion may turn a joint. */
+    /** Returns whether a motion may turn a joint. */
     boolean isFree(Joint joint) {
         return !commanded[joint.ordinal()];
     }
 
-    /** Turns a joint by a motion, unless the joint was commanded otherwise since the motion started. */
+    /** Sets the speed of a joint on behalf of a motion, unless the joint was commanded otherwise since the motion started. */
     void setMotionSpeed(Joint joint, double speed) {
         if (isFree(joint)) {
             degreesPerSecond[joint.ordinal()] = speed;
         }
     }
 
-    /** Stops all joints that belong to a motion. */
+    /** Stops all joints that a motion controls. */
     public void stopMotion() {
         for (Joint joint : JOINTS) {
             setMotionSpeed(joint, 0);
         }
     }
 
-    /** Fixes the speeds of this cycle. */
+    /** Calculates the speeds to be sent in this cycle. */
     public void endCycle() {
         for (Joint joint : JOINTS) {
             int i = joint.ordinal();
@@ -128,20 +128,19 @@ public final class Motors {
      * Returns the speed of a motor.
      *
      * @param joint the joint
-     * @return the speed that was fixed by the last {@link #endCycle}, in degrees per second
+     * @return the speed calculated by the last {@link #endCycle}, in degrees per second
      */
     public double sentDegreesPerSecond(Joint joint) {
         return sentDegreesPerSecond[joint.ordinal()];
     }
 
-    /** {@return the speeds of all joints that are sent in this cycle, in degrees per second, in the order of {@link Joint}} */
+    /** {@return a copy of the speeds calculated by the last {@link #endCycle}, in degrees per second, in the order of {@link Joint}} */
     public double[] sentDegreesPerSecond() {
         return sentDegreesPerSecond.clone();
     }
 
     /**
-     * {@return whether the speed that was fixed by the last {@link #endCycle} has to be sent; a motor keeps its speed, so one
-     * that rests need not be stopped again}
+     * {@return whether the speed calculated by the last {@link #endCycle} must be sent; a motor at rest need not be stopped again}
      *
      * @param joint the joint
      */
@@ -150,33 +149,33 @@ public final class Motors {
     }
 
     /**
-     * Returns whether a joint had to be slowed down in the last {@link #endCycle}.
+     * Returns whether the last {@link #endCycle} reduced the speed of a joint to keep it within its range.
      *
      * @param joint the joint
-     * @return whether the speed that was set for it would have led it out of its range
+     * @return whether the speed that was set would have moved the joint out of its range
      */
     public boolean isStopped(Joint joint) {
         return stopped[joint.ordinal()];
     }
 
     /**
-     * Returns whether a joint cannot turn with a speed, since it is at the end of its range.
+     * Returns whether a speed would move a joint out of its range within one cycle.
      *
      * @param joint the joint
-     * @param speed in degrees per second
-     * @return whether the joint will be stopped
+     * @param speed speed in degrees per second
+     * @return whether the speed will be reduced
      */
     public boolean leavesRange(Joint joint, double speed) {
         return keepInside(joint, speed) != speed;
     }
 
-    /** {@return where the joints will be when speeds that are set now begin to act} */
+    /** Returns the predicted posture at the time when speeds that are set now take effect. */
     Posture expectedPosture() {
         return Posture.of(
                 Arrays.stream(JOINTS).mapToDouble(this::expectedDegrees).toArray());
     }
 
-    /** The nearest angle at which a joint still obeys. */
+    /** Clamps an angle to the range in which a joint accepts commands. */
     static double inside(Joint joint, double degrees) {
         return Math.max(joint.minDegrees() + MARGIN_DEGREES, Math.min(joint.maxDegrees() - MARGIN_DEGREES, degrees));
     }
@@ -193,7 +192,7 @@ public final class Motors {
                 : Math.max(speed, Math.min(0, room / Cycle.SECONDS));
     }
 
-    private static double limit(double value, double most) {
-        return Math.max(-most, Math.min(most, value));
+    private static double limit(double value, double max) {
+        return Math.max(-max, Math.min(max, value));
     }
 }

@@ -5,7 +5,7 @@ import java.util.List;
 import org.robonewbie.nao.Joint;
 
 /**
- * The position of all limbs: one angle for each joint. Immutable.
+ * The posture of the whole body: one angle for each joint. Immutable.
  *
  * <pre>{@code
  * Posture raisedArm = Posture.ZERO.with(Joint.LEFT_SHOULDER_PITCH, 60);
@@ -20,7 +20,7 @@ public final class Posture {
 
     private final double[] degrees;
 
-    /** Takes the array over; a negative zero becomes a plain one, since both are the same angle. */
+    /** Takes ownership of the array. Negative zeros become positive, so that equal angles have equal bits. */
     private Posture(double[] degrees) {
         for (int i = 0; i < degrees.length; i++) {
             degrees[i] += 0.0;
@@ -37,8 +37,8 @@ public final class Posture {
      */
     public static Posture of(double... degrees) {
         if (degrees.length != Joint.COUNT) {
-            throw new IllegalArgumentException("A posture has " + Joint.COUNT + " angles, one for each joint, but "
-                    + degrees.length + " were given.");
+            throw new IllegalArgumentException(
+                    "Expected " + Joint.COUNT + " angles, one for each joint, but got " + degrees.length + ".");
         }
         for (int i = 0; i < degrees.length; i++) {
             checkFinite(JOINTS[i], degrees[i]);
@@ -47,7 +47,7 @@ public final class Posture {
     }
 
     /**
-     * Looks up an angle.
+     * Returns the angle of a joint.
      *
      * @param joint the joint
      * @return its angle in degrees
@@ -57,11 +57,11 @@ public final class Posture {
     }
 
     /**
-     * Changes one angle.
+     * Returns this posture with one angle changed.
      *
      * @param joint the joint
      * @param newDegrees its new angle in degrees
-     * @return a posture that differs in this joint only
+     * @return the changed posture
      * @throws IllegalArgumentException if the angle is not finite
      */
     public Posture with(Joint joint, double newDegrees) {
@@ -80,7 +80,7 @@ public final class Posture {
         return new Posture(mirrored);
     }
 
-    /** {@return the nearest posture that the robot can take, with each angle clamped to its joint's range} */
+    /** {@return this posture with each angle clamped to its joint's range} */
     public Posture clamped() {
         double[] clamped = new double[Joint.COUNT];
         for (Joint joint : JOINTS) {
@@ -90,12 +90,12 @@ public final class Posture {
     }
 
     /**
-     * Changes several angles.
+     * Returns this posture with several angles changed.
      *
      * @param joints the joints
      * @param newDegrees their new angles in degrees, in the same order
-     * @return a posture that differs in these joints only
-     * @throws IllegalArgumentException if an angle is no finite number
+     * @return the changed posture
+     * @throws IllegalArgumentException if an angle is not finite
      */
     public Posture with(List<Joint> joints, double... newDegrees) {
         double[] changed = degrees.clone();
@@ -107,11 +107,11 @@ public final class Posture {
     }
 
     /**
-     * Goes a part of the way to another posture, each joint at a constant speed.
+     * Interpolates linearly between this posture and another one.
      *
      * @param end the other posture
      * @param fraction 0 for this posture, 1 for the other
-     * @return the posture on the way
+     * @return the interpolated posture
      */
     public Posture towards(Posture end, double fraction) {
         if (fraction == 1) {
@@ -125,7 +125,7 @@ public final class Posture {
     }
 
     /**
-     * Compares two postures.
+     * Returns the maximum distance to another posture over all joints.
      *
      * @param other the other posture
      * @return the largest difference between the angles of a joint in degrees, at least 0
@@ -145,8 +145,8 @@ public final class Posture {
 
     private static void checkFinite(Joint joint, double degrees) {
         if (!Double.isFinite(degrees)) {
-            throw new IllegalArgumentException("Angle " + degrees + " for " + joint
-                    + " is no number that a robot can use. Was something divided by zero?");
+            throw new IllegalArgumentException(
+                    "Angle " + degrees + " for " + joint + " is not a finite number. Was something divided by zero?");
         }
     }
 

@@ -5,12 +5,12 @@ import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 
 /**
- * Leads the joints along a plan of one posture for each cycle: each joint gets the speed that leads from the last planned angle
- * to the next one, and a part of the difference between plan and robot is made good as well.
+ * Trajectory follower for a plan of one posture per cycle. Each joint gets the speed from the last planned angle to the next one
+ * (feedforward), plus a correction of the tracking error (feedback).
  */
 public final class PostureFollower {
 
-    /** Which part of a difference between plan and robot is made good in each cycle. */
+    /** Fraction of the tracking error that is corrected in each cycle. */
     static final double CORRECTION = 0.5;
 
     private static final Joint[] JOINTS = Joint.values();
@@ -19,7 +19,7 @@ public final class PostureFollower {
     private final double[] plannedDegrees = new double[Joint.COUNT];
 
     /**
-     * Begins where the robot is.
+     * Creates a follower that starts at the robot's current posture.
      *
      * @param motors the robot's motors
      */
@@ -28,7 +28,7 @@ public final class PostureFollower {
         takePosture();
     }
 
-    /** Takes all joints but those that are commanded in this very cycle, and begins where they are. */
+    /** Starts again at the robot's current posture, with all joints except those that were commanded in this cycle. */
     public void begin() {
         motors.release();
         takePosture();
@@ -41,15 +41,15 @@ public final class PostureFollower {
     }
 
     /**
-     * Leads the joints to the next posture of the plan.
+     * Sets the speeds that lead to the next posture of the plan.
      *
-     * @param next where the joints are to be after one cycle
+     * @param next the planned posture after one cycle
      */
     public void follow(Posture next) {
         follow(next::degrees, CORRECTION);
     }
 
-    /** Leads the joints to their next angles, making good a part of the difference between plan and robot. */
+    /** Sets the speeds that lead to the next planned angles and correct a fraction of the tracking error. */
     void follow(ToDoubleFunction<Joint> next, double correction) {
         for (Joint joint : JOINTS) {
             follow(joint, next.applyAsDouble(joint), correction);

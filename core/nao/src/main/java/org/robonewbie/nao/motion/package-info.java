@@ -1,6 +1,5 @@
 /**
- * Keyframe motions: postures that a robot takes one after the other, and the text files that hold them. Read {@link
- * org.robonewbie.nao.motion.Motion} first.
+ * Keyframe motions, their playback, and the text files that describe them. Read {@link org.robonewbie.nao.motion.Motion} first.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.nao.motion;

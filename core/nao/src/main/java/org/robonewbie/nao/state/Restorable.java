@@ -1,11 +1,11 @@
 package org.robonewbie.nao.state;
 
 /**
- * Something whose state can be saved and brought back to the bit.
+ * An object whose state can be saved and restored bit by bit.
  *
- * <p>What {@link #save} writes, {@link #restore} reads in the same order. Afterwards the object behaves exactly as it would
- * have behaved after {@code save}. An agent whose class implements it is restored together with the world that it
- * lives in, if the simulator runs in the same process; other agents keep what they remember.
+ * <p>{@link #restore} reads what {@link #save} wrote, in the same order. A restored object behaves exactly as it would have
+ * behaved after {@code save}. An agent whose class implements this interface is restored together with its world if the simulator
+ * runs in the same process; other agents keep their current state.
  *
  * <pre>{@code
  * public void save(StateWriter out) { out.putInt(steps); }
@@ -17,15 +17,15 @@ public interface Restorable {
     /**
      * Writes the state.
      *
-     * @param out takes the state
+     * @param out destination of the state
      */
     void save(StateWriter out);
 
     /**
-     * Takes on a state that was saved.
+     * Restores a saved state.
      *
-     * @param in holds what {@link #save} wrote
-     * @throws IllegalArgumentException if the bytes hold something else; the object may be half restored then
+     * @param in source of the state that {@link #save} wrote
+     * @throws IllegalArgumentException if the bytes are not such a state; the object may then be partially restored
      */
     void restore(StateReader in);
 }

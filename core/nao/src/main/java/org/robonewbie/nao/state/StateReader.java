@@ -8,8 +8,8 @@ import java.util.function.Supplier;
 import org.robonewbie.nao.Vector3;
 
 /**
- * Reads back what a {@link StateWriter} wrote, in the same order. Every problem is an {@link IllegalArgumentException} that
- * names the byte at which it was found.
+ * Deserializes the output of a {@link StateWriter}, in the same order. Invalid data causes an {@link IllegalArgumentException}
+ * that names the offset.
  */
 public final class StateReader {
 
@@ -18,19 +18,19 @@ public final class StateReader {
     private int next;
 
     /**
-     * Reads from the first byte on.
+     * Creates a reader that starts at the first byte.
      *
-     * @param bytes what {@link StateWriter#toBytes()} returned; must not change while it is read
+     * @param bytes the result of {@link StateWriter#toBytes()}; must not change while it is read
      */
     public StateReader(byte[] bytes) {
         this(bytes, 0);
     }
 
     /**
-     * Reads from some byte on.
+     * Creates a reader that starts at an offset.
      *
      * @param bytes the bytes; must not change while they are read
-     * @param start the first byte to read
+     * @param start index of the first byte to read
      */
     public StateReader(byte[] bytes, int start) {
         this.bytes = bytes;
@@ -38,7 +38,7 @@ public final class StateReader {
         this.next = start;
     }
 
-    /** {@return the next yes or no} */
+    /** {@return the next boolean} */
     public boolean getBoolean() {
         need(1);
         byte value = bytes[next++];
@@ -68,15 +68,15 @@ public final class StateReader {
         return value;
     }
 
-    /** {@return the next number, with all its bits} */
+    /** {@return the next double, with all its bits} */
     public double getDouble() {
         return Double.longBitsToDouble(getLong());
     }
 
     /**
-     * Reads the next numbers into an array.
+     * Fills an array with the next doubles.
      *
-     * @param target receives as many numbers as it is long
+     * @param target the array to fill
      */
     public void getDoubles(double[] target) {
         for (int i = 0; i < target.length; i++) {
@@ -92,10 +92,10 @@ public final class StateReader {
     }
 
     /**
-     * Reads a constant of an enum.
+     * Reads an enum constant.
      *
      * @param <E> the enum
-     * @param constants all of its constants
+     * @param constants all constants of the enum
      * @return the next constant
      */
     public <E extends Enum<E>> E getEnum(E[] constants) {
@@ -105,13 +105,13 @@ public final class StateReader {
     /**
      * Reads an index.
      *
-     * @param count how many things there are
-     * @return the next integer, at least 0 and less than count
+     * @param count number of elements
+     * @return the next integer, from 0 to count - 1
      */
     public int getIndex(int count) {
         int index = getInt();
         if (index < 0 || index >= count) {
-            throw damaged("has number " + index + " of " + count, next - Integer.BYTES);
+            throw damaged("has index " + index + " where only " + count + " elements exist", next - Integer.BYTES);
         }
         return index;
     }
@@ -120,7 +120,7 @@ public final class StateReader {
     public byte[] getBytes() {
         int count = getInt();
         if (count < 0 || count > end - next) {
-            throw damaged("has no room for " + count + " more bytes", next - Integer.BYTES);
+            throw damaged("ends before the " + count + " bytes that should follow", next - Integer.BYTES);
         }
         byte[] copy = new byte[count];
         System.arraycopy(bytes, next, copy, 0, count);
@@ -134,7 +134,7 @@ public final class StateReader {
     }
 
     /**
-     * Reads a value that may be missing.
+     * Reads an optional value.
      *
      * @param <T> type of the value
      * @param reader reads the value; only called if there is one
@@ -148,8 +148,8 @@ public final class StateReader {
      * Reads a collection.
      *
      * @param <T> type of the elements
-     * @param reader reads one element, which takes at least one byte
-     * @return the elements in their order, a new list
+     * @param reader reads one element of at least one byte
+     * @return a new list of the elements in their order
      */
     public <T> List<T> getAll(Supplier<T> reader) {
         int count = getCount();
@@ -160,26 +160,26 @@ public final class StateReader {
         return elements;
     }
 
-    /** {@return how many elements follow, each of at least one byte} */
+    /** {@return the number of elements that follow, each of at least one byte} */
     public int getCount() {
         int count = getInt();
         if (count < 0 || count > end - next) {
-            throw damaged("announces " + count + " elements, more than the rest can hold", next - Integer.BYTES);
+            throw damaged("ends before the " + count + " elements that should follow", next - Integer.BYTES);
         }
         return count;
     }
 
-    /** Checks that everything was read. */
+    /** Checks that all bytes were read. */
     public void finish() {
         if (next != end) {
-            throw damaged("goes on for " + (end - next) + " bytes after its end", next);
+            throw damaged("has " + (end - next) + " bytes more than expected", next);
         }
     }
 
     /**
-     * Describes damage at the place that was read last.
+     * Creates an exception about invalid data before the current offset.
      *
-     * @param problem what is wrong, a part of a sentence whose subject is the state, such as "has a robot without team"
+     * @param problem the problem, a predicate whose subject is the state, such as "has a robot without team"
      * @return the exception to throw
      */
     public IllegalArgumentException damaged(String problem) {
@@ -192,8 +192,8 @@ public final class StateReader {
         }
     }
 
-    private static IllegalArgumentException damaged(String problem, int place) {
-        return new IllegalArgumentException("The saved state " + problem + " (byte " + place
+    private static IllegalArgumentException damaged(String problem, int offset) {
+        return new IllegalArgumentException("The saved state " + problem + " (byte " + offset
                 + "). It is damaged, or another version of RoboNewbie wrote it.");
     }
 }

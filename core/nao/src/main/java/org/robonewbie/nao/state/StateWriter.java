@@ -8,8 +8,8 @@ import java.util.function.Consumer;
 import org.robonewbie.nao.Vector3;
 
 /**
- * Collects numbers and texts as bytes, without any rounding: integers and the bits of doubles with the low byte first, texts
- * in UTF-8 behind their length.
+ * Serializes values to bytes without loss: integers and the bits of doubles in little-endian order, texts in UTF-8 after their
+ * length.
  */
 public final class StateWriter {
 
@@ -20,7 +20,7 @@ public final class StateWriter {
     public StateWriter() {}
 
     /**
-     * Appends a yes or no.
+     * Appends a boolean.
      *
      * @param value the value
      */
@@ -54,7 +54,7 @@ public final class StateWriter {
     }
 
     /**
-     * Appends a number with all its bits.
+     * Appends a double with all its bits.
      *
      * @param value the value
      */
@@ -63,7 +63,7 @@ public final class StateWriter {
     }
 
     /**
-     * Appends as many numbers as an array has; its length is not written.
+     * Appends the elements of an array without its length.
      *
      * @param values the values
      */
@@ -85,7 +85,7 @@ public final class StateWriter {
     }
 
     /**
-     * Appends a constant of an enum by its place.
+     * Appends the ordinal of an enum constant.
      *
      * @param constant the constant
      */
@@ -94,10 +94,10 @@ public final class StateWriter {
     }
 
     /**
-     * Appends bytes behind their number.
+     * Appends a number of bytes, preceded by their count.
      *
-     * @param source where they are
-     * @param count how many of them, from the first
+     * @param source array that starts with the bytes
+     * @param count number of bytes
      */
     public void putBytes(byte[] source, int count) {
         putInt(count);
@@ -117,7 +117,7 @@ public final class StateWriter {
     }
 
     /**
-     * Appends a value that may be missing.
+     * Appends an optional value.
      *
      * @param <T> type of the value
      * @param value the value, or empty
@@ -129,10 +129,10 @@ public final class StateWriter {
     }
 
     /**
-     * Appends all elements of a collection behind their number.
+     * Appends all elements of a collection, preceded by their count.
      *
      * @param <T> type of the elements
-     * @param elements the elements, in an order that does not depend on chance
+     * @param elements the elements, in a deterministic order
      * @param writer writes one element
      */
     public <T> void putAll(Collection<T> elements, Consumer<? super T> writer) {
@@ -140,9 +140,7 @@ public final class StateWriter {
         elements.forEach(writer);
     }
 
-    /**
-     * {@return a copy of all bytes so far}
-     */
+    /** {@return a copy of all bytes so far} */
     public byte[] toBytes() {
         return Arrays.copyOf(bytes, length);
     }

@@ -1,9 +1,9 @@
 /**
- * State as bytes: everything that changes over time writes itself to a {@link org.robonewbie.nao.state.StateWriter} and
- * reads itself back, bit by bit, from a {@link org.robonewbie.nao.state.StateReader}. Read {@link
- * org.robonewbie.nao.state.Restorable} first.
+ * Serialization of state. Everything that changes over time can be saved to a {@link org.robonewbie.nao.state.StateWriter} and
+ * restored, bit by bit, from a {@link org.robonewbie.nao.state.StateReader}. Read {@link org.robonewbie.nao.state.Restorable}
+ * first.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.nao.state;

@@ -4,13 +4,12 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * A character that looks like another one or like nothing, as copied from web pages and PDFs: a no-break space, a zero-width
- * space, a curly quotation mark, a dash for a minus, a Cyrillic letter in a Latin word. Such a character changes a name
- * without being seen.
+ * A character that is invisible or looks like another one, typically pasted from a web page or a PDF: a no-break space, a
+ * zero-width space, a curly quotation mark, a dash in place of a minus, a Cyrillic letter in a Latin word.
  *
- * <p>Source: Unicode Technical Standard 39, "confusables", of which this knows what occurs in practice.
+ * <p>Source: Unicode Technical Standard 39, "confusables", reduced to the characters that occur in practice.
  *
- * @param number its place in the text, in characters, 1 for the first
+ * @param number position in the text in characters, from 1
  * @param codePoint the character
  */
 public record ConfusableCharacter(int number, int codePoint) {
@@ -21,11 +20,11 @@ public record ConfusableCharacter(int number, int codePoint) {
     private static final int APOSTROPHE = 0x2019;
 
     /**
-     * Looks for such characters in a name, an option or a path. What belongs to other languages is none: letters of a word
-     * that is wholly Cyrillic, an apostrophe or a dash between words.
+     * Finds the first confusable character in a name, an option or a path. Legitimate uses in other languages do not count: the
+     * letters of an entirely Cyrillic word, an apostrophe, a dash between words.
      *
      * @param text a line or a part of one
-     * @return the first; empty if there is none
+     * @return the first confusable character; empty if there is none
      */
     public static Optional<ConfusableCharacter> firstIn(String text) {
         int number = 1;
@@ -41,22 +40,22 @@ public record ConfusableCharacter(int number, int codePoint) {
     }
 
     /**
-     * Compares two texts as they look.
+     * Returns whether two texts look the same, ignoring case.
      *
      * @param text a text
-     * @param other another one
-     * @return whether they look the same in small letters, though they may consist of other characters
+     * @param other another text
+     * @return whether the texts look the same, although their characters may differ
      */
     public static boolean looksLike(String text, String other) {
         return plain(text).equals(plain(other));
     }
 
     /**
-     * Says why a text is another one than it looks like.
+     * Describes the difference between two texts that look the same.
      *
-     * @param text what was written
-     * @param meant what looks like it, for {@link #looksLike}
-     * @return part of a sentence, such as {@code character 4 is a no-break space (U+00A0): type an ordinary blank}
+     * @param text the text as written
+     * @param meant the intended text
+     * @return part of a sentence, such as {@code character 4 is a no-break space (U+00A0): type an ordinary space}
      */
     static String difference(String text, String meant) {
         int number = 1;
@@ -68,7 +67,7 @@ public record ConfusableCharacter(int number, int codePoint) {
                 return new ConfusableCharacter(number, code).toString();
             }
         }
-        return "its characters are others: type it again";
+        return "its characters differ: type it again";
     }
 
     @Override
@@ -83,17 +82,17 @@ public record ConfusableCharacter(int number, int codePoint) {
     private String name() {
         return switch (codePoint) {
             case 0xA0, 0x202F -> "a no-break space";
-            case 0xAD -> "a soft hyphen, which is not shown,";
-            case 0xFEFF -> "a byte order mark, which is not shown,";
+            case 0xAD -> "an invisible soft hyphen";
+            case 0xFEFF -> "an invisible byte order mark";
             default -> {
                 if (isSpace(codePoint)) {
-                    yield "a space of a special width";
+                    yield "a space of special width";
                 }
                 if (isInvisible(codePoint)) {
-                    yield "not shown";
+                    yield "an invisible character";
                 }
                 if (isMark(codePoint)) {
-                    yield "an accent without its letter";
+                    yield "a combining accent";
                 }
                 if (isQuote(codePoint)) {
                     yield "the quotation mark " + text(codePoint);
@@ -111,7 +110,7 @@ public record ConfusableCharacter(int number, int codePoint) {
 
     private String advice() {
         if (isSpace(codePoint)) {
-            return "type an ordinary blank";
+            return "type an ordinary space";
         }
         if (isInvisible(codePoint)) {
             return "delete it";
@@ -126,7 +125,7 @@ public record ConfusableCharacter(int number, int codePoint) {
             return "type -";
         }
         String plain = plain(text(codePoint));
-        return plain.equals(text(codePoint)) ? "type another one" : "type " + latin(codePoint);
+        return plain.equals(text(codePoint)) ? "type another character" : "type " + latin(codePoint);
     }
 
     private static boolean isConfusable(String text, int from, int to, int code) {
@@ -161,7 +160,7 @@ public record ConfusableCharacter(int number, int codePoint) {
         return false;
     }
 
-    /** The text in small Latin letters and signs of ASCII, as far as it looks like them. */
+    /** Returns the skeleton of a text: each character replaced by the ASCII character that it looks like, in lower case. */
     private static String plain(String text) {
         StringBuilder plain = new StringBuilder();
         text.codePoints().forEach(code -> {
@@ -188,7 +187,7 @@ public record ConfusableCharacter(int number, int codePoint) {
         return at < 0 ? text(code) : LATIN.substring(at, at + 1);
     }
 
-    /** Puts an accent on the last letter, which it takes away. */
+    /** Removes the last letter and returns it with an accent; empty if there is no such letter. */
     private static String composed(StringBuilder letters, int mark) {
         int last = letters.length() - 1;
         String pairs = switch (mark) {
@@ -238,7 +237,7 @@ public record ConfusableCharacter(int number, int codePoint) {
         return code >= 0xFF01 && code <= 0xFF5E;
     }
 
-    /** A text of one character; {@code Character.toString} of an int is missing in the web page's library. */
+    /** Converts a code point to a string; TeaVM's library lacks {@code Character.toString(int)}. */
     private static String text(int character) {
         return String.valueOf(Character.toChars(character));
     }

@@ -6,14 +6,14 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * Writes tables as text with commas, quoted where needed (RFC 4180). A text that a spreadsheet would take for a formula gets an
- * apostrophe before it; numbers stay as they are.
+ * Writes tables as comma-separated values (RFC 4180). Text that a spreadsheet would evaluate as a formula is prefixed with an
+ * apostrophe.
  */
 public final class Csv {
 
     private static final Pattern NUMBER = Pattern.compile("\\s*[+-]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][+-]?\\d+)?\\s*");
 
-    /** Also behind blanks, and as the wide forms that some spreadsheets read alike. */
+    /** Start of a formula, also after white space, and in the full-width forms that some spreadsheets accept. */
     private static final Pattern FORMULA =
             Pattern.compile("(?s)[\\t\\r\\n].*|[\\s\\p{Cc}\\p{Cf}\\p{Z}]*[=+\\-@＝＋－＠].*");
 
@@ -22,10 +22,10 @@ public final class Csv {
     private Csv() {}
 
     /**
-     * Writes one cell.
+     * Formats a cell.
      *
-     * @param text what stands in it
-     * @return the cell
+     * @param text the text of the cell
+     * @return the cell, quoted if necessary
      */
     public static String cell(String text) {
         boolean isFormula =
@@ -35,20 +35,20 @@ public final class Csv {
     }
 
     /**
-     * Writes one line.
+     * Formats a line.
      *
-     * @param cells what stands in it
-     * @return the line without its end
+     * @param cells the text of each cell
+     * @return the line without its line end
      */
     public static String line(Stream<String> cells) {
         return cells.map(Csv::cell).collect(Collectors.joining(","));
     }
 
     /**
-     * Joins lines to a table.
+     * Joins lines into a table.
      *
-     * @param lines the lines, the first one with the names of the columns
-     * @return the text of a file
+     * @param lines the lines, beginning with the header
+     * @return the text of the file
      */
     public static String text(List<String> lines) {
         return lines.stream().map(line -> line + "\r\n").collect(Collectors.joining());

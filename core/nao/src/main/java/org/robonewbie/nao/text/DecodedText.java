@@ -10,8 +10,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The text of a file that a person wrote. A byte order mark decides the encoding; without one it is UTF-8, or Windows-1252 if
- * the bytes are no UTF-8. {@link #encode} gives the same bytes back. Unmodifiable.
+ * The text of a file with its detected encoding. A byte order mark determines the encoding; without one it is UTF-8, or
+ * Windows-1252 if the bytes are not valid UTF-8. {@link #encode} restores the original bytes. Immutable.
  *
  * <pre>{@code
  * DecodedText text = DecodedText.of(bytes);
@@ -19,28 +19,28 @@ import java.util.Optional;
  * byte[] changed = text.encode(text.content().replace("30", "45"));
  * }</pre>
  *
- * @param encoding how the bytes were encoded
- * @param hasByteOrderMark whether they began with a byte order mark, which {@code content} does not contain
+ * @param encoding encoding of the bytes
+ * @param hasByteOrderMark whether the file starts with a byte order mark, which {@code content} does not contain
  * @param content all characters, with the line ends of the file
  */
 public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, String content) {
 
-    /** What to do about a text that cannot be decoded; a sentence. */
+    /** Advice for a text that cannot be decoded; a sentence. */
     public static final String SAVE_AS_UTF_8 = "Save it as UTF-8 (most editors: Save As, Encoding).";
 
     private static final HexFormat HEXADECIMAL = HexFormat.of();
 
     private static final char MARK = '\uFEFF';
 
-    /** A text without any character, in UTF-8. */
+    /** The empty text, in UTF-8. */
     public static final DecodedText EMPTY = new DecodedText(TextEncoding.UTF_8, false, "");
 
     /**
      * Decodes the bytes of a file.
      *
-     * @param bytes all of them
+     * @param bytes all bytes of the file
      * @return the text
-     * @throws UndecodableTextException if they are no text in any {@link TextEncoding}; it names the line
+     * @throws UndecodableTextException if the bytes are not valid in any {@link TextEncoding}
      */
     public static DecodedText of(byte[] bytes) throws UndecodableTextException {
         Optional<String> wide = utf16(bytes);
@@ -61,17 +61,7 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
         }
     }
 
-    /**
-     * Replaces the characters.
-     *
-     * @param changed the new ones
-     * @return a text that is encoded like this one
-     */
-    public DecodedText withContent(String changed) {
-        return new DecodedText(encoding, hasByteOrderMark, changed);
-    }
-
-    /** {@return the lines, without their ends: carriage return, line feed, or both} */
+    /** {@return the lines without their line ends: carriage return, line feed, or both} */
     public List<String> lines() {
         List<String> lines = new ArrayList<>();
         int start = 0;
@@ -89,10 +79,10 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
     }
 
     /**
-     * Says that the encoding was inferred, so that the reader of a garbled letter knows why.
+     * Returns a note for the user if the encoding was guessed, which explains garbled letters.
      *
-     * @return where a letter was read as Windows-1252, such as {@code line 3 is not UTF-8 and was read as Windows-1252:
-     *     "// grüße". Save it as UTF-8 …}; empty if the encoding is certain
+     * @return a note such as {@code line 3 is not UTF-8 and was read as Windows-1252: "// grüße". Save it as UTF-8 …}; empty if
+     *     the encoding is certain
      */
     public Optional<String> note() {
         if (encoding != TextEncoding.WINDOWS_1252) {
@@ -108,11 +98,11 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
     }
 
     /**
-     * Encodes a text as the file was: in the same encoding with the same byte order mark, or in UTF-8 if that encoding lacks one
-     * of its characters or its bytes would be read as another text.
+     * Encodes a changed text like the original: in the same encoding with the same byte order mark. Falls back to UTF-8 if that
+     * encoding lacks a character, or if the bytes would be decoded differently.
      *
-     * @param changed the text
-     * @return the bytes for the file
+     * @param changed the changed text
+     * @return the bytes of the file
      */
     public byte[] encode(String changed) {
         String marked = hasByteOrderMark ? MARK + changed : changed;
@@ -122,13 +112,13 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
             case UTF_16_BE -> utf16(marked, 1);
             case WINDOWS_1252 ->
                 windows1252(marked)
-                        .filter(bytes -> isReadAs(marked, bytes))
+                        .filter(bytes -> decodesTo(marked, bytes))
                         .orElseGet(() -> marked.getBytes(StandardCharsets.UTF_8));
         };
     }
 
-    /** Whether bytes without any hint at their encoding give a text back; those of "Ã¼" in Windows-1252 are those of "ü" in UTF-8. */
-    private static boolean isReadAs(String text, byte[] bytes) {
+    /** Returns whether bytes decode to a text; "Ã¼" in Windows-1252, for example, has the same bytes as "ü" in UTF-8. */
+    private static boolean decodesTo(String text, byte[] bytes) {
         try {
             return of(bytes).content().equals(text);
         } catch (UndecodableTextException other) {
@@ -141,13 +131,13 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
         if (zero >= 0) {
             throw new UndecodableTextException(
                     lineAt(decoded, zero),
-                    "contains a zero byte, as in files that are no text, or in UTF-16 without a byte order mark");
+                    "contains a zero byte, as in binary files and in UTF-16 without a byte order mark");
         }
         boolean hasMark = !decoded.isEmpty() && decoded.charAt(0) == MARK;
         return new DecodedText(encoding, hasMark, hasMark ? decoded.substring(1) : decoded);
     }
 
-    /** Few bytes that are no UTF-8 behind its mark or among many of its letters: the file is damaged. */
+    /** Rejects mostly valid UTF-8, and invalid UTF-8 after its byte order mark: such a file is damaged, not Windows-1252. */
     private static void refuseDamagedUtf8(byte[] bytes) throws UndecodableTextException {
         int letters = 0;
         int wrong = 0;
@@ -171,7 +161,7 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
         return bytes.length >= 3 && bytes[0] == (byte) 0xEF && bytes[1] == (byte) 0xBB && bytes[2] == (byte) 0xBF;
     }
 
-    /** How many bytes the character there has in UTF-8; 0 if it is none. */
+    /** Returns the length in bytes of the UTF-8 sequence at a position; 0 if there is none. */
     private static int utf8Length(byte[] bytes, int at) {
         int lead = bytes[at] & 0xFF;
         int length = lead < 0x80 ? 1 : lead < 0xC2 ? 0 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : lead < 0xF5 ? 4 : 0;
@@ -183,7 +173,7 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
         return length;
     }
 
-    /** Whether bytes of the right form also stand for a character: neither half of a pair nor written longer than needed. */
+    /** Returns whether a UTF-8 sequence encodes a scalar value: neither a surrogate, nor overlong, nor out of range. */
     private static boolean isScalar(byte[] bytes, int at, int length) {
         int second = length < 3 ? 0 : bytes[at + 1] & 0xFF;
         return switch (length < 3 ? 0 : bytes[at] & 0xFF) {
@@ -208,7 +198,7 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
         String decoded = new String(characters);
         int wrong = bytes.length % 2 == 1 ? characters.length : unpairedSurrogate(decoded);
         if (wrong >= 0) {
-            throw new UndecodableTextException(lineAt(decoded, wrong), "is cut within a character of UTF-16");
+            throw new UndecodableTextException(lineAt(decoded, wrong), "ends within a UTF-16 character");
         }
         return Optional.of(decoded);
     }

@@ -5,8 +5,8 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
- * Names that a file can have on Windows, macOS and Linux alike, in the letters of any language. The pages of the studio have the
- * same rule in {@code state/file-name.js}.
+ * Checks for file names that are valid on Windows, macOS and Linux, in any script. The studio's pages have the same rule in
+ * {@code state/file-name.js}.
  *
  * <pre>{@code
  * FileName.problem("grüßen");   // empty
@@ -15,46 +15,46 @@ import java.util.regex.Pattern;
  */
 public final class FileName {
 
-    /** How long a name may be, so that its bytes fit into the 255 that file systems allow; in UTF-16 characters. */
+    /** Maximum length of a name in UTF-16 characters; its UTF-8 bytes then fit into the 255 that file systems allow. */
     public static final int MAX_CHARACTERS = 80;
 
-    /** What separates folders, what Windows refuses, and the sign that addresses of pages give another meaning. */
+    /** Path separators, characters that Windows rejects, and the escape character of URLs. */
     private static final String RESERVED = "/\\:*?\"<>|%";
 
-    /** Blanks that look like that of the space bar; the ideographic one is what Japanese keyboards write. */
-    private static final String OTHER_BLANKS =
+    /** Spaces that look like an ordinary one. The ideographic space is valid, since Japanese keyboards produce it. */
+    private static final String OTHER_SPACES =
             "\u00A0\u1680\u2000\u2001\u2002\u2003\u2004\u2005\u2006\u2007\u2008\u2009\u200A\u202F\u205F";
 
     private static final String INVISIBLE = "\u00AD\u061C\u180E\u200B\u200E\u200F\uFEFF\uFFF9\uFFFA\uFFFB\uFFFE\uFFFF";
 
-    /** What Windows takes for a device, whatever ending it has. */
+    /** Device names on Windows, with any extension. */
     private static final Pattern DEVICE =
             Pattern.compile("(con|prn|aux|nul|(com|lpt)[0-9\u00b9\u00b2\u00b3]) *(\\..*)?");
 
     private FileName() {}
 
     /**
-     * Whether every system can have a file of this name beside others.
+     * Returns whether Windows accepts and preserves a name.
      *
-     * @param name a name without folder, with or without ending
-     * @return false for what Windows takes for a device, and for a blank or dot at the end, which it drops
+     * @param name a name without folder, with or without extension
+     * @return false for the name of a device, and for a trailing space or dot, which Windows drops
      */
     public static boolean isPortable(String name) {
         return !DEVICE.matcher(name.toLowerCase(Locale.ROOT)).matches() && !name.endsWith(".") && !name.endsWith(" ");
     }
 
     /**
-     * Checks a name that a person has chosen.
+     * Checks a name that a user chose.
      *
-     * @param name a name without folder and ending
-     * @return what is wrong with it, such as {@code contains "/"}, to be put behind the name; empty if nothing is
+     * @param name a name without folder and extension
+     * @return the problem, to follow the name in a sentence, such as {@code contains "/"}; empty if the name is valid
      */
     public static Optional<String> problem(String name) {
         if (name.isEmpty()) {
             return Optional.of("is empty");
         }
         if (name.length() > MAX_CHARACTERS) {
-            return Optional.of("has " + name.length() + " characters, and " + MAX_CHARACTERS + " are the most");
+            return Optional.of("has " + name.length() + " characters, more than the " + MAX_CHARACTERS + " allowed");
         }
         for (int i = 0; i < name.length(); i++) {
             String wrong = problem(name, i);
@@ -72,10 +72,10 @@ public final class FileName {
     }
 
     private static String signName(char sign) {
-        return sign == '.' ? "dot" : "blank";
+        return sign == '.' ? "dot" : "space";
     }
 
-    /** What is wrong with the character there; empty if nothing is. */
+    /** Returns the problem with a character of a name; empty if it is valid. */
     private static String problem(String name, int at) {
         char character = name.charAt(at);
         if (RESERVED.indexOf(character) >= 0) {
@@ -84,18 +84,18 @@ public final class FileName {
         if (character < ' ' || (character >= 0x7F && character <= 0x9F)) {
             return "the control character " + code(character);
         }
-        if (OTHER_BLANKS.indexOf(character) >= 0) {
-            return "the blank " + code(character) + ", which is not that of the space bar";
+        if (OTHER_SPACES.indexOf(character) >= 0) {
+            return "the space character " + code(character) + " instead of an ordinary space";
         }
         boolean isDirection = character >= 0x2028 && character <= 0x202E;
         boolean isFormat = character >= 0x2060 && character <= 0x206F;
         if (isDirection || isFormat || INVISIBLE.indexOf(character) >= 0) {
             return "the invisible character " + code(character);
         }
-        return isHalf(name, at) ? "half a character (" + code(character) + ")" : "";
+        return isUnpairedSurrogate(name, at) ? "the unpaired surrogate " + code(character) : "";
     }
 
-    private static boolean isHalf(String name, int at) {
+    private static boolean isUnpairedSurrogate(String name, int at) {
         char character = name.charAt(at);
         boolean hasLow = at + 1 < name.length() && Character.isLowSurrogate(name.charAt(at + 1));
         boolean hasHigh = at > 0 && Character.isHighSurrogate(name.charAt(at - 1));

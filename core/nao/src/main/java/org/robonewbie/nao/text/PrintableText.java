@@ -1,15 +1,15 @@
 package org.robonewbie.nao.text;
 
 /**
- * Names and texts of strangers as a terminal or a log may show them: on one line, without control characters that move the
- * cursor, change colours or turn the direction of the text round.
+ * Escapes untrusted text for a terminal or a log: on one line, without control characters that move the cursor, change colours
+ * or reverse the writing direction.
  */
 public final class PrintableText {
 
     private PrintableText() {}
 
     /**
-     * Makes control characters visible.
+     * Escapes control characters.
      *
      * @param text a name or a line
      * @return the text with {@code \n} for a line feed, {@code \u001B} for an escape and so on

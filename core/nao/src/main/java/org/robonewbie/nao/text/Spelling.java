@@ -8,8 +8,8 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 
 /**
- * Finds what was probably meant by a misspelt word: one that looks the same, one that contains what was written, else the one
- * with the smallest edit distance (Levenshtein, 1965). A word is never proposed for itself.
+ * Suggests corrections of misspelt words: a word that looks the same, else one that contains the misspelt word, else the one
+ * with the smallest edit distance (Levenshtein, 1965).
  */
 public final class Spelling {
 
@@ -19,11 +19,11 @@ public final class Spelling {
     private Spelling() {}
 
     /**
-     * Looks for the word that is most like a misspelt one; capitals do not matter.
+     * Finds the word that is most similar to a misspelt one, ignoring case.
      *
-     * @param misspelt what was written
-     * @param words what could have been meant
-     * @return the most similar word; empty if none is near, or if what was written is one of them
+     * @param misspelt the word as written
+     * @param words the valid words
+     * @return the most similar word; empty if no word is similar, or if the word is valid
      */
     public static Optional<String> nearest(String misspelt, Collection<String> words) {
         return words.contains(misspelt)
@@ -34,37 +34,36 @@ public final class Spelling {
     }
 
     /**
-     * Asks whether another word was meant.
+     * Returns a suggestion to append to an error message.
      *
-     * @param misspelt what was written
-     * @param words what could have been meant
-     * @return a blank and {@code Did you mean walk?}; or the character that makes the difference, if both look the same; empty
-     *     if no word is near
+     * @param misspelt the word as written
+     * @param words the valid words
+     * @return a space and {@code Did you mean walk?}; if both words look the same, a space and a description of the character that
+     *     differs; empty if no word is similar
      */
     public static String question(String misspelt, Collection<String> words) {
         return question(misspelt, words, UnaryOperator.identity());
     }
 
     /**
-     * Asks whether another word was meant.
+     * Returns a suggestion to append to an error message.
      *
-     * @param misspelt what was written
-     * @param words what could have been meant
-     * @param form how the found word is shown, such as in quotation marks
-     * @return a blank and {@code Did you mean "walk"?}; or the character that makes the difference, if both look the same;
-     *     empty if no word is near
+     * @param misspelt the word as written
+     * @param words the valid words
+     * @param form formats the suggested word, for example in quotation marks
+     * @return a space and {@code Did you mean "walk"?}; if both words look the same, a space and a description of the character
+     *     that differs; empty if no word is similar
      */
     public static String question(String misspelt, Collection<String> words, UnaryOperator<String> form) {
         return nearest(misspelt, words)
-                .map(word -> isSeenToDiffer(misspelt, word)
+                .map(word -> differsVisibly(misspelt, word)
                         ? " Did you mean " + form.apply(word) + "?"
                         : " It looks like " + form.apply(word) + ", but "
                                 + ConfusableCharacter.difference(misspelt, word) + ".")
                 .orElse("");
     }
 
-    /** Whether a reader can see the difference, be it one of capitals only. */
-    private static boolean isSeenToDiffer(String misspelt, String word) {
+    private static boolean differsVisibly(String misspelt, String word) {
         return !ConfusableCharacter.looksLike(misspelt, word)
                 || misspelt.chars().allMatch(letter -> letter < 0x80)
                 || misspelt.equalsIgnoreCase(word);
@@ -89,7 +88,7 @@ public final class Spelling {
                 .filter(word -> distance(word, misspelt) <= Math.max(MAX_WRONG_LETTERS, word.length() / 2));
     }
 
-    /** Levenshtein's distance: how many letters must be changed, added or taken away. */
+    /** Returns the Levenshtein distance, ignoring case. */
     private static int distance(String from, String to) {
         int[] row = new int[to.length() + 1];
         Arrays.setAll(row, i -> i);

@@ -1,14 +1,14 @@
 package org.robonewbie.nao.text;
 
-/** The encodings in which text editors, spreadsheets and shells save files today. */
+/** The text encodings in which editors, spreadsheets and shells save files. */
 public enum TextEncoding {
-    /** What nearly every editor writes. */
+    /** The default of nearly every editor. */
     UTF_8("UTF-8"),
     /** Windows PowerShell and Excel ("Unicode text"); always with a byte order mark. */
     UTF_16_LE("UTF-16LE"),
-    /** The same with the bytes swapped; always with a byte order mark. */
+    /** UTF-16 with swapped bytes; always with a byte order mark. */
     UTF_16_BE("UTF-16BE"),
-    /** Old Windows editors, NetBeans and Excel in western Europe; also reads Latin-1. */
+    /** Old Windows editors, NetBeans and Excel in Western Europe; a superset of printable Latin-1. */
     WINDOWS_1252("Windows-1252");
 
     private final String title;

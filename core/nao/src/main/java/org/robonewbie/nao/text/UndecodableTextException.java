@@ -2,7 +2,7 @@ package org.robonewbie.nao.text;
 
 import java.io.IOException;
 
-/** Says that bytes are no text in an encoding that is understood, and in which line. */
+/** Thrown when bytes are not valid text in any supported encoding. The message names the line. */
 public final class UndecodableTextException extends IOException {
 
     private static final long serialVersionUID = 1L;
@@ -16,12 +16,12 @@ public final class UndecodableTextException extends IOException {
         this.problem = problem + ". " + DecodedText.SAVE_AS_UTF_8;
     }
 
-    /** {@return what is wrong with the line and what to do, to be put behind its number} */
+    /** {@return the problem and advice, to follow the line number in a sentence} */
     public String problem() {
         return problem;
     }
 
-    /** {@return the first line that could not be decoded, from 1} */
+    /** {@return the number of the first line that could not be decoded, from 1} */
     public int line() {
         return line;
     }

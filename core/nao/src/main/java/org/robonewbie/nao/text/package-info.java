@@ -1,7 +1,7 @@
 /**
- * Text as people save it, whatever program they use: {@link org.robonewbie.nao.text.DecodedText}.
+ * Decoding, checking and formatting of text. Read {@link org.robonewbie.nao.text.DecodedText} first.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.nao.text;

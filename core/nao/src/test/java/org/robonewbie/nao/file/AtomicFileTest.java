@@ -83,8 +83,9 @@ class AtomicFileTest {
         try (OutputStream first = AtomicFile.begin(file)) {
             first.write("first".getBytes(StandardCharsets.UTF_8));
             assertThatThrownBy(() -> AtomicFile.begin(file))
-                    .hasMessage("The file " + file + " is being written by another program. Wait for its end, or name"
-                            + " another file.");
+                    .hasMessage(
+                            "The file " + file + " is being written by another program. Wait until it finishes, or name"
+                                    + " another file.");
             first.write("!".getBytes(StandardCharsets.UTF_8));
         }
         AtomicFile.moveIntoPlace(file);
@@ -114,7 +115,7 @@ class AtomicFileTest {
         try (OutputStream out = AtomicFile.begin(file)) {
             assertThatThrownBy(() -> out.write(1))
                     .hasMessage("The file " + file
-                            + " cannot be written: the disk is full (No space left on device). Make room and start"
+                            + " cannot be written: the disk is full (No space left on device). Free some space and start"
                             + " again.");
         }
     }

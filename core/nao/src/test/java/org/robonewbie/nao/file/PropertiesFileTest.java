@@ -73,7 +73,7 @@ class PropertiesFileTest {
     @Test
     void nameThatStandsTwiceIsRefused() {
         assertThatThrownBy(() -> read("team = Red\nnumber = 3\nteam = Blue\n"))
-                .hasMessageEndingWith("line 3: \"team\" stands in line 1 already. Delete one of the two lines.");
+                .hasMessageEndingWith("line 3: \"team\" is already set in line 1. Delete one of the two lines.");
     }
 
     @ParameterizedTest

@@ -78,9 +78,9 @@ class SubmittedFolderTest {
         "lib,                 ../ben,              leads out of the folder",
         "folder beside,       ../anna2,            leads out of the folder",
         "Zero.java,           /dev/zero,           leads out of the folder",
-        "notes.txt,           nowhere,             link to nothing",
-        "motions/up,          ..,                  in which it lies itself",
-        "ring,                ring,                leads in a circle"
+        "notes.txt,           nowhere,             broken link",
+        "motions/up,          ..,                  that contains it",
+        "ring,                ring,                circular link"
     })
     void badLinkIsRefused(String link, String target, String why) throws IOException {
         Files.createDirectories(folder.resolve("anna2"));
@@ -103,7 +103,7 @@ class SubmittedFolderTest {
         Files.createSymbolicLink(folder.resolve("eve"), Path.of("ben"));
         own = folder.resolve("eve");
 
-        assertThatThrownBy(this::files).hasMessageContaining("eve is a link. Put in its place what it leads to");
+        assertThatThrownBy(this::files).hasMessageContaining("eve is a link. Replace it by its target");
     }
 
     @Test
@@ -116,7 +116,7 @@ class SubmittedFolderTest {
         }
         Files.createDirectories(own.resolve("f20"));
 
-        assertThatThrownBy(this::files).hasMessageContaining("has more than 10000 files");
+        assertThatThrownBy(this::files).hasMessageContaining("contains more than 10000 files");
     }
 
     @Test
@@ -124,7 +124,7 @@ class SubmittedFolderTest {
         Process made = new ProcessBuilder("mkfifo", own.resolve("data").toString()).start();
         assumeTrue(made.waitFor(10, TimeUnit.SECONDS) && made.exitValue() == 0, "no mkfifo here");
 
-        isRefused("data", "is no regular file but a device, a pipe or a socket");
+        isRefused("data", "is not a regular file but a device, a pipe or a socket");
     }
 
     @Test
@@ -132,7 +132,7 @@ class SubmittedFolderTest {
         try (ServerSocketChannel socket = ServerSocketChannel.open(StandardProtocolFamily.UNIX)) {
             socket.bind(UnixDomainSocketAddress.of(own.resolve("s")));
 
-            isRefused("s", "is no regular file");
+            isRefused("s", "is not a regular file");
         }
     }
 
@@ -143,7 +143,7 @@ class SubmittedFolderTest {
             sparse.setLength(SubmittedFolder.MAX_BYTES + 1);
         }
 
-        assertThatThrownBy(this::files).hasMessageContaining("has more than 100 MB");
+        assertThatThrownBy(this::files).hasMessageContaining("contains more than 100 MB");
     }
 
     @Test
@@ -154,7 +154,7 @@ class SubmittedFolderTest {
         }
         Files.createDirectories(deep);
 
-        assertThatThrownBy(this::files).hasMessageContaining("lies more than 40 folders deep");
+        assertThatThrownBy(this::files).hasMessageContaining("is nested more than 40 folders deep");
     }
 
     @Test

@@ -56,7 +56,7 @@ class TextFileTest {
     void opensNoDevice() throws IOException {
         Path link = Files.createSymbolicLink(folder.resolve("zero.txt"), Path.of("/dev/zero"));
 
-        refuses(link, "is no regular file but a device or a pipe");
+        refuses(link, "is not a regular file but a device or a pipe");
     }
 
     @Test

@@ -56,14 +56,14 @@ class BodyStateTest {
         assertThat(camera.x()).isCloseTo(3 - fromTorso.y(), within(1e-12));
         assertThat(camera.y()).isCloseTo(-1 + fromTorso.x(), within(1e-12));
         assertThat(camera.z()).isCloseTo(0.5 + fromTorso.z(), within(1e-12));
-        assertThat(body.centreOfMass().x()).isCloseTo(3, within(0.01));
+        assertThat(body.limbs().centreOfMass().x()).isCloseTo(3, within(0.01));
     }
 
     @Test
     void bothSolesCarryARobotThatStands() {
         BodyState body = standing(new Vector3(1, 0, STANDING_HEIGHT), Rotation.NONE);
 
-        List<Vector3> support = body.supportPolygon();
+        List<Vector3> support = body.limbs().supportPolygon();
 
         assertThat(support)
                 .containsExactlyInAnyOrder(
@@ -75,7 +75,7 @@ class BodyStateTest {
 
     @Test
     void nothingCarriesARobotInTheAir() {
-        assertThat(standing(new Vector3(0, 0, 1), Rotation.NONE).supportPolygon())
+        assertThat(standing(new Vector3(0, 0, 1), Rotation.NONE).limbs().supportPolygon())
                 .isEmpty();
     }
 
@@ -98,7 +98,7 @@ class BodyStateTest {
     void eachHingeHasItsAngle() {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> BodyState.ofHinges(RobotType.TYPE_4, Pose.ORIGIN, new double[Joint.COUNT]))
-                .withMessageContaining("24 hinges, but 22 angles");
+                .withMessageContaining("24 angles, one for each hinge of robot TYPE_4, but got 22");
     }
 
     private static BodyState standing(Vector3 torso, Rotation turn) {

@@ -146,7 +146,7 @@ class InverseKinematicsTest {
 
         assertThatThrownBy(() -> solution.degrees(Joint.RIGHT_KNEE_PITCH))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("RIGHT_KNEE_PITCH is no joint of the LEFT leg.");
+                .hasMessage("RIGHT_KNEE_PITCH is not a joint of the LEFT leg.");
     }
 
     @Test

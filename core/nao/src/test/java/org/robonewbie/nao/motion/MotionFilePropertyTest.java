@@ -73,20 +73,6 @@ class MotionFilePropertyTest {
                 .isEqualTo(motion.keyframes());
     }
 
-    @Property(tries = 200)
-    void insertingAndRemovingGivesTheSameTextAgain(@ForAll long seed, @ForAll int choice) {
-        Random random = new Random(seed);
-        Motion motion = motion(random);
-        Keyframe keyframe = keyframe(random);
-        MotionFile original = MotionFile.of(motion);
-        int index = Math.floorMod(choice, motion.keyframes().size() + 1);
-
-        MotionFile changed = original.withInsertedKeyframe(index, keyframe);
-
-        assertThat(changed.keyframes().get(index)).isEqualTo(keyframe);
-        assertThat(changed.withoutKeyframe(index).text()).isEqualTo(original.text());
-    }
-
     @Provide
     Arbitrary<String> texts() {
         return Arbitraries.strings()

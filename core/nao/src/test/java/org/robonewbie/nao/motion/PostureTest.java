@@ -36,14 +36,14 @@ class PostureTest {
     void refusesAWrongNumberOfAngles() {
         assertThatThrownBy(() -> Posture.of(1, 2, 3))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("A posture has 22 angles, one for each joint, but 3 were given.");
+                .hasMessage("Expected 22 angles, one for each joint, but got 3.");
     }
 
     @Test
     void refusesAnglesThatAreNoNumbers() {
         assertThatThrownBy(() -> Posture.ZERO.with(Joint.NECK_YAW, Double.NaN))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("Angle NaN for NECK_YAW is no number that a robot can use. Was something divided by zero?");
+                .hasMessage("Angle NaN for NECK_YAW is not a finite number. Was something divided by zero?");
         double[] degrees = new double[Joint.COUNT];
         degrees[1] = Double.NEGATIVE_INFINITY;
         assertThatThrownBy(() -> Posture.of(degrees))

@@ -164,7 +164,7 @@ class StateBytesTest {
 
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> in().getEnum(TeamSide.values()))
-                .withMessageStartingWith("The saved state has number 7 of 2 (byte 0).");
+                .withMessageStartingWith("The saved state has index 7 where only 2 elements exist (byte 0).");
     }
 
     @Test
@@ -183,6 +183,6 @@ class StateBytesTest {
 
         assertThatIllegalArgumentException()
                 .isThrownBy(reader::finish)
-                .withMessageStartingWith("The saved state goes on for 4 bytes after its end (byte 0).");
+                .withMessageStartingWith("The saved state has 4 bytes more than expected (byte 0).");
     }
 }

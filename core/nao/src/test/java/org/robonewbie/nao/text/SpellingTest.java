@@ -52,14 +52,14 @@ class SpellingTest {
 
     @ParameterizedTest
     @CsvSource({
-        "\uFEFFwave, character 1 is a byte order mark",
-        "wave\u200B, character 5 is not shown (U+200B): delete it",
-        "wa\u00ADve, character 3 is a soft hyphen",
+        "\uFEFFwave, character 1 is an invisible byte order mark",
+        "wave\u200B, character 5 is an invisible character (U+200B): delete it",
+        "wa\u00ADve, character 3 is an invisible soft hyphen",
         "w\u0430ve, character 2 is the Cyrillic letter \u0430 (U+0430): type a",
         "WAV\u0415, character 4 is the Cyrillic letter \u0415 (U+0415): type E",
         "l\u03BFok-around, character 2 is the Greek letter \u03BF (U+03BF): type o",
         "walk\u2013forward, character 5 is the dash \u2013 (U+2013): type -",
-        "gro\u0308ße, character 4 is an accent without its letter (U+0308)",
+        "gro\u0308ße, character 4 is a combining accent (U+0308)",
         "\uFF57ave, character 1 is the character \uFF57 (U+FF57): type w"
     })
     void characterThatCannotBeSeenIsNamed(String written, String difference) {

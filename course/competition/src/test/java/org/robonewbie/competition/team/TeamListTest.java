@@ -150,9 +150,9 @@ class TeamListTest {
                 "A=x,A.seed=1,A.seed=2; \"A.seed\" stands twice.",
                 "A=x,A.titel=T; \"A.titel\" is unknown. Did you mean title?",
                 "Red=x,Rde.seed=1; Something is said of team Rde, but no line says what its program is. Did you mean Red?",
-                "Red\u00A0= x; In \"Red\u00A0= x\" character 4 is a no-break space (U+00A0): type an ordinary blank.",
+                "Red\u00A0= x; In \"Red\u00A0= x\" character 4 is a no-break space (U+00A0): type an ordinary space.",
                 "R\u0435d = x; In \"R\u0435d = x\" character 2 is the Cyrillic letter \u0435 (U+0435): type e.",
-                "Red = teams/red\u200B; In \"Red = teams/red\u200B\" character 16 is not shown (U+200B): delete it.",
+                "Red = teams/red\u200B; In \"Red = teams/red\u200B\" character 16 is an invisible character (U+200B): delete it.",
                 "“Red” = x; In \"“Red” = x\" character 1 is the quotation mark “ (U+201C): type ' or \", or none."
             })
     void whatIsNotClearIsRefused(String lines, String message) {

@@ -108,16 +108,16 @@ class TeamProgramsTest {
     @DisabledOnOs(OS.WINDOWS)
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-            mkfifo data                            | red/data is no regular file but a device, a pipe
+            mkfifo data                            | red/data is not a regular file but a device, a pipe
             ln -s /dev/zero data.bin               | red/data.bin is a link that leads out of the folder
-            ln -s nowhere notes.txt                | red/notes.txt is a link to nothing
+            ln -s nowhere notes.txt                | red/notes.txt is a broken link
             ln -s ../blue/Blue.java Blue.java      | red/Blue.java is a link that leads out of the folder
             ln -s ../blue lib                      | red/lib is a link that leads out of the folder
             ln -s .. up                            | red/up is a link that leads out of the folder
-            ln -s self self                        | red/self is a link that leads in a circle
+            ln -s self self                        | red/self is a circular link
             ln -s ../blue/Blue.java Tools.jar      | red/Tools.jar is a link that leads out of the folder
-            truncate -s 3G data.bin                | red has more than 100 MB
-            rm -r ../red && ln -s blue ../red      | red is a link. Put in its place what it leads to
+            truncate -s 3G data.bin                | red contains more than 100 MB
+            rm -r ../red && ln -s blue ../red      | red is a link. Replace it by its target
             """)
     void badFolderCostsItsTeamAndNamesTheFile(String command, String complaint) throws Exception {
         write("blue/Blue.java", AGENT.formatted("Blue"));

@@ -1,29 +1,28 @@
 package org.robonewbie.exercises.progress;
 
 import java.util.List;
-import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Score;
 
-/** What somebody, or a team together, has reached in the exercises. */
+/** Awards for a student or a team for passed exercises. */
 public enum Badge {
-    /** An exercise is passed. */
+    /** One exercise passed. */
     FIRST_SUCCESS("First success", "one exercise passed", Rule.passed("", 1)),
-    /** All easy ones are passed. */
+    /** All exercises of the first level passed. */
     FIRST_STEPS("First steps", "all exercises of the level first steps passed", Rule.all("first steps")),
-    /** All of medium difficulty are passed. */
+    /** All exercises of the second level passed. */
     BASICS("Basics", "all exercises of the level basics passed", Rule.all("basics")),
-    /** All difficult ones are passed. */
+    /** All exercises of the third level passed. */
     ADVANCED("Advanced", "all exercises of the level advanced passed", Rule.all("advanced")),
-    /** All most difficult ones are passed. */
+    /** All exercises of the highest level passed. */
     CHALLENGER("Challenger", "all exercises of the level challenge passed", Rule.all("challenge")),
-    /** Five exercises could not be solved better. */
+    /** Full points in five exercises. */
     PERFECTIONIST("Perfectionist", "ten points in five exercises", new Rule("", 5, Score.MOST_POINTS, 0, false)),
-    /** Five exercises are passed without help. */
+    /** Five exercises passed without help. */
     OWN_WAY("Own way", "five exercises passed without a hint or a solution", new Rule("", 5, 0, 0, true)),
-    /** An exercise is passed after many tries. */
+    /** One exercise passed after many tries. */
     PERSISTENT("Persistent", "an exercise passed after ten tries or more", new Rule("", 1, 0, 10, false)),
-    /** Everything is passed. */
+    /** All exercises passed. */
     WHOLE_COURSE("The whole course", "all exercises passed", Rule.all(""));
 
     private final String title;
@@ -33,15 +32,15 @@ public enum Badge {
     private final Rule rule;
 
     /**
-     * What earns a badge: exercises that are passed, and how.
+     * Condition of a badge.
      *
-     * @param level of the exercises that count; empty if all do
-     * @param exercises how many of them it takes; 0 for all
-     * @param leastPoints best points of each of them
-     * @param leastTries how often each of them was graded
-     * @param alone whether hints and solutions spoil it
+     * @param level level of the exercises that count; empty for all levels
+     * @param exercises required number of passed exercises; 0 for all that count
+     * @param leastPoints minimum of the best points
+     * @param leastTries minimum number of graded tries
+     * @param alone whether exercises with opened hints or solutions do not count
      */
-    public record Rule(String level, int exercises, double leastPoints, int leastTries, boolean alone) {
+    private record Rule(String level, int exercises, double leastPoints, int leastTries, boolean alone) {
 
         private static Rule passed(String level, int exercises) {
             return new Rule(level, exercises, 0, 0, false);
@@ -51,22 +50,13 @@ public enum Badge {
             return passed(level, 0);
         }
 
-        /** {@return the exercises that count} */
-        public List<Exercise> counting() {
-            return Exercises.all().stream()
+        private boolean isMetBy(Progress progress) {
+            List<ExerciseProgress> counting = Exercises.all().stream()
                     .filter(each -> level.isEmpty() || each.level().equals(level))
+                    .map(progress::of)
                     .toList();
-        }
-
-        /** {@return how many of them it takes} */
-        public int needed() {
-            return exercises == 0 ? counting().size() : exercises;
-        }
-
-        private boolean isKeptBy(Progress progress) {
-            long earned =
-                    counting().stream().map(progress::of).filter(this::counts).count();
-            return earned >= needed();
+            long earned = counting.stream().filter(this::counts).count();
+            return earned >= (exercises == 0 ? counting.size() : exercises);
         }
 
         private boolean counts(ExerciseProgress state) {
@@ -84,22 +74,17 @@ public enum Badge {
         this.rule = rule;
     }
 
-    /** {@return its name for people} */
+    /** {@return the display name} */
     public String title() {
         return title;
     }
 
-    /** {@return what it is given for} */
+    /** {@return the condition in words} */
     public String reason() {
         return reason;
     }
 
-    /** {@return what earns it} */
-    public Rule rule() {
-        return rule;
-    }
-
     boolean isEarnedBy(Progress progress) {
-        return rule.isKeptBy(progress);
+        return rule.isMetBy(progress);
     }
 }

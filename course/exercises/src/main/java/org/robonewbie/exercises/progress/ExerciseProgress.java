@@ -1,46 +1,44 @@
 package org.robonewbie.exercises.progress;
 
-import java.time.Duration;
 import java.time.Instant;
-import java.time.format.DateTimeParseException;
-import java.util.Optional;
 
 /**
- * How far somebody is with one exercise.
+ * A student's progress on one exercise.
  *
- * @param tries how often a program was graded
- * @param bestPoints the best grade, 0 to 10
- * @param passed whether it was passed once
- * @param seconds time of work until it was passed first: pauses of more than 20 minutes do not count
- * @param hints how many hints are open
+ * @param tries number of graded programs
+ * @param bestPoints best grade, 0 to 10
+ * @param passed whether the exercise has been passed
+ * @param seconds working time until it was passed; pauses of more than 20 minutes do not count
+ * @param hints number of opened hints
  * @param solutionSeen whether a solution was shown
- * @param lastSeen when something happened last, as ISO 8601; empty before
+ * @param lastSeen time of the last activity in ISO 8601; empty before the first one
  */
 public record ExerciseProgress(
         int tries, double bestPoints, boolean passed, long seconds, int hints, boolean solutionSeen, String lastSeen) {
 
-    /** How often a program has to be graded before a solution is shown. */
+    /** Number of graded tries before a solution is shown. */
     public static final int TRIES_BEFORE_SOLUTION = 3;
 
-    /** The state of an exercise that nobody has begun. */
+    /** Progress before the first activity. */
     public static final ExerciseProgress NONE = new ExerciseProgress(0, 0, false, 0, 0, false, "");
 
-    private static final Duration PAUSE = Duration.ofMinutes(20);
-    private static final double MOST_POINTS = 10;
+    private static final long MAX_PAUSE_MILLIS = 20 * 60_000;
+    private static final long MILLIS_PER_SECOND = 1000;
+    private static final double MAX_POINTS = 10;
 
-    /** Puts numbers that cannot be true into their range. */
+    /** Limits all numbers to their valid ranges. */
     public ExerciseProgress {
         tries = Math.max(0, tries);
-        bestPoints = Double.isNaN(bestPoints) ? 0 : Math.max(0, Math.min(MOST_POINTS, bestPoints));
+        bestPoints = Double.isNaN(bestPoints) ? 0 : Math.max(0, Math.min(MAX_POINTS, bestPoints));
         seconds = Math.max(0, seconds);
         hints = Math.max(0, hints);
     }
 
     /**
-     * Returns the state after a look at the exercise, such as its start code.
+     * Adds the working time since the last activity.
      *
-     * @param now the time
-     * @return the state with the time of work until now
+     * @param now the current time
+     * @return the new state
      */
     public ExerciseProgress seen(Instant now) {
         long worked = passed ? 0 : workedUntil(now);
@@ -48,12 +46,12 @@ public record ExerciseProgress(
     }
 
     /**
-     * Returns the state after a grade.
+     * Adds a graded try.
      *
-     * @param points what was earned, 0 to 10
+     * @param points points of the try, 0 to 10
      * @param solved whether all trials have passed
-     * @param now the time
-     * @return the state
+     * @param now the current time
+     * @return the new state
      */
     public ExerciseProgress tried(double points, boolean solved, Instant now) {
         ExerciseProgress before = seen(now);
@@ -68,10 +66,10 @@ public record ExerciseProgress(
     }
 
     /**
-     * Returns the state with one more hint.
+     * Opens one more hint.
      *
-     * @param available how many there are
-     * @return the state
+     * @param available total number of hints
+     * @return the new state
      */
     public ExerciseProgress withNextHint(int available) {
         return new ExerciseProgress(
@@ -83,24 +81,19 @@ public record ExerciseProgress(
         return new ExerciseProgress(tries, bestPoints, passed, seconds, hints, true, lastSeen);
     }
 
-    /** {@return how many graded tries are missing until a solution is shown, 0 if it may be shown} */
+    /** {@return the number of graded tries that are still required before a solution is shown, 0 if none} */
     public int triesBeforeSolution() {
         return passed ? 0 : Math.max(0, TRIES_BEFORE_SOLUTION - tries);
     }
 
     private long workedUntil(Instant now) {
-        return lastSeenAt()
-                .map(before -> Duration.between(before, now))
-                .filter(gap -> !gap.isNegative() && gap.compareTo(PAUSE) <= 0)
-                .map(Duration::toSeconds)
-                .orElse(0L);
-    }
-
-    private Optional<Instant> lastSeenAt() {
         try {
-            return lastSeen.isEmpty() ? Optional.empty() : Optional.of(Instant.parse(lastSeen));
-        } catch (DateTimeParseException nonsense) {
-            return Optional.empty();
+            long gap = lastSeen.isEmpty()
+                    ? 0
+                    : now.toEpochMilli() - Instant.parse(lastSeen).toEpochMilli();
+            return gap >= 0 && gap <= MAX_PAUSE_MILLIS ? gap / MILLIS_PER_SECOND : 0;
+        } catch (RuntimeException noTime) {
+            return 0;
         }
     }
 }

@@ -1,23 +1,98 @@
 package org.robonewbie.exercises.progress;
 
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParseException;
+import com.google.gson.JsonParser;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 
 /**
- * How far somebody is with all exercises.
+ * A student's progress in all exercises.
  *
- * @param exercises the states by the exercises' names; those that nobody has begun are left out
+ * @param exercises the states by name of the exercise; exercises without activity are missing
  */
 public record Progress(Map<String, ExerciseProgress> exercises) {
 
-    /** Takes a copy. */
+    private static final int VERSION = 1;
+
+    /** Defensively copies the map. */
     public Progress {
         exercises = Collections.unmodifiableMap(new TreeMap<>(exercises));
+    }
+
+    /**
+     * Parses JSON. Skips exercises with invalid values.
+     *
+     * @param text JSON as written by {@link #json()}
+     * @return the progress; empty if the text is not JSON of this kind
+     */
+    public static Optional<Progress> parse(String text) {
+        try {
+            JsonElement json = JsonParser.parseString(text);
+            if (!json.isJsonObject() || !json.getAsJsonObject().has("exercises")) {
+                return Optional.empty();
+            }
+            Map<String, ExerciseProgress> states = new TreeMap<>();
+            json.getAsJsonObject()
+                    .getAsJsonObject("exercises")
+                    .entrySet()
+                    .forEach(entry -> state(entry.getValue()).ifPresent(state -> states.put(entry.getKey(), state)));
+            return Optional.of(new Progress(states));
+        } catch (JsonParseException | ClassCastException noProgress) {
+            return Optional.empty();
+        }
+    }
+
+    private static Optional<ExerciseProgress> state(JsonElement json) {
+        if (!json.isJsonObject()) {
+            return Optional.empty();
+        }
+        JsonObject state = json.getAsJsonObject();
+        try {
+            return Optional.of(new ExerciseProgress(
+                    (int) number(state, "tries"),
+                    number(state, "bestPoints"),
+                    state.has("passed") && state.get("passed").getAsBoolean(),
+                    (long) number(state, "seconds"),
+                    (int) number(state, "hints"),
+                    state.has("solutionSeen") && state.get("solutionSeen").getAsBoolean(),
+                    state.has("lastSeen") ? state.get("lastSeen").getAsString() : ""));
+        } catch (RuntimeException invalid) {
+            return Optional.empty();
+        }
+    }
+
+    private static double number(JsonObject state, String name) {
+        return state.has(name) ? state.get(name).getAsDouble() : 0;
+    }
+
+    /** {@return the progress as JSON} */
+    public JsonObject json() {
+        JsonObject states = new JsonObject();
+        exercises.forEach((name, state) -> states.add(name, json(state)));
+        JsonObject json = new JsonObject();
+        json.addProperty("version", VERSION);
+        json.add("exercises", states);
+        return json;
+    }
+
+    private static JsonObject json(ExerciseProgress state) {
+        JsonObject json = new JsonObject();
+        json.addProperty("tries", state.tries());
+        json.addProperty("bestPoints", state.bestPoints());
+        json.addProperty("passed", state.passed());
+        json.addProperty("seconds", state.seconds());
+        json.addProperty("hints", state.hints());
+        json.addProperty("solutionSeen", state.solutionSeen());
+        json.addProperty("lastSeen", state.lastSeen());
+        return json;
     }
 
     /**
@@ -30,7 +105,20 @@ public record Progress(Map<String, ExerciseProgress> exercises) {
         return exercises.getOrDefault(exercise.name(), ExerciseProgress.NONE);
     }
 
-    /** {@return how many exercises are passed} */
+    /**
+     * Replaces the state of one exercise.
+     *
+     * @param exercise the exercise
+     * @param state its new state
+     * @return the new progress
+     */
+    public Progress with(Exercise exercise, ExerciseProgress state) {
+        Map<String, ExerciseProgress> changed = new TreeMap<>(exercises);
+        changed.put(exercise.name(), state);
+        return new Progress(changed);
+    }
+
+    /** {@return the number of passed exercises} */
     public long passed() {
         return Exercises.all().stream().filter(each -> of(each).passed()).count();
     }
@@ -42,12 +130,12 @@ public record Progress(Map<String, ExerciseProgress> exercises) {
                 .sum();
     }
 
-    /** {@return the time of work on all exercises, in seconds} */
+    /** {@return the working time for all exercises, in seconds} */
     public long seconds() {
         return Exercises.all().stream().mapToLong(each -> of(each).seconds()).sum();
     }
 
-    /** {@return what was reached} */
+    /** {@return the earned badges} */
     public List<Badge> badges() {
         return Arrays.stream(Badge.values())
                 .filter(badge -> badge.isEarnedBy(this))
@@ -55,10 +143,10 @@ public record Progress(Map<String, ExerciseProgress> exercises) {
     }
 
     /**
-     * Puts the progress of two people of one team together: each exercise counts by the better of both.
+     * Merges the progress of two team members. The better state of each exercise counts.
      *
-     * @param other the progress of another member
-     * @return the progress of both as a team
+     * @param other progress of another member
+     * @return the progress of the team
      */
     public Progress joined(Progress other) {
         Map<String, ExerciseProgress> both = new TreeMap<>(exercises);

@@ -3,7 +3,7 @@ package org.robonewbie.exercises.progress;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -12,123 +12,137 @@ import org.robonewbie.exercises.Exercises;
 import org.robonewbie.nao.file.TextFile;
 
 /**
- * The reference solutions, if this computer has them, and the teacher's lock: the file {@code locked.txt} in their folder names
- * exercises, one a line, whose solution is not shown yet; {@code all}, or a word that is no exercise, locks all.
+ * Reference solutions, and the teacher's locks: the file {@code locked.txt} beside them lists exercises, one per line, whose solution
+ * must not be shown yet. A line with {@code all}, or with a word that is no exercise, locks all.
  *
- * @param folder where the solutions are; empty if there are none
+ * @param source reads the files of the solutions
  */
-public record SolutionRepository(Optional<Path> folder) {
+public record SolutionRepository(Source source) {
 
-    /** Environment variable: {@code off} shows no solution, anything else is the folder with the solutions. */
+    /** Environment variable with the folder of the solutions; {@code off} shows none. */
     public static final String SWITCH = "ROBONEWBIE_SOLUTIONS";
+
+    /** A repository without solutions. */
+    public static final SolutionRepository NONE = new SolutionRepository(name -> Optional.empty());
 
     private static final String LOCKS = "locked.txt";
 
+    /** Reads files of solutions. */
+    @FunctionalInterface
+    public interface Source {
+
+        /**
+         * Reads a file.
+         *
+         * @param name name of the file
+         * @return its text; empty if there is no such file
+         * @throws IOException if it cannot be read
+         */
+        Optional<String> read(String name) throws IOException;
+    }
+
     /**
-     * An answer to somebody who asks for a solution.
+     * Answer to a request for a solution.
      *
-     * @param open whether it is a solution
-     * @param text the program; or why there is none, as a sentence
+     * @param open whether the solution is shown
+     * @param text the program, or the reason why it is not shown, as a sentence
      */
     public record Answer(boolean open, String text) {}
 
     /**
      * Returns the solutions of this installation: those of the teachers' zip or of the sources.
      *
-     * @param home folder of the program; empty if it is not known
-     * @return the shelf
+     * @param home folder of the program; empty if unknown
+     * @return the repository
      */
     public static SolutionRepository ofUser(Optional<Path> home) {
         String choice = Optional.ofNullable(System.getenv(SWITCH)).orElse("");
         if (choice.equalsIgnoreCase("off")) {
-            return new SolutionRepository(Optional.empty());
+            return NONE;
         }
         Stream<Path> usual = home.stream()
                 .flatMap(folder -> Stream.of(
                         folder.resolve("solutions"),
                         folder.resolve("course/exercises/src/test/java/org/robonewbie/exercises/solution")));
-        return new SolutionRepository((choice.isEmpty() ? usual : Stream.of(Path.of(choice)))
+        return (choice.isEmpty() ? usual : Stream.of(Path.of(choice)))
                 .filter(Files::isDirectory)
-                .findFirst());
+                .findFirst()
+                .map(SolutionRepository::ofFolder)
+                .orElse(NONE);
     }
 
     /**
-     * Asks for a solution.
+     * Returns the solutions in a folder.
+     *
+     * @param folder the folder
+     * @return the repository
+     */
+    public static SolutionRepository ofFolder(Path folder) {
+        return new SolutionRepository(name -> {
+            Path file = folder.resolve(name);
+            return Files.exists(file) ? Optional.of(TextFile.readAndNote(file).content()) : Optional.empty();
+        });
+    }
+
+    /**
+     * Requests a solution.
      *
      * @param exercise the exercise
-     * @param state how far the student is with it
-     * @return the program, or why it is not shown
+     * @param state the student's progress
+     * @return the program, or the reason why it is not shown
      */
     public Answer ask(Exercise exercise, ExerciseProgress state) {
-        Optional<Path> file = folder.map(place -> place.resolve(exercise.className() + ".java"))
-                .filter(Files::isRegularFile);
-        if (file.isEmpty()) {
-            return new Answer(
-                    false, "This computer has no solution of " + exercise.name() + ". Ask your teacher for it.");
-        }
-        if (isLocked(exercise)) {
-            return new Answer(false, "Your teacher has locked the solution of " + exercise.name() + " for now.");
-        }
         int missing = state.triesBeforeSolution();
-        if (missing > 0) {
-            return new Answer(
-                    false,
-                    "A solution is shown after " + ExerciseProgress.TRIES_BEFORE_SOLUTION + " graded tries: "
-                            + (missing == 1 ? "one more." : missing + " more."));
-        }
-        return read(file.get());
-    }
-
-    /**
-     * Checks whether there is a solution that nobody has locked.
-     *
-     * @param exercise the exercise
-     * @return whether it would be shown after enough tries
-     */
-    public boolean offers(Exercise exercise) {
-        return folder.map(place -> place.resolve(exercise.className() + ".java"))
-                        .filter(Files::isRegularFile)
-                        .isPresent()
-                && !isLocked(exercise);
-    }
-
-    private static Answer read(Path file) {
         try {
-            String text = TextFile.read(file).content();
-            return new Answer(true, text.replaceFirst("(?m)^package .*;\\R+", ""));
+            Optional<String> text = program(exercise);
+            if (text.isEmpty()) {
+                return new Answer(
+                        false, "This computer has no solution of " + exercise.name() + ". Ask your teacher for it.");
+            }
+            if (isLocked(exercise)) {
+                return new Answer(false, "Your teacher has locked the solution of " + exercise.name() + " for now.");
+            }
+            return missing == 0
+                    ? new Answer(true, text.get().replaceFirst("(?m)^package .*;(\r?\n)+", ""))
+                    : new Answer(
+                            false,
+                            "A solution is shown after " + ExerciseProgress.TRIES_BEFORE_SOLUTION + " graded tries: "
+                                    + (missing == 1 ? "one more." : missing + " more."));
         } catch (IOException unreadable) {
             return new Answer(false, "The solution cannot be shown. " + unreadable.getMessage());
         }
     }
 
-    private boolean isLocked(Exercise exercise) {
-        return locks().contains(exercise);
+    /**
+     * Checks for a solution that the teacher has not locked.
+     *
+     * @param exercise the exercise
+     * @return whether it is shown after enough tries
+     */
+    public boolean offers(Exercise exercise) {
+        try {
+            return program(exercise).isPresent() && !isLocked(exercise);
+        } catch (IOException unreadable) {
+            return false;
+        }
     }
 
-    /**
-     * The locked exercises. A lock that cannot be read, or that names no exercise, locks all: what a teacher has locked stays so. A
-     * comment is a line with more than one word, or with {@code #}.
-     */
-    private List<Exercise> locks() {
-        Optional<Path> file = folder.map(place -> place.resolve(LOCKS)).filter(Files::exists);
-        List<Exercise> locked = new ArrayList<>();
+    private Optional<String> program(Exercise exercise) throws IOException {
+        return source.read(exercise.className() + ".java");
+    }
+
+    /** Locks all solutions if the file of locks is unreadable or misspelt. Lines with {@code #} or several words are comments. */
+    private boolean isLocked(Exercise exercise) {
         try {
-            List<String> lines =
-                    file.isPresent() ? TextFile.readAndNote(file.get()).lines() : List.of();
-            for (String line : lines) {
-                String word = line.strip();
-                if (word.isEmpty() || word.startsWith("#") || word.contains(" ")) {
-                    continue;
-                }
-                Optional<Exercise> exercise = Exercises.find(word);
-                if (exercise.isEmpty()) {
-                    return Exercises.all();
-                }
-                locked.add(exercise.get());
-            }
-            return locked;
+            List<Optional<Exercise>> locked = source.read(LOCKS).stream()
+                    .flatMap(text -> Arrays.stream(text.split("[\r\n]+", -1)))
+                    .map(String::strip)
+                    .filter(word -> !word.isEmpty() && !word.startsWith("#") && !word.contains(" "))
+                    .map(Exercises::find)
+                    .toList();
+            return locked.contains(Optional.of(exercise)) || locked.contains(Optional.<Exercise>empty());
         } catch (IOException unreadable) {
-            return Exercises.all();
+            return true;
         }
     }
 }

@@ -12,17 +12,17 @@ import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Language;
 
 /**
- * An exercise's worksheet: its title, and its hints, which open one after the other.
+ * Worksheet of an exercise.
  *
  * @param title the title, without its number
- * @param hints the hints in their order, without marks of Markdown
+ * @param hints the hints in order, without Markdown markup
  */
 public record Worksheet(String title, List<String> hints) {
 
     private static final String TITLE = "# ";
     private static final Set<String> HINTS = Set.of("## Hints", "## Hinweise");
 
-    /** Takes a copy. */
+    /** Defensively copies the list. */
     public Worksheet {
         hints = List.copyOf(hints);
     }
@@ -32,7 +32,7 @@ public record Worksheet(String title, List<String> hints) {
      *
      * @param exercise the exercise
      * @param language the language of the worksheet
-     * @return its title and hints; none but the English title if the program comes without worksheets
+     * @return its title and hints; the English title without hints if the program was built without worksheets
      */
     public static Worksheet of(Exercise exercise, Language language) {
         String file = "/org/robonewbie/exercises/worksheet/" + language.worksheet(exercise) + ".md";
@@ -45,12 +45,12 @@ public record Worksheet(String title, List<String> hints) {
         }
     }
 
-    /** Takes the list below the heading of the hints; lines that are indented belong to the one before. */
+    /** Parses the title and the list below the heading of the hints. Indented lines continue the previous item. */
     static Worksheet parse(String markdown) {
         String title = "";
         List<String> hints = new ArrayList<>();
         boolean inside = false;
-        for (String line : markdown.lines().toList()) {
+        for (String line : markdown.split("\n", -1)) {
             if (line.startsWith(TITLE)) {
                 title = line.substring(line.indexOf(':') + 1).strip();
             } else if (line.startsWith("## ")) {

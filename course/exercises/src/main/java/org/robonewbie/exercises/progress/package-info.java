@@ -1,8 +1,8 @@
 /**
- * How far somebody is with the exercises, kept in one file of the user, and the help that opens step by step. Read {@link
- * org.robonewbie.exercises.progress.ProgressFile} first.
+ * Students' progress in the exercises, and the help that is revealed step by step. Start with {@link
+ * org.robonewbie.exercises.progress.ProgressService}.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.exercises.progress;

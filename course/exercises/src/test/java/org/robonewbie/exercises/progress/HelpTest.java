@@ -8,7 +8,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -38,7 +37,7 @@ class HelpTest {
     }
 
     private SolutionRepository shelf() {
-        return new SolutionRepository(Optional.of(folder));
+        return SolutionRepository.ofFolder(folder);
     }
 
     @ParameterizedTest
@@ -129,7 +128,7 @@ class HelpTest {
 
     @Test
     void withoutSolutionsTheTeacherIsAsked() {
-        SolutionRepository none = new SolutionRepository(Optional.empty());
+        SolutionRepository none = SolutionRepository.NONE;
 
         assertThat(none.offers(KICK)).isFalse();
         assertThat(none.ask(KICK, TRIED).text()).contains("Ask your teacher");

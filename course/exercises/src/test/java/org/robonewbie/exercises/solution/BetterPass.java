@@ -73,7 +73,7 @@ public final class BetterPass extends Agent {
     /** How near an opponent comes to the way from the ball to a mate. */
     private double freeMetres(Mate mate) {
         return world.opponents().stream()
-                .mapToDouble(opponent -> opponent.distanceToWay(world.ball(), mate.place()))
+                .mapToDouble(opponent -> opponent.distanceToSegment(world.ball(), mate.place()))
                 .min()
                 .orElse(Double.POSITIVE_INFINITY);
     }

@@ -1,6 +1,9 @@
 package org.robonewbie.programs.process;
 
 import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -33,6 +36,9 @@ public final class ProgramMain {
     /** Waits for the call of a {@link WaitingProcess}. */
     static final String CALL = "call";
 
+    /** Runs a program for each call of a {@link WorkerPool}; program and class path follow. */
+    static final String REPEAT = "repeat";
+
     /** Compiles for a {@link CompilerProcess}; the folder of the sources, whether it is deep, and that of the classes follow. */
     static final String COMPILE = "compile";
 
@@ -56,7 +62,8 @@ public final class ProgramMain {
             switch (arguments[0]) {
                 case CLASS -> runClass(words);
                 case COMMAND -> runCommand(words);
-                case ROBOTS -> new RobotHost(parent, agents(words.get(0), ClassPath.read(words.get(1)))).serve();
+                case ROBOTS -> new RobotHost(parent, agents(finder(words.get(1)), words.get(0))).serve();
+                case REPEAT -> runRepeatedly(finder(words.get(1)).findRepeatedly(words.get(0)), parent);
                 case CALL -> System.exit(runCalled(parent.nextCall()));
                 default -> compile(words, parent);
             }
@@ -109,13 +116,23 @@ public final class ProgramMain {
 
     private static int runCalled(String call) {
         List<String> words = Arrays.asList(call.split(WaitingProcess.SEPARATOR, -1));
-        return new ProgramFinder(ExampleCatalogue.load(), ClassPath.read(words.get(1)))
-                .ofClass(words.get(0))
-                .run(words.subList(2, words.size()));
+        return finder(words.get(1)).ofClass(words.get(0)).run(words.subList(2, words.size()));
     }
 
-    private static Supplier<Agent> agents(String program, List<Path> classPath) {
-        Supplier<Class<?>> types = new ProgramFinder(ExampleCatalogue.load(), classPath).findClass(program);
+    private static void runRepeatedly(Supplier<Program> program, ParentProcess parent) throws InterruptedException {
+        System.setOut(new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8));
+        while (true) {
+            List<String> options = Arrays.asList(parent.nextCall().split(WaitingProcess.SEPARATOR, -1));
+            parent.answer(String.valueOf(program.get().run(options)));
+        }
+    }
+
+    private static ProgramFinder finder(String classPath) {
+        return new ProgramFinder(ExampleCatalogue.load(), ClassPath.read(classPath));
+    }
+
+    private static Supplier<Agent> agents(ProgramFinder finder, String program) {
+        Supplier<Class<?>> types = finder.findClass(program);
         refuseTheGivenTeam(types.get());
         return StudentsAgents.of(types);
     }

@@ -35,7 +35,7 @@ class PathPlannerTest {
         Translation2d before = HERE;
         for (Translation2d bend : PathPlanner.way(HERE, THERE, obstacles)) {
             for (Obstacle obstacle : obstacles) {
-                assertThat(obstacle.centre().distanceToWay(before, bend)).isGreaterThan(0.35);
+                assertThat(obstacle.centre().distanceToSegment(before, bend)).isGreaterThan(0.35);
             }
             before = bend;
         }

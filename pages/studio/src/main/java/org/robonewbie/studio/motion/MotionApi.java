@@ -3,23 +3,17 @@ package org.robonewbie.studio.motion;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.eclipse.jetty.io.Content;
-import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Request;
-import org.eclipse.jetty.server.Response;
-import org.eclipse.jetty.util.Callback;
-import org.robonewbie.nao.file.UnreadableFileException;
-import org.robonewbie.nao.file.UnwritableFileException;
 import org.robonewbie.nao.motion.file.MotionFiles;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.studio.file.Answer;
+import org.robonewbie.studio.file.ApiHandler;
 import org.robonewbie.studio.file.PageFolder;
 import org.robonewbie.studio.file.PathPart;
 import org.robonewbie.studio.file.RefusedException;
@@ -37,7 +31,7 @@ import org.robonewbie.studio.file.RefusedException;
  * POST             /api/trial             header Start: standing, back or front
  * </pre>
  */
-public final class MotionApi extends Handler.Abstract {
+public final class MotionApi extends ApiHandler {
 
     /** Prefix of all paths of this endpoint. */
     public static final String PATH = "/api/";
@@ -64,33 +58,17 @@ public final class MotionApi extends Handler.Abstract {
     }
 
     @Override
-    public boolean handle(Request request, Response response, Callback callback) throws Exception {
-        String path = Request.getPathInContext(request);
-        if (!path.startsWith(PATH)) {
-            return false;
-        }
-        replyTo(request, path).send(response, callback);
-        return true;
+    protected Optional<Answer> answer(Request request, String path) throws IOException {
+        return path.startsWith(PATH) ? Optional.of(reply(request, path)) : Optional.empty();
     }
 
-    private Answer replyTo(Request request, String path) {
-        try {
-            return answer(request, path);
-        } catch (RefusedException refusal) {
-            return Answer.refused(refusal.status(), refusal.getMessage());
-        } catch (UnreadableFileException refused) {
-            return Answer.refused(409, refused.getMessage());
-        } catch (UnwritableFileException unwritable) {
-            return Answer.refused(500, unwritable.getMessage());
-        } catch (IOException problem) {
-            return Answer.refused(
-                    500,
-                    "The file cannot be read or written: " + problem.getMessage() + ". Is the folder "
-                            + motions.folder() + " writable, and is there room on the disk?");
-        }
+    @Override
+    protected String explain(IOException problem) {
+        return "The file cannot be read or written: " + problem.getMessage() + ". Is the folder " + motions.folder()
+                + " writable, and is there room on the disk?";
     }
 
-    private Answer answer(Request request, String path) throws IOException {
+    private Answer reply(Request request, String path) throws IOException {
         String order = request.getMethod() + " " + path;
         Matcher file = FILE.matcher(path);
         if (file.matches()) {
@@ -116,9 +94,7 @@ public final class MotionApi extends Handler.Abstract {
             case "GET library" -> Answer.file(found(shipped(name), name));
             case "GET drafts" -> Answer.file(found(drafts.read(name), name));
             case "PUT motions" -> {
-                String known = Optional.ofNullable(request.getHeaders().get("Known-Version"))
-                        .orElse("");
-                String version = motions.write(name, body(request), known);
+                String version = motions.write(name, body(request), knownVersion(request));
                 yield Answer.written(version);
             }
             case "PUT drafts" -> {
@@ -143,12 +119,7 @@ public final class MotionApi extends Handler.Abstract {
     }
 
     private static byte[] body(Request request) throws IOException {
-        if (request.getLength() < 0 || request.getLength() > MotionFiles.MAX_BYTES) {
-            throw new RefusedException(413, "A motion file may have at most " + MotionFiles.MAX_BYTES + " bytes.");
-        }
-        try (InputStream stream = Content.Source.asInputStream(request)) {
-            return stream.readNBytes(MotionFiles.MAX_BYTES);
-        }
+        return body(request, MotionFiles.MAX_BYTES, "A motion file");
     }
 
     private String list() {

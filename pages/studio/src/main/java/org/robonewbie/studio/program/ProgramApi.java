@@ -3,21 +3,15 @@ package org.robonewbie.studio.program;
 import com.google.gson.Gson;
 import com.google.gson.JsonObject;
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.eclipse.jetty.io.Content;
-import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Request;
-import org.eclipse.jetty.server.Response;
-import org.eclipse.jetty.util.Callback;
-import org.robonewbie.nao.file.UnreadableFileException;
-import org.robonewbie.nao.file.UnwritableFileException;
 import org.robonewbie.studio.file.Answer;
+import org.robonewbie.studio.file.ApiHandler;
 import org.robonewbie.studio.file.PathPart;
 import org.robonewbie.studio.file.RefusedException;
 
@@ -36,7 +30,7 @@ import org.robonewbie.studio.file.RefusedException;
  * GET DELETE       /api/programs/run                state of the running program; DELETE stops it
  * </pre>
  */
-public final class ProgramApi extends Handler.Abstract {
+public final class ProgramApi extends ApiHandler {
 
     private static final String PROGRAMS = "/api/programs";
     private static final Pattern PLACE = Pattern.compile("/(\\w+)(?:/(.*))?");
@@ -67,35 +61,19 @@ public final class ProgramApi extends Handler.Abstract {
     }
 
     @Override
-    public boolean handle(Request request, Response response, Callback callback) {
-        String path = Request.getPathInContext(request);
-        if (!path.equals(PROGRAMS) && !path.startsWith(PROGRAMS + "/")) {
-            return false;
-        }
-        replyTo(request, path.substring(PROGRAMS.length())).send(response, callback);
-        return true;
+    protected Optional<Answer> answer(Request request, String path) throws IOException {
+        return path.equals(PROGRAMS) || path.startsWith(PROGRAMS + "/")
+                ? Optional.of(reply(request, path.substring(PROGRAMS.length())))
+                : Optional.empty();
     }
 
-    private Answer replyTo(Request request, String place) {
-        try {
-            return answer(request, place);
-        } catch (RefusedException refusal) {
-            return Answer.refused(refusal.status(), refusal.getMessage());
-        } catch (IllegalArgumentException | IllegalStateException refused) {
-            return Answer.refused(409, refused.getMessage());
-        } catch (UnreadableFileException refused) {
-            return Answer.refused(409, refused.getMessage());
-        } catch (UnwritableFileException unwritable) {
-            return Answer.refused(500, unwritable.getMessage());
-        } catch (IOException problem) {
-            return Answer.refused(
-                    500,
-                    "The file cannot be read or written: " + problem.getMessage() + ". Is the folder " + folder.folder()
-                            + " writable, and is there room on the disk?");
-        }
+    @Override
+    protected String explain(IOException problem) {
+        return "The file cannot be read or written: " + problem.getMessage() + ". Is the folder " + folder.folder()
+                + " writable, and is there room on the disk?";
     }
 
-    private Answer answer(Request request, String place) throws IOException {
+    private Answer reply(Request request, String place) throws IOException {
         if (place.isEmpty()) {
             return Answer.json(GSON.toJson(list()));
         }
@@ -122,13 +100,13 @@ public final class ProgramApi extends Handler.Abstract {
             case "GET own" -> Answer.file(found(folder.read(path), path));
             case "GET draft" -> Answer.file(found(drafts.read(path), path));
             case "PUT own" -> {
-                String version = folder.write(path, body(request), known(request));
+                String version = folder.write(path, body(request), knownVersion(request));
                 drafts.remove(path, version); // another window may hold a different draft
                 yield Answer.written(version);
             }
-            case "PUT draft" -> Answer.written(drafts.writeIfKnown(path, body(request), known(request)));
+            case "PUT draft" -> Answer.written(drafts.writeIfKnown(path, body(request), knownVersion(request)));
             case "DELETE draft" -> {
-                drafts.remove(path, known(request));
+                drafts.remove(path, knownVersion(request));
                 yield Answer.done();
             }
             default -> throw unknown(request, path);
@@ -171,15 +149,6 @@ public final class ProgramApi extends Handler.Abstract {
         return content.orElseThrow(() -> new RefusedException(404, "There is no program named \"" + name + "\"."));
     }
 
-    private static String known(Request request) {
-        return Optional.ofNullable(request.getHeaders().get("Known-Version")).orElse("");
-    }
-
-    private static String parameter(Request request, String name) {
-        return Optional.ofNullable(Request.extractQueryParameters(request).getValue(name))
-                .orElse("");
-    }
-
     private static int at(Request request, String text) {
         try {
             return Math.max(0, Math.min(text.length(), Integer.parseInt(parameter(request, "at"))));
@@ -193,12 +162,7 @@ public final class ProgramApi extends Handler.Abstract {
     }
 
     private static byte[] body(Request request) throws IOException {
-        if (request.getLength() < 0 || request.getLength() > ProgramFolder.MAX_BYTES) {
-            throw new RefusedException(413, "A program may have at most " + ProgramFolder.MAX_BYTES + " bytes.");
-        }
-        try (InputStream stream = Content.Source.asInputStream(request)) {
-            return stream.readNBytes(ProgramFolder.MAX_BYTES);
-        }
+        return body(request, ProgramFolder.MAX_BYTES, "A program");
     }
 
     private JsonObject list() throws IOException {

@@ -13,17 +13,14 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.zip.GZIPOutputStream;
-import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Request;
-import org.eclipse.jetty.server.Response;
-import org.eclipse.jetty.util.Callback;
 import org.eclipse.jetty.util.Fields;
 import org.robonewbie.nao.file.TemporaryFiles;
 import org.robonewbie.simulator.file.RecordingAbout;
 import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.simulator.monitor.RecordedLog;
-import org.robonewbie.simulator.recording.DamagedRecordingException;
 import org.robonewbie.studio.file.Answer;
+import org.robonewbie.studio.file.ApiHandler;
 import org.robonewbie.studio.file.PathPart;
 
 /**
@@ -46,7 +43,7 @@ import org.robonewbie.studio.file.PathPart;
  * DELETE /api/bookmarks/NAME?seconds=T     removes the bookmark
  * </pre>
  */
-public final class ReplayApi extends Handler.Abstract {
+public final class ReplayApi extends ApiHandler {
 
     private static final List<String> READ =
             List.of("recordings", "cards", "index", "pieces", "log", "notes", "models");
@@ -77,32 +74,30 @@ public final class ReplayApi extends Handler.Abstract {
     }
 
     @Override
-    public boolean handle(Request request, Response response, Callback callback) {
-        String[] path = Request.getPathInContext(request).split("/", 4);
+    protected Optional<Answer> answer(Request request, String address) throws IOException {
+        String[] path = address.split("/", 4);
         String method = request.getMethod();
         boolean isRead = method.equals("GET");
         if (!METHODS.contains(method)
                 || path.length < 3
                 || !path[1].equals("api")
                 || !(isRead ? READ : CHANGED).contains(path[2])) {
-            return false;
+            return Optional.empty();
         }
         String name = path.length < 4 ? "" : PathPart.decode(path[3]);
         Fields parameters = Request.extractQueryParameters(request);
-        Answer answer;
         try {
-            answer = isRead ? read(path[2], name, parameters) : change(method, path[2], name, parameters);
+            return Optional.of(
+                    isRead ? read(path[2], name, parameters) : change(method, path[2], name, parameters));
         } catch (NoSuchFileException gone) {
-            answer = Answer.refused(404, GONE);
-        } catch (IllegalArgumentException | DamagedRecordingException refused) {
-            answer = Answer.refused(409, refused.getMessage());
-        } catch (IOException problem) {
-            String text = "The recording cannot be read or written: " + problem.getMessage()
-                    + ". Is its folder writable, and is there room on the disk?";
-            answer = Answer.refused(500, text);
+            return Optional.of(Answer.refused(404, GONE));
         }
-        answer.send(response, callback);
-        return true;
+    }
+
+    @Override
+    protected String explain(IOException problem) {
+        return "The recording cannot be read or written: " + problem.getMessage()
+                + ". Is its folder writable, and is there room on the disk?";
     }
 
     private Answer read(String kind, String name, Fields parameters) throws IOException {

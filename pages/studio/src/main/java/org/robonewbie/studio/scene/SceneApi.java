@@ -5,16 +5,12 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import org.eclipse.jetty.server.Handler;
 import org.eclipse.jetty.server.Request;
-import org.eclipse.jetty.server.Response;
-import org.eclipse.jetty.util.Callback;
 import org.robonewbie.nao.file.AtomicFile;
-import org.robonewbie.nao.file.UnwritableFileException;
 import org.robonewbie.simulator.file.RecordingFile;
-import org.robonewbie.simulator.recording.DamagedRecordingException;
 import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.studio.file.Answer;
+import org.robonewbie.studio.file.ApiHandler;
 import org.robonewbie.studio.file.PathPart;
 
 /**
@@ -31,7 +27,7 @@ import org.robonewbie.studio.file.PathPart;
  *
  * <p>The last two return whether the state is exact and how many agents have restored their own states.
  */
-public final class SceneApi extends Handler.Abstract {
+public final class SceneApi extends ApiHandler {
 
     private static final String SCENES = "/api/scenes";
     private static final String START = "/api/start/";
@@ -59,30 +55,23 @@ public final class SceneApi extends Handler.Abstract {
     }
 
     @Override
-    public boolean handle(Request request, Response response, Callback callback) {
-        String path = Request.getPathInContext(request);
-        if (!path.startsWith(SCENES) && !path.startsWith(START)) {
-            return false;
-        }
-        try {
-            Answer.json(answer(request, path)).send(response, callback);
-        } catch (IllegalArgumentException | IllegalStateException | DamagedRecordingException refused) {
-            Answer.refused(409, refused.getMessage()).send(response, callback);
-        } catch (UnwritableFileException unwritable) {
-            Answer.refused(500, unwritable.getMessage()).send(response, callback);
-        } catch (IOException problem) {
-            String text = "The scene cannot be read or written: " + problem.getMessage() + ". Is the folder "
-                    + folder.folder() + " writable, and is there room on the disk?";
-            Answer.refused(500, text).send(response, callback);
-        }
-        return true;
+    protected Optional<Answer> answer(Request request, String path) throws IOException {
+        return path.startsWith(SCENES) || path.startsWith(START)
+                ? Optional.of(Answer.json(reply(request, path)))
+                : Optional.empty();
     }
 
-    private String answer(Request request, String path) throws IOException {
+    @Override
+    protected String explain(IOException problem) {
+        return "The scene cannot be read or written: " + problem.getMessage() + ". Is the folder " + folder.folder()
+                + " writable, and is there room on the disk?";
+    }
+
+    private String reply(Request request, String path) throws IOException {
         if (path.startsWith(START) && request.getMethod().equals("POST")) {
-            return start(decoded(path.substring(START.length())), moment(request));
+            return start(PathPart.decode(path.substring(START.length())), moment(request));
         }
-        String name = path.equals(SCENES) ? "" : decoded(path.substring(SCENES.length() + 1));
+        String name = path.equals(SCENES) ? "" : PathPart.decode(path.substring(SCENES.length() + 1));
         Optional<String> old =
                 Optional.ofNullable(Request.extractQueryParameters(request).getValue("was"));
         boolean replace = "yes".equals(request.getHeaders().get("Replace"));
@@ -105,13 +94,9 @@ public final class SceneApi extends Handler.Abstract {
     private static long moment(Request request) {
         try {
             return Long.parseLong(
-                    String.valueOf(Request.extractQueryParameters(request).getValue("moment")));
+                    parameter(request, "moment"));
         } catch (NumberFormatException noNumber) {
             throw new IllegalArgumentException("The cycle to start from is missing. Load the page again.", noNumber);
         }
-    }
-
-    private static String decoded(String text) {
-        return PathPart.decode(text);
     }
 }

@@ -9,7 +9,7 @@ import org.teavm.extension.spi.reflection.SimpleReflectionPolicy;
 public final class ProgramsCall extends SimpleReflectionPolicy {
 
     /** Set while the module without students' programs is being compiled. */
-    static final boolean WITHOUT_PROGRAMS = Boolean.getBoolean("robonewbie.withoutPrograms");
+    private static final boolean WITHOUT_PROGRAMS = Boolean.getBoolean("robonewbie.withoutPrograms");
 
     /** Methods that start a simulator, which the page replaces, and those by which threads wait for each other. */
     private static final Set<String> OTHERWISE =

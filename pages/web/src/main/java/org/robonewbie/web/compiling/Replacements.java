@@ -13,6 +13,7 @@ public final class Replacements extends SimpleSubstitutionPolicy {
     private static final String OURS = "org.robonewbie.web.library.";
     private static final Set<String> REPLACED = Set.of(
             "java.security.MessageDigest",
+            "java.time.Instant",
             "java.util.Formatter",
             "java.util.HexFormat",
             "java.util.SplittableRandom",

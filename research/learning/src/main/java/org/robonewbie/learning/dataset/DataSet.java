@@ -57,18 +57,6 @@ public final class DataSet {
     }
 
     /**
-     * Takes part in a data set that another process has created: for writing the tables of single runs.
-     *
-     * @param folder the folder
-     * @param withMessages whether the messages of robots and programs are kept as text too
-     * @param facts what it records about how it was made
-     * @return the data set
-     */
-    public static DataSet joined(Path folder, boolean withMessages, Map<String, String> facts) {
-        return new DataSet(folder, withMessages, facts);
-    }
-
-    /**
      * Creates a data set in a folder that has none yet, or goes on with one that was broken off: its complete runs are kept.
      *
      * @param folder the folder; it is created if it is missing

@@ -18,9 +18,9 @@ import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.model.RobotType;
-import org.robonewbie.nao.motion.BallPlace;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
@@ -52,6 +52,7 @@ public final class MotionTrial implements AutoCloseable {
     public static final Vector3 BALL_ASIDE = new Vector3(0, -3.5, 0);
 
     private static final double NOISE_DEGREES = 1;
+    private static final double BALL_ERROR_METRES = 0.01;
     private static final double SETTLING_SECONDS = 0.6;
     private static final double MAX_SECONDS_TO_STOP = 3;
     private static final double MAX_SECONDS = 60;
@@ -320,11 +321,12 @@ public final class MotionTrial implements AutoCloseable {
      * @param ball its nominal place as seen from where the robot stood at first
      * @param seed chooses how far away
      */
-    public void placeBall(BallPlace ball, long seed) {
+    public void placeBall(Translation2d ball, long seed) {
         Random random = new Random(7 * seed + 3);
         random.nextLong();
-        BallPlace near = ball.near(random);
-        trial.placeBall(start().pointAt(near.ahead(), near.left()));
+        double ahead = ball.x() + BALL_ERROR_METRES * (2 * random.nextDouble() - 1);
+        double left = ball.y() + BALL_ERROR_METRES * (2 * random.nextDouble() - 1);
+        trial.placeBall(start().pointAt(ahead, left));
     }
 
     @Override

@@ -8,8 +8,8 @@ import org.robonewbie.learning.motion.FallenPose;
 import org.robonewbie.learning.motion.MotionTrial;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.model.RobotType;
-import org.robonewbie.nao.motion.BallPlace;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.MotionFile;
@@ -34,7 +34,7 @@ final class MotionScene {
     private static final double SECONDS_TO_ROLL = 4;
 
     private final Objective objective;
-    private final Optional<BallPlace> ball;
+    private final Optional<Translation2d> ball;
     private final Optional<FallenPose> lyingStart;
     private final Optional<FallenPose> lyingEnd;
     private final boolean loop;

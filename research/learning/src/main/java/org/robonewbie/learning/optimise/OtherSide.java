@@ -3,7 +3,9 @@ package org.robonewbie.learning.optimise;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.regex.Pattern;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.MotionFiles;
@@ -52,9 +54,10 @@ public final class OtherSide {
                         key, exchanged(mirrored.property(key).get()));
             }
         }
-        if (mirrored.ball().isPresent()) {
-            mirrored = mirrored.withProperty(
-                    "ball", mirrored.ball().get().mirrored().toString());
+        Optional<Translation2d> ball = mirrored.ball();
+        if (ball.isPresent()) {
+            mirrored = mirrored.withBall(
+                    new Translation2d(ball.get().x(), -ball.get().y()));
         }
         if (mirrored.property("made by").isPresent()) {
             mirrored = mirrored.withProperty(

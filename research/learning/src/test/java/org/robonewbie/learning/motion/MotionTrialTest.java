@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.Vector3;
-import org.robonewbie.nao.motion.BallPlace;
+import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.trial.WorldState;
@@ -37,7 +37,7 @@ class MotionTrialTest {
     @Test
     void placesTheBallAsTheRobotSeesIt() {
         try (MotionTrial robot = MotionTrial.inStance(3, 0)) {
-            robot.placeBall(new BallPlace(0.2, 0.05), 1);
+            robot.placeBall(new Translation2d(0.2, 0.05), 1);
 
             assertThat(robot.start().ahead(robot.trial().now().ball())).isCloseTo(0.2, within(0.01));
             assertThat(robot.start().left(robot.trial().now().ball())).isCloseTo(0.05, within(0.01));

@@ -19,7 +19,7 @@ import org.robonewbie.nao.motion.MotionSource;
 import org.robonewbie.nao.text.FileName;
 
 /**
- * The motion files of a folder; also loads and saves single files.
+ * A folder of motion files. Static methods load and save single files.
  *
  * <pre>{@code
  * MotionFile wave = MotionFiles.load(Path.of("wave.txt"));
@@ -29,7 +29,7 @@ import org.robonewbie.nao.text.FileName;
  */
 public final class MotionFiles implements MotionSource {
 
-    /** The largest file that is read, in bytes: some ten thousand keyframes. */
+    /** Maximum size of a file in bytes, enough for ten thousand keyframes. */
     public static final int MAX_BYTES = 2 << 20;
 
     private static final String ENDING = ".txt";
@@ -37,7 +37,7 @@ public final class MotionFiles implements MotionSource {
     private final Path folder;
 
     /**
-     * Opens a folder.
+     * Creates a source for the files of a folder.
      *
      * @param folder the folder, which need not exist
      */
@@ -45,16 +45,16 @@ public final class MotionFiles implements MotionSource {
         this.folder = folder;
     }
 
-    /** {@return the motions that a robot can perform: those in {@code motions} below the working directory, and the shipped ones} */
+    /** {@return the user's motions in the folder {@code motions} of the working directory, and the shipped ones} */
     public static MotionLibrary library() {
         return library(Path.of("motions"));
     }
 
     /**
-     * Opens a library with another folder for the user's motions.
+     * Creates a library with another folder for the user's motions.
      *
      * @param folder the folder, which need not exist
-     * @return its motions and the shipped ones
+     * @return the motions of the folder and the shipped ones
      */
     public static MotionLibrary library(Path folder) {
         return new MotionLibrary(new MotionFiles(folder), new ShippedMotions());
@@ -64,18 +64,18 @@ public final class MotionFiles implements MotionSource {
      * Loads a file.
      *
      * @param path the file
-     * @return its content; lines that cannot be understood are kept, see {@link MotionFile#errors}
-     * @throws IOException if the file cannot be read, is no regular file, or is larger than {@link #MAX_BYTES}
+     * @return its content; lines that cannot be parsed are kept, see {@link MotionFile#errors}
+     * @throws IOException if the file cannot be read, is not a regular file, or is larger than {@link #MAX_BYTES}
      */
     public static MotionFile load(Path path) throws IOException {
         return MotionFile.parse(String.valueOf(path.getFileName()), RegularFile.read(path, MAX_BYTES));
     }
 
     /**
-     * Saves a file. It is replaced as a whole, so that a reader never sees half of it.
+     * Saves a file. An existing file is replaced atomically.
      *
      * @param file the content
-     * @param path where to save it
+     * @param path path of the file
      * @throws IOException if the file cannot be written
      */
     public static void save(MotionFile file, Path path) throws IOException {
@@ -83,17 +83,18 @@ public final class MotionFiles implements MotionSource {
     }
 
     /**
-     * Names the file of a motion. macOS writes {@code é} as two characters, other systems as one; both are the same name.
+     * Returns the path of a motion's file. Names are compared in Unicode normalization form C, since macOS decomposes letters such
+     * as {@code é} in file names.
      *
      * @param name the motion's name without {@code .txt}
-     * @return the file of this name, in whatever form its letters are written; it need not exist
+     * @return path of the file, which need not exist
      * @throws IllegalArgumentException if no file can have this name; the message says why
      */
     public Path file(String name) {
         String composed = composed(name);
         FileName.problem(composed).ifPresent(problem -> {
             throw new IllegalArgumentException(
-                    "The name \"" + name + "\" " + problem + ", so that no motion can have it. Choose another one.");
+                    "The name \"" + name + "\" " + problem + ". Choose another name for the motion.");
         });
         Path usual = folder.resolve(composed + ENDING);
         return Files.exists(usual)
@@ -122,10 +123,10 @@ public final class MotionFiles implements MotionSource {
     }
 
     /**
-     * Says which files of the folder are not among the {@link #names}, and why: no motion can have their name, they are no regular
-     * files, or larger than {@link #MAX_BYTES}. No file is opened.
+     * Returns why files of the folder are missing from {@link #names}: the name is invalid for a motion, or the file is not a
+     * regular file or is larger than {@link #MAX_BYTES}. No file is opened.
      *
-     * @return a sentence for each, in alphabetical order
+     * @return a sentence for each such file, in alphabetical order
      */
     public List<String> problems() {
         return entries().sorted().flatMap(file -> problem(file).stream()).toList();
@@ -134,8 +135,7 @@ public final class MotionFiles implements MotionSource {
     private static Optional<String> problem(Path file) {
         Optional<String> wrong = FileName.problem(name(file));
         if (wrong.isPresent()) {
-            return Optional.of("The name of the file " + file.getFileName() + " " + wrong.get()
-                    + ", so that no motion can have it. Rename it.");
+            return Optional.of("The name of the file " + file.getFileName() + " " + wrong.get() + ". Rename it.");
         }
         try {
             RegularFile.check(file, MAX_BYTES);

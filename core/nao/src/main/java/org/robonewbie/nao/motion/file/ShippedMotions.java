@@ -13,33 +13,33 @@ import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.MotionSource;
 
 /**
- * The motions that come with the framework: resources {@code /motions/NAME.txt} of the class path. Their names are kept in the
- * resource {@code /motions/index}, one on each line, since not every class path can list its resources.
+ * The motions shipped with the framework, stored as class path resources {@code /motions/NAME.txt}. The resource {@code
+ * /motions/index} lists their names, one on each line, because not every class path can list its resources.
  */
 public final class ShippedMotions implements MotionSource {
 
     private static final String FOLDER = "/motions/";
 
-    /** Opens the shipped motions. */
+    /** Creates a source of the shipped motions. */
     public ShippedMotions() {}
 
     /**
      * Loads a motion.
      *
-     * @param name its name, such as {@code walk-forward}
+     * @param name the motion's name, such as {@code walk-forward}
      * @return the motion
-     * @throws IllegalArgumentException if none of the shipped motions has this name
+     * @throws IllegalArgumentException if there is no shipped motion with this name
      */
     public static Motion motion(String name) {
         return file(name).motion();
     }
 
     /**
-     * Loads a motion with the comments of its file.
+     * Loads the file of a motion.
      *
-     * @param name its name, such as {@code walk-forward}
+     * @param name the motion's name, such as {@code walk-forward}
      * @return the file
-     * @throws IllegalArgumentException if none of the shipped motions has this name
+     * @throws IllegalArgumentException if there is no shipped motion with this name
      */
     public static MotionFile file(String name) {
         return resource(name + ".txt")

@@ -92,11 +92,13 @@ class MotionFilesTest {
                 .contains(
                         "CON.txt is the name of a device",
                         ".hidden.txt begins with a dot",
-                        "blank .txt ends with a blank")
+                        "blank .txt ends with a space")
                 .contains(
-                        "what?.txt contains \"?\"", "50%.txt contains \"%\"", "has 81 characters, and 80 are the most")
-                .contains("folder.txt is a folder", "dead.txt does not exist", "random.txt is no regular file")
-                .contains("pipe.txt is no regular file but a device or a pipe", "huge.txt is larger than 2 MB");
+                        "what?.txt contains \"?\"",
+                        "50%.txt contains \"%\"",
+                        "has 81 characters, more than the 80 allowed")
+                .contains("folder.txt is a folder", "dead.txt does not exist", "random.txt is not a regular file")
+                .contains("pipe.txt is not a regular file but a device or a pipe", "huge.txt is larger than 2 MB");
         for (String name : List.of("huge", "pipe", "random", "folder")) {
             assertThatExceptionOfType(UnreadableFileException.class)
                     .isThrownBy(() -> library.find(name))
@@ -119,6 +121,6 @@ class MotionFilesTest {
     void saysWhyAMotionCannotHaveAName() {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> files.file("a/b"))
-                .withMessage("The name \"a/b\" contains \"/\", so that no motion can have it. Choose another one.");
+                .withMessage("The name \"a/b\" contains \"/\". Choose another name for the motion.");
     }
 }

@@ -4,7 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.MotionFile;
 
 class ShippedMotionsTest {
@@ -29,11 +33,13 @@ class ShippedMotionsTest {
 
     @Test
     void eachShippedMotionNamesItsColumns() {
+        String columns = Stream.concat(
+                        Stream.of("milliseconds"), Arrays.stream(Joint.values()).map(Joint::name))
+                .collect(Collectors.joining(", "));
+
         assertThat(new ShippedMotions().names())
                 .map(ShippedMotions::file)
-                .allSatisfy(file -> assertThat(file.property("columns"))
-                        .isPresent()
-                        .isEqualTo(file.withColumns().property("columns")));
+                .allSatisfy(file -> assertThat(file.property("columns")).contains(columns));
     }
 
     @Test

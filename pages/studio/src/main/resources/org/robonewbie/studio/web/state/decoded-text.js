@@ -98,7 +98,7 @@ function marked(encoding, decoded) {
   if (zero >= 0) {
     throw new UndecodableText(
       lineAt(decoded, zero),
-      'contains a zero byte, as in files that are no text, or in UTF-16 without a byte order mark',
+      'contains a zero byte, as in binary files and in UTF-16 without a byte order mark',
     );
   }
   const hasByteOrderMark = decoded.startsWith(MARK);
@@ -182,7 +182,7 @@ function utf16(bytes, isLittle) {
   const unpaired = text.search(/[\uD800-\uDBFF](?![\uDC00-\uDFFF])|(?<![\uD800-\uDBFF])[\uDC00-\uDFFF]/);
   const wrong = bytes.length % 2 === 1 ? text.length : unpaired;
   if (wrong >= 0) {
-    throw new UndecodableText(lineAt(text, wrong), 'is cut within a character of UTF-16');
+    throw new UndecodableText(lineAt(text, wrong), 'ends within a UTF-16 character');
   }
   return text;
 }

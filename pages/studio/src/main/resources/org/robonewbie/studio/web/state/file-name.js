@@ -15,9 +15,9 @@ const DEVICE = /^(con|prn|aux|nul|(com|lpt)[0-9\u00b9\u00b2\u00b3]) *(\..*)?$/i;
 const WRONG = [
   [RESERVED, (sign) => `"${sign}"`],
   [CONTROL, (sign) => `the control character ${code(sign)}`],
-  [BLANK, (sign) => `the blank ${code(sign)}, which is not that of the space bar`],
+  [BLANK, (sign) => `the space character ${code(sign)} instead of an ordinary space`],
   [INVISIBLE, (sign) => `the invisible character ${code(sign)}`],
-  [HALF, (sign) => `half a character (${code(sign)})`],
+  [HALF, (sign) => `the unpaired surrogate ${code(sign)}`],
 ];
 
 /**
@@ -39,7 +39,7 @@ export function nameProblem(name) {
     return 'is empty';
   }
   if (name.length > MAX_CHARACTERS) {
-    return `has ${name.length} characters, and ${MAX_CHARACTERS} are the most`;
+    return `has ${name.length} characters, more than the ${MAX_CHARACTERS} allowed`;
   }
   const wrong = WRONG.map(([signs, words]) => ({ at: name.search(signs), words }))
     .filter(({ at }) => at >= 0)
@@ -52,7 +52,7 @@ export function nameProblem(name) {
 
 /** @param {string} name */
 function edgeProblem(name) {
-  const signName = (/** @type {string} */ sign) => (sign === '.' ? 'dot' : 'blank');
+  const signName = (/** @type {string} */ sign) => (sign === '.' ? 'dot' : 'space');
   if (/^[. ]/.test(name)) {
     return `begins with a ${signName(name[0])}`;
   }

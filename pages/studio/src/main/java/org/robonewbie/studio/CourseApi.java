@@ -1,0 +1,52 @@
+package org.robonewbie.studio;
+
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.jetty.server.Request;
+import org.robonewbie.studio.file.Answer;
+import org.robonewbie.studio.file.ApiHandler;
+import org.robonewbie.studio.file.PathPart;
+import org.robonewbie.studio.service.PageService;
+
+/** HTTP endpoint {@code /api/course} of the exercises. */
+final class CourseApi extends ApiHandler {
+
+    private static final String COURSE = "/api/course";
+
+    private final Optional<PageService> course;
+
+    /**
+     * Creates the endpoint.
+     *
+     * @param course the exercises; empty for a studio without exercises
+     */
+    CourseApi(Optional<PageService> course) {
+        this.course = course;
+    }
+
+    @Override
+    protected Optional<Answer> answer(Request request, String path) throws IOException {
+        if (!path.startsWith(COURSE)) {
+            return Optional.empty();
+        }
+        return Optional.of(Answer.json(
+                course.isPresent()
+                        ? answer(course.get(), request, path.substring(COURSE.length()))
+                        : "{\"lessons\":[]}"));
+    }
+
+    @Override
+    protected String explain(IOException problem) {
+        return "The request failed: " + problem.getMessage();
+    }
+
+    private static String answer(PageService course, Request request, String path) throws IOException {
+        List<String> names = Arrays.stream(path.split("/", -1))
+                .filter(name -> !name.isEmpty())
+                .map(PathPart::decode)
+                .toList();
+        return course.answer(request.getMethod(), names, name -> parameter(request, name));
+    }
+}

@@ -1,0 +1,22 @@
+package org.robonewbie.studio.service;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.function.UnaryOperator;
+
+/** Service behind a page. Thread-safe. */
+@FunctionalInterface
+public interface PageService {
+
+    /**
+     * Answers a request.
+     *
+     * @param method HTTP method
+     * @param path decoded segments of the path below that of the service
+     * @param parameters returns the value of a query parameter, empty if it is missing
+     * @return JSON
+     * @throws IOException if a file cannot be read or written, or no port is available
+     * @throws IllegalArgumentException if the request is refused; the message gives the reason
+     */
+    String answer(String method, List<String> path, UnaryOperator<String> parameters) throws IOException;
+}

@@ -1,0 +1,49 @@
+package org.robonewbie.web.library.java.time;
+
+import org.teavm.jso.JSBody;
+
+/** Subset of {@link java.time.Instant} for the times of students' progress, in milliseconds. */
+public final class Instant {
+
+    private final long millis;
+
+    private Instant(long millis) {
+        this.millis = millis;
+    }
+
+    /** {@return the current time} */
+    public static Instant now() {
+        return new Instant(System.currentTimeMillis());
+    }
+
+    /**
+     * Parses a time.
+     *
+     * @param text time in ISO 8601
+     * @return the time
+     */
+    public static Instant parse(CharSequence text) {
+        double millis = parsed(text.toString());
+        if (Double.isNaN(millis)) {
+            throw new IllegalArgumentException("\"" + text + "\" is not a time.");
+        }
+        return new Instant((long) millis);
+    }
+
+    /** {@return milliseconds since 1970 in UTC} */
+    public long toEpochMilli() {
+        return millis;
+    }
+
+    /** {@return the time in ISO 8601} */
+    @Override
+    public String toString() {
+        return formatted(millis);
+    }
+
+    @JSBody(params = "text", script = "return Date.parse(text);")
+    private static native double parsed(String text);
+
+    @JSBody(params = "millis", script = "return new Date(millis).toISOString();")
+    private static native String formatted(double millis);
+}
