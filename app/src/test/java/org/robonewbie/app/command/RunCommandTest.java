@@ -116,7 +116,7 @@ class RunCommandTest {
 
         assertThat(answer.exitCode()).isEqualTo(1);
         assertThat(answer.err())
-                .contains("Broken.java:2: error", "thirty", "Correct the line of the first error above");
+                .contains("Broken.java:2: error", "thirty", "Fix the first one above");
     }
 
     @Test

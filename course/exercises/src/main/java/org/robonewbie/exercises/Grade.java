@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 
 /**
- * What an exercise has earned.
+ * Grade of an exercise.
  *
  * @param exercise full name of the exercise
  * @param trials one line for each seed, in their order
@@ -17,12 +17,12 @@ public record Grade(String exercise, List<SeededScore> trials) {
     /**
      * The score of one trial.
      *
-     * @param seed start of all chance
-     * @param score what it earned
+     * @param seed seed of the trial
+     * @param score its score
      */
     public record SeededScore(long seed, Score score) {}
 
-    /** Takes a copy of the trials. */
+    /** Copies the list. */
     public Grade {
         trials = List.copyOf(trials);
     }
@@ -42,7 +42,7 @@ public record Grade(String exercise, List<SeededScore> trials) {
     }
 
     /**
-     * Writes the grade for programs.
+     * Returns the grade as JSON.
      *
      * @return JSON with {@code exercise}, {@code passed}, {@code points} and {@code trials}
      */
@@ -51,7 +51,7 @@ public record Grade(String exercise, List<SeededScore> trials) {
     }
 
     /**
-     * Reads what {@link #json} has written.
+     * Parses the result of {@link #json}.
      *
      * @param json the text
      * @return the grade

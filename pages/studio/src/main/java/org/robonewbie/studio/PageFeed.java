@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.protocol.embedded.PuppetProvider;
-import org.robonewbie.protocol.telemetry.NumberWishes;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
+import org.robonewbie.protocol.telemetry.TuningRequests;
 import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.SimulationControl;
@@ -179,7 +179,7 @@ public final class PageFeed implements TelemetrySink {
     }
 
     @Override
-    public Optional<NumberWishes> wishes() {
+    public Optional<TuningRequests> tuningRequests() {
         return Optional.of(context.numbers());
     }
 

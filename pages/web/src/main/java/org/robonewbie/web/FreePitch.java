@@ -64,7 +64,7 @@ final class FreePitch implements EditableWorld {
         driver.publishTo(feed);
         PatientLink link = new PatientLink(simulator.connect(this::cycle));
         try {
-            driver.join(link, asNumber(players.size(), driver.usualOptions()));
+            driver.join(link, asNumber(players.size(), driver.defaultOptions()));
         } catch (IOException impossible) {
             throw new UncheckedIOException("The world of the page has closed its connection.", impossible);
         }

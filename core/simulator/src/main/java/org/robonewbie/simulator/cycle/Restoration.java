@@ -8,8 +8,8 @@ import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.landscape.Thing;
 import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.RotationMatrix;
+import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.soccer.Player;
-import org.robonewbie.simulator.soccer.TrainerActions;
 import org.robonewbie.simulator.world.LinkMotion;
 
 /** Restores a world from two snapshots, whose difference gives the velocities. */
@@ -51,13 +51,13 @@ final class Restoration {
     }
 
     private void restoreGame(WorldSnapshot target) {
-        TrainerActions trainer = new TrainerActions(cycle.match());
-        if (target.playMode() != cycle.match().state().playMode()) {
-            cycle.match().setPlayMode(target.playMode());
+        Match match = cycle.match();
+        if (target.playMode() != match.state().playMode()) {
+            match.setPlayMode(target.playMode());
         }
-        trainer.setHalf(target.half());
-        trainer.setPlaySeconds(target.gameTime());
-        trainer.setScore(target.scoreLeft(), target.scoreRight());
+        match.state().setHalf(target.half());
+        match.state().setPlaySeconds(target.gameTime());
+        match.state().setScore(target.scoreLeft(), target.scoreRight());
     }
 
     private Optional<Player> player(RobotSnapshot robot) {

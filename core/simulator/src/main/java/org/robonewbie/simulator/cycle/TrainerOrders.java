@@ -7,7 +7,6 @@ import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.soccer.Player;
-import org.robonewbie.simulator.soccer.TrainerActions;
 import org.robonewbie.simulator.world.Ball;
 import org.robonewbie.simulator.world.Robot;
 
@@ -19,7 +18,6 @@ public final class TrainerOrders {
 
     private final SimulationCycle cycle;
     private final Match match;
-    private final TrainerActions trainer;
     private final Runnable fullState;
     private final Runnable end;
     private Optional<PlayerNumber> selection = Optional.empty();
@@ -34,7 +32,6 @@ public final class TrainerOrders {
     public TrainerOrders(SimulationCycle cycle, Runnable fullState, Runnable end) {
         this.cycle = cycle;
         this.match = cycle.match();
-        this.trainer = new TrainerActions(match);
         this.fullState = fullState;
         this.end = end;
     }
@@ -78,9 +75,9 @@ public final class TrainerOrders {
         } else if (order instanceof Order.DropBall) {
             match.dropBall();
         } else if (order instanceof Order.SetTime time) {
-            trainer.setPlaySeconds(time.seconds());
+            match.state().setPlaySeconds(time.seconds());
         } else if (order instanceof Order.SetScore score) {
-            trainer.setScore(score.left(), score.right());
+            match.state().setScore(score.left(), score.right());
         }
     }
 
@@ -104,11 +101,11 @@ public final class TrainerOrders {
         } else if (order instanceof Order.PushRobot push) {
             player(push.player()).ifPresent(player -> player.robot().push(push.newtons()));
         } else if (order instanceof Order.RepelSelectedRobot) {
-            selected().ifPresent(trainer::moveTowardsOwnGoal);
+            selected().ifPresent(match::moveTowardsOwnGoal);
         } else if (order instanceof Order.KillRobot kill) {
             forPlayer(kill.player(), cycle::removeRobot);
         } else if (order instanceof Order.RepositionRobot reposition) {
-            forPlayer(reposition.player(), trainer::putBesidePitch);
+            forPlayer(reposition.player(), match::putBesidePitch);
         }
     }
 

@@ -36,7 +36,7 @@ public final class Snapshots {
                 state.score(TeamSide.RIGHT),
                 state.half(),
                 world.ball().position(),
-                world.ball().rotation().toTurn(),
+                world.ball().rotation().toQuaternion(),
                 robots(participants),
                 world.things().now(),
                 false,

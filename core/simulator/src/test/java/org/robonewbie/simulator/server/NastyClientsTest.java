@@ -128,7 +128,7 @@ class NastyClientsTest {
             agents.add(twelfth);
             twelfth.exchange(SCENE);
             twelfth.send("(init (unum 0)(teamname Stars))");
-            awaitSaid("has all of its 11 players already");
+            awaitSaid("already has all 11 players");
             twelfth.send("(init (unum 12)(teamname Moons))");
             awaitSaid("number 12 does not exist; choose 1 to 11");
         } finally {
@@ -219,7 +219,7 @@ class NastyClientsTest {
                             .orElseThrow()
                             .number())
                     .isEmpty();
-            awaitSaid("a third team \"Suns\" cannot");
+            awaitSaid("there is no room for team \"Suns\"");
             awaitSaid("number 1 of team \"Moons\" is taken");
         }
     }

@@ -100,6 +100,7 @@ class ChildProcessTest {
         ProcessHandle child;
         try (ChildProcess process = start(HasAChild.class, Limits.UNTIMED)) {
             child = ProcessHandle.of(Long.parseLong(lines.take())).orElseThrow();
+            assertThat(process.isRunning()).isTrue();
         }
 
         child.onExit().join();
