@@ -34,8 +34,9 @@ class MistakesTest {
                     .filteredOn(line -> line.contains("the robot continues"))
                     .singleElement()
                     .asString()
-                    .endsWith("think() failed with java.lang.ArithmeticException: / by zero; the robot continues with the"
-                            + " next step. (DivideByZero.java:23)");
+                    .endsWith(
+                            "think() failed with java.lang.ArithmeticException: / by zero; the robot continues with the"
+                                    + " next step. (DivideByZero.java:23)");
             assertThat(program.lines()).anyMatch(line -> line.contains("cycle at 1.98"));
         }
     }
