@@ -23,13 +23,13 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
 
-/** The other side of a {@link RobotProcess}: runs a robot with the student's program for each call, and answers why it has gone. */
+/** Child side of a {@link RobotProcess}: runs a robot with the student's program for each call and reports why it has left. */
 final class RobotHost {
 
-    /** Answers that the program can be started. */
+    /** Reports that the program has been loaded. */
     static final String READY = "ready";
 
-    /** Begins the answer that says what makes the program slow. */
+    /** Prefix of the answer that reports why the program is slow. */
     static final String SLOW = "slow ";
 
     private static final String HERE = "127.0.0.1";
@@ -45,9 +45,9 @@ final class RobotHost {
     }
 
     /**
-     * A robot that is wanted.
+     * Request for a robot.
      *
-     * @param id its number, with which answers begin
+     * @param id identifier, with which answers begin
      * @param door TCP port of the trial, or name of its socket in the sandbox
      */
     record Call(int id, String door, String team, int number, TeamSide side) {
@@ -111,8 +111,8 @@ final class RobotHost {
                 play(connection);
             } catch (VirtualMachineError exhausted) {
                 throw exhausted;
-            } catch (IOException judgeIsGone) {
-                // Then the reason does not matter.
+            } catch (IOException disconnected) {
+                // The reason does not matter then.
             } catch (RuntimeException | Error mistake) {
                 leave(new Departure(Cause.THROWN, ProgramPlace.of(mistake), ""));
             } finally {
@@ -160,7 +160,7 @@ final class RobotHost {
             }
         }
 
-        /** A program that sleeps in its cycles would take minutes for a trial; one that computes too much may be right all the same. */
+        /** Ends a program that sleeps in its cycles, since a trial would take minutes. Slow computation is only reported. */
         private void noteSlowness(Slowness slowness) {
             String place = " at " + slowness.cause().place();
             Departure idle =
@@ -171,7 +171,7 @@ final class RobotHost {
             }
         }
 
-        /** Answers once, and before the connection ends, whatever the program is doing. */
+        /** Reports the reason once, before the connection is closed. */
         private synchronized void leave(Departure why) {
             if (!gone) {
                 gone = true;

@@ -73,7 +73,7 @@ class ProgramMainTest {
                 }
                 """);
 
-        try (GuestDoor door = GuestDoor.open(0, 0);
+        try (GuestDoor door = GuestDoor.open(0);
                 ChildProcess process = start(ProgramMain.ROBOTS, "Exits.java", new ClassPath(List.of()).text())) {
             String ready = answers.take();
             play(door, process, 1, "First");

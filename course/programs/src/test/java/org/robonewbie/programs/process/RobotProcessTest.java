@@ -97,7 +97,7 @@ class RobotProcessTest {
             assertThat(program.exitCode()).isEqualTo(2);
             assertThat(program.isReady()).isFalse();
             assertThat(lines)
-                    .anyMatch(line -> line.contains("An exercise wants a class that extends Agent; Mover does not"));
+                    .anyMatch(line -> line.contains("An exercise needs a class that extends Agent; Mover does not"));
         }
     }
 
@@ -111,7 +111,7 @@ class RobotProcessTest {
 
     private RobotProcess start(Sandbox sandbox) throws IOException {
         RobotProcess.Request request = new RobotProcess.Request("Mover.java", List.of(), folder, true);
-        return RobotProcess.start(request, sandbox, lines::add);
+        return new RobotProcess(request, sandbox, lines::add);
     }
 
     private void write(String imports, String step) throws IOException {

@@ -1,4 +1,4 @@
-package org.robonewbie.app.marking;
+package org.robonewbie.exercises.marking;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -9,21 +9,21 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.robonewbie.competition.result.Html;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.text.Csv;
+import org.robonewbie.nao.text.Html;
 
 /**
- * The marks of a class, a line for each student and a column for each exercise.
+ * Table of the grades of a class, with a row for each student and a column for each exercise.
  *
  * @param exercises the columns
- * @param students the lines
- * @param marks what was graded
- * @param troubles what could not be graded, by student
- * @param copies programs that are alike, and which could not be compared
- * @param seeds how many trials each program had
+ * @param students the rows
+ * @param marks the grades
+ * @param troubles reasons why something could not be graded, by student
+ * @param copies result of the plagiarism check
+ * @param seeds the number of trials of each program
  */
 record ClassTable(
         List<Exercise> exercises,
@@ -54,7 +54,7 @@ record ClassTable(
 
     private static final String IDENTICAL = "identical files";
 
-    /** Writes all files into a folder and returns the page. */
+    /** Writes all files into a folder and returns the HTML page. */
     Path write(Path folder) throws IOException {
         AtomicFile.write(folder.resolve("grades.csv"), csv());
         AtomicFile.write(folder.resolve("findings.csv"), findings());
@@ -64,7 +64,7 @@ record ClassTable(
         return page;
     }
 
-    /** How many programs are alike, and what could not be compared, in sentences. */
+    /** Summarises the plagiarism check in sentences. */
     String sentence() {
         List<CopyCheck.Pair> pairs = copies.pairs();
         int comparable = copies.comparisons().stream()
@@ -75,7 +75,7 @@ record ClassTable(
             case 0 ->
                 comparable == 0
                         ? "No programs could be compared with each other."
-                        : "Of " + comparable + " programs that could be compared no two are alike.";
+                        : "None of the " + comparable + " compared programs are alike.";
             case 1 ->
                 "One pair of programs is alike: " + pairs.get(0).first() + " and "
                         + pairs.get(0).second() + ", " + pairs.get(0).exercise() + ".";
@@ -96,8 +96,8 @@ record ClassTable(
                 .collect(Collectors.joining(", "));
         return switch (exercises.size()) {
             case 0 -> "";
-            case 1 -> "1 exercise has too little of the students' own to compare (" + names + ").";
-            default -> exercises.size() + " exercises have too little of the students' own to compare (" + names + ").";
+            case 1 -> "1 exercise has too little original code to compare (" + names + ").";
+            default -> exercises.size() + " exercises have too little original code to compare (" + names + ").";
         };
     }
 
@@ -106,7 +106,7 @@ record ClassTable(
                 .filter(each -> each.unchanged() > 0)
                 .map(each -> each.exercise() + ": " + each.unchanged())
                 .collect(Collectors.joining(", "));
-        return names.isEmpty() ? "" : "The program to begin with was handed in as it is (" + names + ").";
+        return names.isEmpty() ? "" : "Unchanged start code was submitted (" + names + ").";
     }
 
     private String csv() {
@@ -172,8 +172,8 @@ record ClassTable(
         String rows = students.stream().map(this::row).collect(Collectors.joining());
         return Html.page("Grades", STYLE, """
             <h1>Grades</h1>
-            <p class="note">Mean points of %d trials each; green: all trials passed, yellow: not all, red: the program could not be
-            tried. Rest the mouse on a cell to see what was measured.</p>
+            <p class="note">Mean points of %d trials each. Green: all trials passed; yellow: some failed; red: the program could not be
+            started. Hover over a cell to see what was measured.</p>
             <div class="wide"><table>
             <thead><tr><th>Student</th><th>Points</th><th>Passed</th>%s</tr></thead>
             <tbody>
@@ -218,12 +218,12 @@ record ClassTable(
         return """
                 <h2>Programs that are alike</h2>
                 <p>%s</p>
-                <p class="note">Compared without comments, layout, names that the authors gave, and numbers; the program to begin with
-                does not count. Ask both authors to explain their program before you judge.</p>
+                <p class="note">Comments, layout, the authors' names and numbers are ignored, and so is the start code. Ask both authors to explain
+                their program before you judge.</p>
                 %s""".formatted(Html.text(sentence()), table);
     }
 
-    /** What is wrong with the student's programs that could not be tried. */
+    /** Returns why programs of the student could not be graded. */
     private String note(String student) {
         Stream<String> broken = marks.stream()
                 .filter(mark -> mark.student().equals(student) && mark.grade().isEmpty())

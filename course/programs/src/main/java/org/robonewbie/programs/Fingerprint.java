@@ -1,4 +1,4 @@
-package org.robonewbie.competition.team;
+package org.robonewbie.programs;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -10,22 +10,21 @@ import java.security.DigestInputStream;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
-import java.util.List;
 import org.robonewbie.nao.file.SubmittedFolder;
 
-/** A checksum by which a changed program, or another trial, is noticed. */
+/** Checksum of everything that a result depends on, such as the files of a program. */
 public final class Fingerprint {
 
     private static final int DIGITS = 16;
 
     private final MessageDigest digest;
 
-    /** Creates the checksum of nothing. */
+    /** Creates an empty checksum. */
     public Fingerprint() {
         try {
             digest = MessageDigest.getInstance("SHA-256");
         } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("This Java has no SHA-256, which every Java must have", e);
+            throw new IllegalStateException("This Java has no SHA-256, although the specification requires it", e);
         }
     }
 
@@ -41,20 +40,22 @@ public final class Fingerprint {
         return this;
     }
 
-    Fingerprint add(InputStream bytes) throws IOException {
+    /**
+     * Adds the bytes of a stream.
+     *
+     * @param bytes the stream, which is read to its end
+     * @return this
+     * @throws IOException if it cannot be read
+     */
+    public Fingerprint add(InputStream bytes) throws IOException {
         digest.update(bytes.readAllBytes());
         return this;
-    }
-
-    /** Adds a file, or all that counts of a folder. */
-    Fingerprint add(Path place) throws IOException {
-        return add(TeamFolder.of(place, List.of()));
     }
 
     /**
      * Adds names and contents of all files.
      *
-     * @param folder what was handed in
+     * @param folder the submission
      * @return this
      * @throws IOException if a file is refused or cannot be read
      */
@@ -67,7 +68,7 @@ public final class Fingerprint {
     }
 
     /**
-     * Calculates the whole SHA-256 of a file, as {@code sha256sum} prints it.
+     * Returns the complete SHA-256 of a file, as {@code sha256sum} prints it.
      *
      * @param file the file
      * @return 64 hexadecimal digits
@@ -81,7 +82,7 @@ public final class Fingerprint {
         return HexFormat.of().formatHex(digest.digest());
     }
 
-    /** {@return the checksum of all that has been added; it can be asked for once} */
+    /** {@return the checksum of everything that has been added; call once} */
     public String text() {
         return HexFormat.of().formatHex(digest.digest()).substring(0, DIGITS);
     }

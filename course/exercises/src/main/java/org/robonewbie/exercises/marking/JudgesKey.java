@@ -1,4 +1,4 @@
-package org.robonewbie.app.marking;
+package org.robonewbie.exercises.marking;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -14,8 +14,8 @@ import javax.crypto.Mac;
 import javax.crypto.spec.SecretKeySpec;
 
 /**
- * The key with which a judge signs the marks that it keeps (HMAC-SHA256, RFC 2104), so that a mark that a program has written counts as
- * none. It lies in the home folder, readable for its owner only: programs that run as the owner can read it, too.
+ * Key that signs stored grades (HMAC-SHA256, RFC 2104), so that a grade forged by a program is ignored. The key is in the home folder and
+ * readable for its owner only. Programs that run as the owner outside of a sandbox can read it too.
  */
 final class JudgesKey {
 
@@ -28,12 +28,12 @@ final class JudgesKey {
         this.key = key.clone();
     }
 
-    /** The key of this user. */
+    /** Returns the key of this user. */
     static JudgesKey ofUser() {
         return of(Path.of(System.getProperty("user.home", "."), ".robonewbie", "judges-key"));
     }
 
-    /** The key in a file, which is made if it does not exist; where it cannot be kept, it lasts as long as this program. */
+    /** Returns the key in a file, which is created if it does not exist. If it cannot be stored, the key lasts as long as this process. */
     static JudgesKey of(Path file) {
         byte[] fresh = new byte[BYTES];
         new SecureRandom().nextBytes(fresh);
@@ -47,10 +47,10 @@ final class JudgesKey {
         }
     }
 
-    /** Of two judges that begin at the same time the first one decides. */
+    /** Stores a new key, unless another process stores one at the same time. */
     private static void keep(byte[] fresh, Path file) throws IOException {
         Path folder = Files.createDirectories(Objects.requireNonNull(file.getParent()));
-        Path draft = Files.createTempFile(folder, "judges-key", ".new"); // only its owner may read it
+        Path draft = Files.createTempFile(folder, "judges-key", ".new"); // readable for its owner only
         try {
             Files.writeString(draft, HexFormat.of().formatHex(fresh));
             Files.move(draft, file);
@@ -61,7 +61,6 @@ final class JudgesKey {
         }
     }
 
-    /** Signs a text. */
     String sign(String text) {
         try {
             Mac mac = Mac.getInstance(ALGORITHM);
@@ -69,11 +68,11 @@ final class JudgesKey {
             return HexFormat.of().formatHex(mac.doFinal(text.getBytes(StandardCharsets.UTF_8)));
         } catch (GeneralSecurityException impossible) {
             throw new IllegalStateException(
-                    "This Java has no " + ALGORITHM + ", which each Java must have", impossible);
+                    "This Java has no " + ALGORITHM + ", although the specification requires it", impossible);
         }
     }
 
-    /** Whether a signature is that of a text. */
+    /** Returns whether a signature belongs to a text. */
     boolean hasSigned(String text, String signature) {
         return MessageDigest.isEqual(
                 sign(text).getBytes(StandardCharsets.UTF_8), signature.getBytes(StandardCharsets.UTF_8));

@@ -1,4 +1,4 @@
-package org.robonewbie.app.marking;
+package org.robonewbie.exercises.marking;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -19,8 +19,8 @@ import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.programs.CalledWronglyException;
 
 /**
- * What a class has handed in: a folder for each student, or files named after student and class, such as {@code anna_Kick.java}. A
- * program belongs to the exercise whose class it has.
+ * Submissions of a class: a folder for each student, or files named after student and class, such as {@code anna_Kick.java}. A program
+ * belongs to the exercise with the name of its class.
  */
 final class ClassFolder {
 
@@ -39,16 +39,16 @@ final class ClassFolder {
     /**
      * Reads a folder.
      *
-     * @param folder what was handed in
-     * @param exercises the exercises that count
-     * @param copies folder for copies of what is admitted, which are graded
-     * @param results folder of the results, which may lie in that of the class
-     * @throws CalledWronglyException if there is nothing to be graded
+     * @param folder the folder
+     * @param exercises the exercises to grade
+     * @param copies folder for copies of the accepted files, which are graded
+     * @param results folder of the results, which is ignored if it is inside of {@code folder}
+     * @throws CalledWronglyException if there is nothing to grade
      */
     static ClassFolder read(Path folder, List<Exercise> exercises, Path copies, Path results) throws IOException {
         if (!Files.isDirectory(folder)) {
             throw new CalledWronglyException(
-                    "There is no folder " + folder + ". It has to have one folder for each student, with .java files.");
+                    "There is no folder " + folder + ". It must contain a folder for each student, with .java files.");
         }
         ClassFolder all = new ClassFolder(exercises, copies);
         try (Stream<Path> entries = Files.list(folder)) {
@@ -61,19 +61,19 @@ final class ClassFolder {
         }
         if (all.submissions.isEmpty()) {
             throw new CalledWronglyException(
-                    "The folder " + folder + " has no programs. It has to have one folder for each"
+                    "The folder " + folder + " has no programs. It must contain a folder for each"
                             + " student, such as " + folder.resolve("anna") + ", with files such as "
                             + exercises.get(0).className() + JAVA + ".");
         }
         return all;
     }
 
-    /** All students with their programs, in the order of their names; the same exercise appears once. */
+    /** Returns the programs of all students, sorted by name, with at most one for each exercise. */
     Map<String, List<Submission>> submissions() {
         return Collections.unmodifiableMap(submissions);
     }
 
-    /** Why there is something that cannot be graded, by student. */
+    /** Returns the reasons why something cannot be graded, by student. */
     Map<String, String> troubles() {
         return Collections.unmodifiableMap(troubles);
     }
@@ -85,7 +85,6 @@ final class ClassFolder {
         }
         Optional<String> unreadable = PathEncoding.problem(entry.toString());
         if (unreadable.isPresent()) {
-            submissions.computeIfAbsent(name, any -> new ArrayList<>());
             trouble(name, unreadable.get());
             return;
         }
@@ -97,7 +96,6 @@ final class ClassFolder {
     }
 
     private void addStudent(String student, Path folder) throws IOException {
-        submissions.computeIfAbsent(student, any -> new ArrayList<>());
         Path copy = copies.resolve(student);
         try {
             new SubmittedFolder(folder, ClassFolder::isLeftOut).copyTo(copy);
@@ -121,7 +119,7 @@ final class ClassFolder {
         }
     }
 
-    /** Hidden folders and those of builds do not count. */
+    /** Returns whether a folder is hidden or contains build output. */
     private static boolean isLeftOut(Path folder) {
         String name = String.valueOf(folder.getFileName());
         return name.startsWith(".") || name.equals("target") || name.equals("__MACOSX");
@@ -132,28 +130,21 @@ final class ClassFolder {
         return name.endsWith(JAVA) && !name.startsWith(".");
     }
 
-    /** A file whose name also says whose it is; Java wants it to be named after its class alone. */
+    /** Adds a file such as {@code anna_Kick.java}. Its copy is named after the class, as Java requires. */
     private void addFlat(String name, Path file) throws IOException {
         String type = typeOf(name);
         Optional<Exercise> exercise = exercises.stream()
-                .filter(each -> type.endsWith(each.className())
-                        && type.length() > each.className().length() + 1)
-                .filter(each -> "_-. "
-                                .indexOf(type.charAt(
-                                        type.length() - each.className().length() - 1))
-                        >= 0)
+                .filter(each -> type.matches("(?s).+[-_. ]" + each.className()))
                 .findFirst();
         if (exercise.isEmpty()) {
-            submissions.computeIfAbsent(type, any -> new ArrayList<>());
             trouble(
                     type,
-                    "The file " + name + " does not say whose it is and for which exercise: anna_"
-                            + exercises.get(0).className() + JAVA + " would.");
+                    "The file " + name + " does not name student and exercise. Rename it, for example to anna_"
+                            + exercises.get(0).className() + JAVA + ".");
             return;
         }
         String student =
                 type.substring(0, type.length() - exercise.get().className().length() - 1);
-        submissions.computeIfAbsent(student, any -> new ArrayList<>());
         try {
             Path admitted = new SubmittedFolder(file, place -> false).files().get(0);
             Path folder = Files.createDirectories(copies.resolve(student));
@@ -166,7 +157,7 @@ final class ClassFolder {
     }
 
     private void addSubmission(Submission submission) {
-        List<Submission> own = submissions.getOrDefault(submission.student(), new ArrayList<>());
+        List<Submission> own = submissions.computeIfAbsent(submission.student(), any -> new ArrayList<>());
         Optional<Submission> before = own.stream()
                 .filter(other -> other.exercise().equals(submission.exercise()))
                 .findFirst();
@@ -181,6 +172,7 @@ final class ClassFolder {
     }
 
     private void trouble(String student, String sentence) {
+        submissions.computeIfAbsent(student, any -> new ArrayList<>());
         troubles.merge(student, sentence, (first, second) -> first + " " + second);
     }
 

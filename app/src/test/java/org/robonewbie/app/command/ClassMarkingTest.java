@@ -1,4 +1,4 @@
-package org.robonewbie.app.marking;
+package org.robonewbie.app.command;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -113,7 +113,7 @@ class ClassMarkingTest {
         Printed printed = Printed.by("grade", "--class", empty.toString());
 
         assertThat(printed.exitCode()).isEqualTo(2);
-        assertThat(printed.err()).contains("has no programs. It has to have one folder for each student");
+        assertThat(printed.err()).contains("has no programs. It must contain a folder for each student");
     }
 
     @Test

@@ -1,4 +1,4 @@
-package org.robonewbie.app.course;
+package org.robonewbie.exercises.marking;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -11,7 +11,7 @@ import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.nao.text.ConfusableCharacter;
 import org.robonewbie.programs.CalledWronglyException;
 
-/** Answers of a course, as means by experience in robotics and in Java; answers go from 1 to 5, and none may be missing. */
+/** Means of the evaluation forms of a course, by experience in robotics and in Java. Answers are numbers from 1 to 5. */
 public final class EvaluationSummary {
 
     private static final List<String> EXPERIENCES = List.of("robotics", "java");
@@ -25,7 +25,7 @@ public final class EvaluationSummary {
         this.answers = answers;
     }
 
-    /** Participants with an experience from {@code least} to {@code most}. */
+    /** Participants with an experience between two bounds. */
     private record Group(String name, String experience, double least, double most) {}
 
     /**
@@ -33,7 +33,7 @@ public final class EvaluationSummary {
      *
      * @param file one line of answers per participant
      * @return the means
-     * @throws CalledWronglyException if the file cannot be read or understood; its message names file and line
+     * @throws CalledWronglyException if the file cannot be read or parsed; the message names file and line
      */
     public static EvaluationSummary of(Path file) {
         try {
@@ -47,14 +47,15 @@ public final class EvaluationSummary {
 
     static EvaluationSummary of(List<String> lines) {
         if (lines.isEmpty()) {
-            throw new CalledWronglyException("The file is empty. Its first line names the questions.");
+            throw new CalledWronglyException(
+                    "The file is empty. Its first line must contain the names of the questions.");
         }
         ConfusableCharacter.firstIn(lines.get(0)).ifPresent(character -> {
             throw new CalledWronglyException("Line 1: in \"" + lines.get(0) + "\" " + character + ".");
         });
         List<String> questions = cells(lines.get(0).toLowerCase(Locale.ROOT));
         if (questions.stream().distinct().count() < questions.size()) {
-            throw new CalledWronglyException("Line 1: two questions have the same name. Give each another one.");
+            throw new CalledWronglyException("Line 1: two questions have the same name. Rename one of them.");
         }
         List<double[]> answers = new ArrayList<>();
         for (int i = 1; i < lines.size(); i++) {
@@ -89,13 +90,13 @@ public final class EvaluationSummary {
     }
 
     private void append(StringBuilder table, Group group) {
-        List<double[]> people =
+        List<double[]> members =
                 answers.stream().filter(answer -> belongs(answer, group)).toList();
-        table.append(String.format("%-16s%8d", group.name, people.size()));
+        table.append(String.format("%-16s%8d", group.name, members.size()));
         for (int i = 0; i < questions.size(); i++) {
             int column = i;
             OptionalDouble mean =
-                    people.stream().mapToDouble(answer -> answer[column]).average();
+                    members.stream().mapToDouble(answer -> answer[column]).average();
             table.append(
                     mean.isPresent() ? String.format(Locale.ROOT, "  %11.2f", mean.getAsDouble()) : "            -");
         }
@@ -123,7 +124,7 @@ public final class EvaluationSummary {
         return answers;
     }
 
-    /** The cells of a line, without the quotation marks that spreadsheets put around them. */
+    /** Splits a line into cells and removes the quotation marks of spreadsheets. */
     private static List<String> cells(String line) {
         return Stream.of(line.strip().split(SEPARATOR, -1))
                 .map(cell -> cell.strip().replaceFirst("^\"(.*)\"$", "$1").strip())
@@ -133,7 +134,7 @@ public final class EvaluationSummary {
     private static double number(String word, int line) {
         if (!word.matches("[1-5]")) {
             throw new CalledWronglyException(
-                    "Line " + line + ": \"" + word + "\" is no answer. Answers go from 1 to 5.");
+                    "Line " + line + ": \"" + word + "\" is not an answer. Answers are numbers from 1 to 5.");
         }
         return Double.parseDouble(word);
     }

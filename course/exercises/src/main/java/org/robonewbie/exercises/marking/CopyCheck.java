@@ -1,4 +1,4 @@
-package org.robonewbie.app.marking;
+package org.robonewbie.exercises.marking;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -12,35 +12,35 @@ import org.robonewbie.nao.file.RegularFile;
 import org.robonewbie.nao.file.TextFile;
 import org.robonewbie.nao.file.UnreadableFileException;
 
-/** Finds programs of a class that are too much alike to be the work of two people. The program to begin with does not count. */
+/** Plagiarism check: finds programs of a class that are too similar to be independent. The start code of the exercise is ignored. */
 final class CopyCheck {
 
-    /** Programs with less of their own than this are alike by themselves. */
-    private static final int LEAST_OWN_RUNS = 40;
+    /** Programs with less original code than this are similar by chance. */
+    private static final int MIN_OWN_RUNS = 40;
 
-    private static final double ALIKE = 0.8;
+    private static final double MIN_LIKENESS = 0.8;
 
     private CopyCheck() {}
 
     /**
-     * Two programs that are alike.
+     * Two similar programs.
      *
      * @param exercise full name of the exercise
      * @param first a student
-     * @param second another one
-     * @param likeness share of the shorter program that is in the other one, 0 to 1
-     * @param sameNumbers share of the numbers that are the same, 0 to 1
-     * @param identical whether the two files are the same, letter by letter
+     * @param second another student
+     * @param likeness share of the shorter program that is contained in the other one, 0 to 1
+     * @param sameNumbers share of equal numbers, 0 to 1
+     * @param identical whether the two files are equal
      */
     record Pair(String exercise, String first, String second, double likeness, double sameNumbers, boolean identical) {}
 
     /**
-     * What the programs of one exercise show.
+     * Statistics of the programs of one exercise.
      *
      * @param exercise its name
-     * @param programs how many programs there are
-     * @param comparable how many of them hold enough of their authors' own to be compared
-     * @param unchanged how many of them are the program to begin with
+     * @param programs the number of programs
+     * @param comparable the number of programs with enough original code to be compared
+     * @param unchanged the number of programs that equal the start code
      */
     record Comparison(String exercise, int programs, int comparable, int unchanged) {
 
@@ -50,14 +50,14 @@ final class CopyCheck {
     }
 
     /**
-     * What was found.
+     * Result of the check.
      *
-     * @param pairs programs that are alike, those that are most alike first
-     * @param comparisons what was compared, by exercise
+     * @param pairs similar programs, the most similar ones first
+     * @param comparisons statistics by exercise
      */
     record Result(List<Pair> pairs, List<Comparison> comparisons) {
 
-        /** {@return exercises with programs that could not be compared; empty if all could} */
+        /** {@return exercises with programs that could not be compared} */
         List<Comparison> incomplete() {
             return comparisons.stream().filter(each -> !each.isComplete()).toList();
         }
@@ -110,7 +110,7 @@ final class CopyCheck {
         boolean identical = first.text().equals(second.text());
         boolean comparable = isComparable(first, given) && isComparable(second, given);
         double likeness = identical ? 1 : comparable ? first.shape().similarityTo(second.shape(), given) : 0;
-        return likeness < ALIKE
+        return likeness < MIN_LIKENESS
                 ? Optional.empty()
                 : Optional.of(new Pair(
                         exercise.fullName(),
@@ -122,10 +122,10 @@ final class CopyCheck {
     }
 
     private static boolean isComparable(Program program, SourceShape given) {
-        return program.shape().ownRuns(given) >= LEAST_OWN_RUNS;
+        return program.shape().ownRuns(given) >= MIN_OWN_RUNS;
     }
 
-    /** The text without what editors change by themselves: line ends, a byte order mark, blanks at the ends of lines. */
+    /** Returns the text without differences made by editors: line ends, a byte order mark, trailing blanks. */
     private static String plain(String text) {
         return text.replace("\uFEFF", "")
                 .lines()
@@ -134,7 +134,7 @@ final class CopyCheck {
                 .strip();
     }
 
-    /** The text of a program; of a file that is no text its bytes in hexadecimal, which only a copy of it has too. */
+    /** Returns the text of a program, or its bytes in hexadecimal if it is not text. */
     private static String text(Submission submission) {
         try {
             return TextFile.read(submission.file()).content();

@@ -1,16 +1,16 @@
-package org.robonewbie.app.marking;
+package org.robonewbie.exercises.marking;
 
 import java.util.Optional;
 import org.robonewbie.exercises.Grade;
 import org.robonewbie.exercises.Score;
 
 /**
- * What a student has earned in one exercise.
+ * Result of a student in one exercise.
  *
  * @param student name of the student
  * @param exercise name of the exercise
- * @param grade the grade; empty if the program could not begin
- * @param reason why it could not begin, such as the compiler's first message; empty with a grade
+ * @param grade the grade; empty if the program could not be started
+ * @param reason why it could not be started, such as the first error of the compiler; empty with a grade
  */
 record Mark(String student, String exercise, Optional<Grade> grade, String reason) {
 
@@ -22,7 +22,7 @@ record Mark(String student, String exercise, Optional<Grade> grade, String reaso
         return grade.map(Grade::passed).orElse(false);
     }
 
-    /** What was measured in the first trial that failed, or why there was none. */
+    /** Returns the finding of the first failed trial, or why there was no trial. */
     String finding() {
         return grade.stream()
                 .flatMap(given -> given.trials().stream().map(Grade.SeededScore::score))

@@ -1,4 +1,4 @@
-package org.robonewbie.app.marking;
+package org.robonewbie.exercises.marking;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

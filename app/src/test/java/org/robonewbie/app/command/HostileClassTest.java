@@ -1,4 +1,4 @@
-package org.robonewbie.app.marking;
+package org.robonewbie.app.command;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -7,7 +7,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.Objects;
 import org.junit.jupiter.api.BeforeEach;
@@ -149,7 +148,7 @@ class HostileClassTest {
 
         Printed again = grade(fence);
 
-        String repaired = "Kept marks that were changed while programs ran, and are again as the judge gave them: 1.";
+        String repaired = "Stored grades that were changed while programs ran, and have been restored: 1.";
         assertThat(again.out()).contains("1 of them graded before");
         assertThat(again.out().contains(repaired)).isEqualTo(fence.equals("none"));
         assertThat(grades()).contains("zoe,10.0,10.0,1", "anna,0.0");
@@ -211,7 +210,7 @@ class HostileClassTest {
             assertThat(printed.exitCode()).isEqualTo(2);
             assertThat(printed.err())
                     .contains("Another grading is using the folder " + folder.resolve("class-grades")
-                            + ". Wait for its end, or choose another folder with --results.");
+                            + ". Wait until it ends, or choose another folder with --results.");
         }
     }
 
@@ -225,19 +224,6 @@ class HostileClassTest {
                 "grade", "raise-arms", "--class", folder.resolve("class").toString(), "--results", results.toString());
 
         assertThat(printed.out()).contains("1 students, 1 programs");
-    }
-
-    @Test
-    void keyOfTheJudgeIsReadableForItsOwnerOnly() throws IOException {
-        Path file = folder.resolve("home/judges-key");
-
-        String signature = JudgesKey.of(file).sign("a mark");
-
-        assertThat(Files.getPosixFilePermissions(file)).isEqualTo(PosixFilePermissions.fromString("rw-------"));
-        assertThat(JudgesKey.of(file).hasSigned("a mark", signature)).isTrue();
-        assertThat(JudgesKey.of(file).hasSigned("another mark", signature)).isFalse();
-        assertThat(JudgesKey.of(folder.resolve("other/judges-key")).hasSigned("a mark", signature))
-                .isFalse();
     }
 
     private void shell(String command) throws Exception {

@@ -1,8 +1,7 @@
-package org.robonewbie.app.marking;
+package org.robonewbie.exercises.marking;
 
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
-import com.google.gson.JsonParseException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -16,9 +15,9 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.file.RegularFile;
 
 /**
- * Marks that are kept in a folder, one file for each student and exercise, so that a program that has not changed is not graded twice.
- * A file carries the fingerprint of all that the mark depends on, and the judge's signature. Files are read before the first program
- * runs; afterwards only what the judge remembers counts, and {@link #repair} writes it again.
+ * Stored grades in a folder, one file for each student and exercise, so that unchanged programs are not graded again. A file contains the
+ * checksum of everything that the grade depends on, and a signature. Files are read before the first program runs; afterwards the copy in
+ * memory is authoritative, and {@link #repair} restores the files from it.
  */
 final class KeptMarks {
 
@@ -30,17 +29,17 @@ final class KeptMarks {
     private final Map<Path, String> remembered = new TreeMap<>();
 
     /**
-     * Opens the marks.
+     * Opens a folder.
      *
-     * @param folder where they are
-     * @param key signs them
+     * @param folder the folder
+     * @param key key of the signatures
      */
     KeptMarks(Path folder, JudgesKey key) {
         this.folder = folder;
         this.key = key;
     }
 
-    /** What a file holds; anything may be missing. */
+    /** Content of a file; any part may be missing. */
     private record Kept(
             @Nullable String fingerprint,
             @Nullable Grade grade,
@@ -52,7 +51,7 @@ final class KeptMarks {
         }
     }
 
-    /** Looks for the mark of a program that has not changed since. */
+    /** Returns the grade of a program; empty if there is none or the checksum differs. */
     synchronized Optional<Mark> find(Submission submission, String fingerprint) {
         try {
             String text = read(file(submission));
@@ -67,9 +66,7 @@ final class KeptMarks {
                             Optional.ofNullable(read.reason()).orElse("")));
             mark.ifPresent(found -> remembered.put(file(submission), text));
             return mark;
-        } catch (IOException | JsonParseException unreadable) {
-            return Optional.empty();
-        } catch (RuntimeException nonsense) {
+        } catch (IOException | RuntimeException unreadable) {
             return Optional.empty();
         }
     }
@@ -83,7 +80,7 @@ final class KeptMarks {
         AtomicFile.write(file, text);
     }
 
-    /** Writes each mark again that was changed while programs ran, and returns how many were. */
+    /** Restores the files that were changed while programs ran, and returns their number. */
     synchronized int repair() throws IOException {
         int changed = 0;
         for (Map.Entry<Path, String> mark : remembered.entrySet()) {
@@ -112,7 +109,7 @@ final class KeptMarks {
         return key.hasSigned(signedText(submission, kept.signedWith(null)), signature);
     }
 
-    /** A mark belongs to one student and one exercise. */
+    /** Returns the signed text, which includes student and exercise. */
     private static String signedText(Submission submission, Kept kept) {
         return GSON.toJson(
                 new String[] {submission.student(), submission.exercise().fullName(), GSON.toJson(kept)});

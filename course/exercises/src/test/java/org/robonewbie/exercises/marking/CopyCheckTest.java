@@ -1,4 +1,4 @@
-package org.robonewbie.app.marking;
+package org.robonewbie.exercises.marking;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -57,8 +57,8 @@ class CopyCheckTest {
                 .matches(pair -> pair.first().equals("anna") && pair.second().equals("ben"));
         assertThat(sentence(result))
                 .isEqualTo(
-                        "One pair of programs is alike: anna and ben, 02-stop-at-30. 1 exercise has too little of the"
-                                + " students' own to compare (stop-at-30: none of 2).");
+                        "One pair of programs is alike: anna and ben, 02-stop-at-30. 1 exercise has too little original code"
+                                + " to compare (stop-at-30: none of 2).");
     }
 
     @Test
@@ -67,9 +67,8 @@ class CopyCheckTest {
         handIn("ben", "stop-at-30", start("stop-at-30").replace("}", "// 31\n}"));
 
         assertThat(sentence(CopyCheck.of(submissions)))
-                .isEqualTo(
-                        "No programs could be compared with each other. 1 exercise has too little of the students' own"
-                                + " to compare (stop-at-30: none of 2).");
+                .isEqualTo("No programs could be compared with each other. 1 exercise has too little original code"
+                        + " to compare (stop-at-30: none of 2).");
     }
 
     @Test
@@ -80,8 +79,8 @@ class CopyCheckTest {
         handIn("dora", "raise-arms", OWN.formatted("30"));
 
         assertThat(sentence(CopyCheck.of(submissions)))
-                .isEqualTo("Of 2 programs that could be compared no two are alike. 1 exercise has too little of the"
-                        + " students' own to compare (arm-by-side: 2 of 3 compared).");
+                .isEqualTo("None of the 2 compared programs are alike. 1 exercise has too little original code"
+                        + " to compare (arm-by-side: 2 of 3 compared).");
     }
 
     @Test
@@ -93,7 +92,7 @@ class CopyCheckTest {
         CopyCheck.Result result = CopyCheck.of(submissions);
 
         assertThat(result.pairs()).isEmpty();
-        assertThat(sentence(result)).endsWith("The program to begin with was handed in as it is (arm-by-side: 3).");
+        assertThat(sentence(result)).endsWith("Unchanged start code was submitted (arm-by-side: 3).");
     }
 
     @Test

@@ -1,4 +1,4 @@
-package org.robonewbie.competition.result;
+package org.robonewbie.nao.text;
 
 /** Self-contained HTML pages. */
 public final class Html {

@@ -1,4 +1,4 @@
-package org.robonewbie.app.marking;
+package org.robonewbie.exercises.marking;
 
 import java.util.ArrayList;
 import java.util.Collections;
@@ -7,17 +7,18 @@ import java.util.List;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import javax.lang.model.SourceVersion;
 
 /**
- * What a program looks like when comments, layout, the names that its author has given, and numbers are taken away. Of the rest all runs
- * of a few words are compared, so that methods may change places (the idea is that of MOSS, Schleimer, Wilkerson and Aiken 2003).
+ * Token n-grams of a program without comments, layout, the names that its author has chosen, and numbers. Comparing n-grams makes the
+ * order of methods irrelevant, as in MOSS (Schleimer, Wilkerson and Aiken 2003).
  *
- * @param runs all runs of words that follow each other
+ * @param runs all n-grams
  * @param numbers the numbers in their order
  */
 record SourceShape(Set<String> runs, List<String> numbers) {
 
-    /** How many words make a run: shorter ones are in each program, longer ones break at each change. */
+    /** Number of tokens in an n-gram: shorter ones occur in every program, longer ones break at every change. */
     private static final int LENGTH = 9;
 
     private static final Pattern WORD = Pattern.compile("""
@@ -27,54 +28,22 @@ record SourceShape(Set<String> runs, List<String> numbers) {
             |(?<name>[\\p{L}_$][\\p{L}\\p{N}_$]*)\
             |(?<sign>->|::|[-+*/%&|^=!<>]=|&&|\\|\\||\\+\\+|--|[^\\s])""");
 
-    private static final Set<String> KEYWORDS = Set.of(
-            "abstract",
-            "assert",
-            "break",
-            "case",
-            "catch",
-            "class",
-            "continue",
-            "default",
-            "do",
-            "else",
-            "enum",
-            "extends",
-            "final",
-            "finally",
-            "for",
-            "if",
-            "implements",
-            "import",
-            "instanceof",
-            "interface",
-            "new",
-            "package",
-            "private",
-            "protected",
-            "public",
-            "return",
-            "static",
-            "super",
-            "switch",
-            "this",
-            "throw",
-            "throws",
-            "try",
-            "while");
+    /** Keywords that are types, as names may be. */
+    private static final Set<String> PRIMITIVE_TYPES =
+            Set.of("boolean", "byte", "char", "double", "float", "int", "long", "short", "void");
 
     private static final Set<String> TYPE_HEADS = Set.of("class", "interface", "enum", "record");
     private static final Set<String> AFTER_A_DECLARED_NAME =
             Set.of("=", ";", ",", ")", "(", ":", "{", "extends", "implements");
-    private static final Set<String> LINES_THAT_DO_NOT_COUNT = Set.of("import", "package");
+    private static final Set<String> IGNORED_STATEMENTS = Set.of("import", "package");
 
-    /** Takes copies. */
+    /** Copies the collections. */
     SourceShape {
         runs = Collections.unmodifiableSet(new HashSet<>(runs));
         numbers = List.copyOf(numbers);
     }
 
-    /** Reads a program; it need not be correct. */
+    /** Parses a program, which may have errors. */
     static SourceShape of(String source) {
         List<String> words = new ArrayList<>();
         List<String> numbers = new ArrayList<>();
@@ -91,7 +60,7 @@ record SourceShape(Set<String> runs, List<String> numbers) {
         return new SourceShape(runs(plain(withoutImports(words))), numbers);
     }
 
-    /** The share of the smaller program that is in the other one too, without what is in what everybody got; 0 to 1. */
+    /** Returns the share of the smaller program that is contained in the other one, 0 to 1. N-grams of {@code given} are ignored. */
     double similarityTo(SourceShape other, SourceShape given) {
         Set<String> own = new HashSet<>(runs);
         own.removeAll(given.runs);
@@ -102,12 +71,12 @@ record SourceShape(Set<String> runs, List<String> numbers) {
         return smaller == 0 ? 0 : (double) own.size() / smaller;
     }
 
-    /** How much of the program is not in what everybody got, in runs. */
+    /** Returns the number of n-grams that are not in {@code given}. */
     int ownRuns(SourceShape given) {
         return (int) runs.stream().filter(run -> !given.runs.contains(run)).count();
     }
 
-    /** The share of numbers that both have, 0 to 1. */
+    /** Returns the share of common numbers, 0 to 1. */
     double sameNumbers(SourceShape other) {
         List<String> left = new ArrayList<>(other.numbers);
         long both = numbers.stream().filter(left::remove).count();
@@ -119,7 +88,7 @@ record SourceShape(Set<String> runs, List<String> numbers) {
         List<String> rest = new ArrayList<>();
         boolean skipping = false;
         for (String word : words) {
-            skipping |= LINES_THAT_DO_NOT_COUNT.contains(word);
+            skipping |= IGNORED_STATEMENTS.contains(word);
             if (!skipping) {
                 rest.add(word);
             }
@@ -128,7 +97,7 @@ record SourceShape(Set<String> runs, List<String> numbers) {
         return rest;
     }
 
-    /** Replaces the names that the author has given by one and the same; those of the framework stay. */
+    /** Replaces all names that the program declares by the same one. Names of the framework are kept. */
     private static List<String> plain(List<String> words) {
         Set<String> given = new HashSet<>();
         for (int i = 1; i < words.size() - 1; i++) {
@@ -147,7 +116,7 @@ record SourceShape(Set<String> runs, List<String> numbers) {
     }
 
     private static boolean isName(String word) {
-        return Character.isJavaIdentifierStart(word.charAt(0)) && !KEYWORDS.contains(word);
+        return SourceVersion.isName(word) || PRIMITIVE_TYPES.contains(word);
     }
 
     private static Set<String> runs(List<String> words) {

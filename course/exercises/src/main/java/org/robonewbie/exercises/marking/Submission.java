@@ -1,4 +1,4 @@
-package org.robonewbie.app.marking;
+package org.robonewbie.exercises.marking;
 
 import java.nio.file.Path;
 import org.robonewbie.exercises.Exercise;
@@ -7,8 +7,8 @@ import org.robonewbie.exercises.Exercise;
  * A student's program for one exercise.
  *
  * @param student name of the student or team
- * @param exercise what it is to solve
+ * @param exercise the exercise
  * @param file the program, in the folder
- * @param folder a copy of what the student has handed in, with the motions and other classes that it needs
+ * @param folder copy of all files of the student, with motions and other classes
  */
 record Submission(String student, Exercise exercise, Path file, Path folder) {}

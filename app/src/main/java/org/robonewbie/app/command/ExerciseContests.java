@@ -1,4 +1,4 @@
-package org.robonewbie.app.course;
+package org.robonewbie.app.command;
 
 import java.util.List;
 import org.robonewbie.competition.contest.ChallengeContest;
@@ -9,23 +9,23 @@ import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Score;
 import org.robonewbie.exercises.Task;
 
-/** Makes contests of exercises, judged as at home. */
-public final class ExerciseContests {
+/** Contests whose task is an exercise. */
+final class ExerciseContests {
 
-    /** What stands before the name of an exercise on the command line. */
-    public static final String PREFIX = "exercise:";
+    /** Prefix of an exercise on the command line. */
+    static final String PREFIX = "exercise:";
 
     private ExerciseContests() {}
 
     /**
-     * Makes a contest of an exercise. Programs are told a place as in any game, which is not where they start.
+     * Creates a contest. Programs receive a start position as in a match, which the exercise ignores.
      *
      * @param exercise the exercise
-     * @param rounds trials of each team, each with the next seed
+     * @param rounds the number of trials of each team, with consecutive seeds
      * @param conditions the seed of the first trial
      * @return the contest
      */
-    public static ChallengeContest of(Exercise exercise, int rounds, Conditions conditions) {
+    static ChallengeContest of(Exercise exercise, int rounds, Conditions conditions) {
         String rule = exercise.goal() + " " + rounds + (rounds == 1 ? " trial" : " trials") + " of 0 to "
                 + Score.MOST_POINTS + " points; the most points win, equal points share a place.";
         return new ChallengeContest(

@@ -1,4 +1,4 @@
-package org.robonewbie.app.course;
+package org.robonewbie.exercises.marking;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -67,7 +67,7 @@ class EvaluationSummaryTest {
                 .hasMessageStartingWith("Line 1: in ")
                 .hasMessageContaining("character 9 is a no-break space");
         assertThatThrownBy(() -> EvaluationSummary.of(List.of("java,Java", "1,3")))
-                .hasMessage("Line 1: two questions have the same name. Give each another one.");
+                .hasMessage("Line 1: two questions have the same name. Rename one of them.");
     }
 
     @Test
@@ -83,13 +83,13 @@ class EvaluationSummaryTest {
         Path file = Files.writeString(folder.resolve("answers.csv"), "robotics,java\n1,3\n1,9\n");
 
         assertThatThrownBy(() -> EvaluationSummary.of(file))
-                .hasMessage(file + ": Line 3: \"9\" is no answer. Answers go from 1 to 5.");
+                .hasMessage(file + ": Line 3: \"9\" is not an answer. Answers are numbers from 1 to 5.");
     }
 
     @Test
     void wrongLineIsNamed() {
         assertThatThrownBy(() -> EvaluationSummary.of(List.of("robotics,java", "1,3", "1,9")))
-                .hasMessage("Line 3: \"9\" is no answer. Answers go from 1 to 5.");
+                .hasMessage("Line 3: \"9\" is not an answer. Answers are numbers from 1 to 5.");
         assertThatThrownBy(() -> EvaluationSummary.of(List.of("robotics,java", "1")))
                 .hasMessage("Line 2 has 1 answers, but there are 2 questions.");
     }
