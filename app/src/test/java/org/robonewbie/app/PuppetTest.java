@@ -30,6 +30,7 @@ import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
@@ -61,14 +62,11 @@ class PuppetTest {
 
     private void open(Optional<Path> recording) throws IOException {
         simulator = Simulator.start(
-                SimulatorSettings.beginner()
-                        .agentPort(0)
-                        .synchronous(true)
-                        .awaitedAgents(1)
-                        .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
-                        .seed(3)
-                        .recording(recording)
-                        .build(),
+                SimulatorSettings.of(WorldSettings.beginner().withSeed(3))
+                        .withAgentPort(0)
+                        .withAwaitedAgents(1)
+                        .withSpeed(SimulationControl.AS_FAST_AS_POSSIBLE)
+                        .withOutput(recording, Optional.empty()),
                 Console.silent());
         simulator.control().addObserver(seen::add);
         RecordingRepository shelf = new RecordingRepository(folder, 1_000_000_000);

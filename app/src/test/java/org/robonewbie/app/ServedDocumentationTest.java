@@ -10,6 +10,7 @@ import java.net.http.HttpResponse;
 import java.util.ServiceLoader;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
@@ -22,8 +23,10 @@ class ServedDocumentationTest {
         assumeTrue(
                 Main.class.getResource("/org/robonewbie/site/pages/index.html") != null,
                 "The pages are made by Maven; this run has none.");
-        SimulatorSettings settings =
-                SimulatorSettings.beginner().agentPort(0).awaitedAgents(1).build();
+        SimulatorSettings settings = SimulatorSettings.of(
+                        WorldSettings.beginner().withSynchronous(false))
+                .withAgentPort(0)
+                .withAwaitedAgents(1);
 
         try (Simulator simulator = Simulator.start(settings, Console.silent());
                 Viewer.View studio = ServiceLoader.load(Viewer.class)

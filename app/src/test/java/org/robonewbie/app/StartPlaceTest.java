@@ -119,7 +119,7 @@ class StartPlaceTest {
         assertThat(ended.exitCode()).isEqualTo(2);
         assertThat(ended.said())
                 .contains(
-                        "--seconds 0.2 was over before the robot could begin, whose start takes about 0.3 s. Give at least 1.");
+                        "--seconds 0.2 ended before the robot was in the game; joining takes about 0.3 s. Give at least 1.");
     }
 
     @Test

@@ -22,6 +22,7 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.tcp.TelemetryServer;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
@@ -66,12 +67,9 @@ class ProgramPageTest {
     @BeforeEach
     void open() throws IOException {
         simulator = Simulator.start(
-                SimulatorSettings.beginner()
-                        .agentPort(0)
-                        .synchronous(true)
-                        .awaitedAgents(1)
-                        .seed(1)
-                        .build(),
+                SimulatorSettings.of(WorldSettings.beginner().withSeed(1))
+                        .withAgentPort(0)
+                        .withAwaitedAgents(1),
                 sentence -> {});
         ShownSimulation shown = new ShownSimulation(simulator.control());
         workshop = new ProcessCompilerService(folder);

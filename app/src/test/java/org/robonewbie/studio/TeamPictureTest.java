@@ -30,6 +30,7 @@ import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
+import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
@@ -166,7 +167,7 @@ class TeamPictureTest {
                     .with(SoccerParameter.AUTOMATIC_KICK_OFF, 1)
                     .with(SoccerParameter.WAIT_BEFORE_KICK_OFF, 4);
             Trial trial = Trial.observed(
-                    new Scene(rules, true, robots, Optional.of(Vector3.ZERO)),
+                    new Scene(rules, true, Landscape.SOCCER, robots, Optional.of(Vector3.ZERO)),
                     SEED,
                     this,
                     RecordingTarget.NONE,

@@ -24,6 +24,7 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
@@ -132,12 +133,9 @@ class ProgramRoomMeasurement {
     }
 
     private void inStudio(Use use) throws IOException {
-        SimulatorSettings pitch = SimulatorSettings.beginner()
-                .agentPort(0)
-                .synchronous(true)
-                .awaitedAgents(1)
-                .seed(1)
-                .build();
+        SimulatorSettings pitch = SimulatorSettings.of(WorldSettings.beginner().withSeed(1))
+                .withAgentPort(0)
+                .withAwaitedAgents(1);
         StudioFolders folders = new StudioFolders(folder.resolve("motions"), Optional.empty());
         try (Simulator simulator = Simulator.start(pitch, Console.silent());
                 ProcessCompilerService workshop = new ProcessCompilerService(folder)) {

@@ -23,6 +23,7 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
@@ -44,13 +45,10 @@ class StreamMeasurement {
     @Test
     void bytesForOnePage() throws IOException {
         Path recording = folder.resolve("run.rec");
-        SimulatorSettings settings = SimulatorSettings.beginner()
-                .agentPort(0)
-                .synchronous(true)
-                .awaitedAgents(22)
-                .speed(1)
-                .recording(Optional.of(recording))
-                .build();
+        SimulatorSettings settings = SimulatorSettings.of(WorldSettings.beginner())
+                .withAgentPort(0)
+                .withAwaitedAgents(22)
+                .withOutput(Optional.of(recording), Optional.empty());
         long cycles;
         try (Simulator simulator = Simulator.start(settings, Console.silent());
                 StudioServer studio = StudioServer.start(simulator.control(), 0, AccessToken.random())) {

@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Random;
 import java.util.concurrent.Callable;
@@ -17,9 +16,11 @@ import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.monitor.MonitorSettings;
 import org.robonewbie.simulator.script.SoccerParameterFile;
 import org.robonewbie.simulator.script.StartScript;
+import org.robonewbie.simulator.sensing.CameraSettings;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.server.WarmUp;
@@ -127,7 +128,7 @@ final class SimulatorCommand implements Callable<Integer> {
             names = "--monitor-step",
             paramLabel = "T",
             description = "Simulated seconds between messages to monitors, at least 0.02 (default: 0.04).")
-    private double monitorStepSeconds = MonitorSettings.STANDARD_STEP_SECONDS;
+    private double monitorStepSeconds = MonitorSettings.DEFAULT_STEP_SECONDS;
 
     @Option(
             names = "--no-trainers",
@@ -229,27 +230,24 @@ final class SimulatorCommand implements Callable<Integer> {
         }
         StartScript start = script.isPresent() ? StartScript.read(script.get(), console) : StartScript.EMPTY;
         boolean isFast = fast || start.isFast();
-        return (beginner ? SimulatorSettings.beginner() : SimulatorSettings.league())
-                .parameters(parameters(start))
-                .bindAddress(bindAddress)
-                .agentPort(port(agentPort.or(start::agentPort).orElse(SimulatorSettings.DEFAULT_AGENT_PORT)))
-                .monitorPort(
-                        OptionalInt.of(port(monitorPort.or(start::monitorPort).orElse(DEFAULT_MONITOR_PORT))))
-                .synchronous(synchronous || isFast || start.isSynchronous())
-                .speed(isFast ? SimulationControl.AS_FAST_AS_POSSIBLE : 1)
-                .noise(!withoutNoise)
-                .landscape(scene.landscape())
-                .groundTruth(isSent("mypos"), isSent("myorien"), isSent("ballpos"))
-                .silentAgentSeconds(silentAgentSeconds())
-                .seed(seed.orElseGet(() -> (long) new Random().nextInt(Integer.MAX_VALUE)))
-                .awaitedAgents(awaitedAgents)
-                .seconds(seconds.map(OptionalDouble::of).orElse(OptionalDouble.empty()))
-                .recording(recording)
-                .report(report)
-                .monitorLog(log)
-                .monitorStepSeconds(monitorStep())
-                .trainers(!withoutTrainers)
-                .build();
+        CameraSettings camera = CameraSettings.STANDARD
+                .withNoise(!withoutNoise)
+                .withTruth(isSent("mypos"), isSent("myorien"), isSent("ballpos"));
+        WorldSettings world = new WorldSettings(
+                parameters(start),
+                synchronous || isFast || start.isSynchronous(),
+                camera,
+                scene.landscape(),
+                seed.orElseGet(() -> (long) new Random().nextInt(Integer.MAX_VALUE)));
+        int agents = port(agentPort.or(start::agentPort).orElse(SimulatorSettings.DEFAULT_AGENT_PORT));
+        int monitors = port(monitorPort.or(start::monitorPort).orElse(DEFAULT_MONITOR_PORT));
+        return new SimulatorSettings(
+                world,
+                new SimulatorSettings.Agents(bindAddress, agents, List.of(), awaitedAgents, silentAgentSeconds()),
+                new SimulatorSettings.Monitors(OptionalInt.of(monitors), monitorStep(), !withoutTrainers, log),
+                isFast ? SimulationControl.AS_FAST_AS_POSSIBLE : 1,
+                seconds.orElse(Double.POSITIVE_INFINITY),
+                new SimulatorSettings.Output(recording, report));
     }
 
     private boolean isSent(String truth) {

@@ -13,6 +13,7 @@ import org.robonewbie.exercises.service.CourseService;
 import org.robonewbie.protocol.tcp.TelemetryServer;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.embedded.Browser;
 import org.robonewbie.simulator.embedded.EnterKey;
 import org.robonewbie.simulator.embedded.Viewer;
@@ -158,14 +159,12 @@ final class StudioCommand implements Callable<Integer> {
                 ? Optional.empty()
                 : RecordingRepository.ofUser().flatMap(shelf -> shelf.next(""));
         Simulator simulator = Simulator.start(
-                SimulatorSettings.beginner()
-                        .agentPort(agentPort)
-                        .synchronous(true)
-                        .awaitedAgents(1)
-                        .landscape(scene.landscape())
-                        .seed(System.nanoTime() & 0xfffff)
-                        .recording(recording)
-                        .build(),
+                SimulatorSettings.of(WorldSettings.beginner()
+                                .withLandscape(scene.landscape())
+                                .withSeed(System.nanoTime() & 0xfffff))
+                        .withAgentPort(agentPort)
+                        .withAwaitedAgents(1)
+                        .withOutput(recording, Optional.empty()),
                 Console.standard());
         agentPort = simulator.agentPort();
         Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "end-of-simulator"));

@@ -11,6 +11,7 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
@@ -41,12 +42,10 @@ final class SimulatorCheck {
 
     private static double torsoHeightAfterOneSecond() throws IOException {
         AtomicReference<WorldSnapshot> latest = new AtomicReference<>();
-        SimulatorSettings settings = SimulatorSettings.beginner()
-                .agentPort(0)
-                .synchronous(true)
-                .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
-                .awaitedAgents(1)
-                .build();
+        SimulatorSettings settings = SimulatorSettings.of(WorldSettings.beginner())
+                .withAgentPort(0)
+                .withSpeed(SimulationControl.AS_FAST_AS_POSSIBLE)
+                .withAwaitedAgents(1);
         try (Simulator simulator = Simulator.start(settings, Console.silent());
                 AgentLink link = simulator.connect()) {
             simulator.control().addObserver(latest::set);

@@ -8,6 +8,7 @@ import java.net.http.HttpResponse;
 import java.time.Duration;
 import java.util.ServiceLoader;
 import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
@@ -22,8 +23,10 @@ final class StudioCheck {
     private StudioCheck() {}
 
     static Finding page() {
-        SimulatorSettings settings =
-                SimulatorSettings.beginner().agentPort(0).awaitedAgents(1).build();
+        SimulatorSettings settings = SimulatorSettings.of(
+                        WorldSettings.beginner().withSynchronous(false))
+                .withAgentPort(0)
+                .withAwaitedAgents(1);
         try (Simulator simulator = Simulator.start(settings, Console.silent());
                 Viewer.View view = ServiceLoader.load(Viewer.class)
                         .findFirst()

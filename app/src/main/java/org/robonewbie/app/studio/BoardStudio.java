@@ -3,6 +3,7 @@ package org.robonewbie.app.studio;
 import java.io.IOException;
 import java.net.URI;
 import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.embedded.Browser;
 import org.robonewbie.simulator.embedded.EnterKey;
 import org.robonewbie.simulator.embedded.Viewer;
@@ -35,11 +36,8 @@ final class BoardStudio implements Viewer.View {
      * @throws IOException if the port cannot be opened
      */
     static BoardStudio open(EventBus board, int port, StudioFolders folders) throws IOException {
-        SimulatorSettings pitch = SimulatorSettings.beginner()
-                .agentPort(0)
-                .synchronous(true)
-                .awaitedAgents(1)
-                .build();
+        SimulatorSettings pitch =
+                SimulatorSettings.of(WorldSettings.beginner()).withAgentPort(0).withAwaitedAgents(1);
         Simulator world = Simulator.start(pitch, Console.silent());
         try {
             return new BoardStudio(board, world, StudioViewer.open(world.control(), port, folders, board));

@@ -50,7 +50,7 @@ class BeginnersMistakesTest {
 
         assertThat(ended.output())
                 .containsPattern(
-                        "The program slept 1\\d\\d ms; sense\\(\\) is to be called 50 times per simulated second\\."
+                        "The program slept 1\\d\\d ms; sense\\(\\) must be called 50 times per simulated second\\."
                                 + " Count cycles or compare nao\\.getTime\\(\\) instead\\. \\(Stepper\\.java:\\d+\\)");
     }
 
@@ -84,12 +84,12 @@ class BeginnersMistakesTest {
 
         assertThat(thinking.exitCode()).isEqualTo(1);
         assertThat(thinking.output())
-                .containsOnlyOnce("think() has used all memory that Java has; the run ends here.")
+                .containsOnlyOnce("think() ran out of memory; the run ends here.")
                 .contains("(Hoarder.java:7)")
                 .doesNotContain("at org.robonewbie", "OutOfMemoryError");
         assertThat(made.exitCode()).isEqualTo(1);
         assertThat(made.output())
-                .containsPattern("Maker has used all memory that Java has;.*\\(Maker\\.java:\\d+\\)")
+                .containsPattern("Maker ran out of memory;.*\\(Maker\\.java:\\d+\\)")
                 .doesNotContain("    at ");
     }
 

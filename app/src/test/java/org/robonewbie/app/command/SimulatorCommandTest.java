@@ -34,9 +34,9 @@ class SimulatorCommandTest {
     void withoutOptionsItIsLikeTheOriginalServer() throws IOException {
         SimulatorSettings settings = settings();
 
-        assertThat(settings.agentPort()).isEqualTo(3100);
-        assertThat(settings.monitorPort()).hasValue(3200);
-        assertThat(settings.bindAddress()).isEqualTo("127.0.0.1");
+        assertThat(settings.agents().port()).isEqualTo(3100);
+        assertThat(settings.monitors().port()).hasValue(3200);
+        assertThat(settings.agents().bindAddress()).isEqualTo("127.0.0.1");
         assertThat(settings.world().synchronous()).isFalse();
         assertThat(settings.speed()).isEqualTo(1);
         assertThat(settings.world().camera().noise()).isTrue();
@@ -80,10 +80,10 @@ class SimulatorCommandTest {
     void monitorsAreToldAndLoggedAsWanted() throws IOException {
         SimulatorSettings settings = settings("--log", "match.log", "--monitor-step", "0.02");
 
-        assertThat(settings.monitorLog()).contains(Path.of("match.log"));
-        assertThat(settings.monitorStepSeconds()).isEqualTo(0.02);
-        assertThat(settings().monitorLog()).isEmpty();
-        assertThat(settings().monitorStepSeconds()).isEqualTo(0.04);
+        assertThat(settings.monitors().log()).contains(Path.of("match.log"));
+        assertThat(settings.monitors().stepSeconds()).isEqualTo(0.02);
+        assertThat(settings().monitors().log()).isEmpty();
+        assertThat(settings().monitors().stepSeconds()).isEqualTo(0.04);
     }
 
     @Test
@@ -240,9 +240,9 @@ class SimulatorCommandTest {
 
     @Test
     void patienceWithSilentAgentsCanBeSet() throws IOException {
-        assertThat(settings().silentAgentSeconds()).isEqualTo(60);
-        assertThat(settings("--drop-silent-after", "2.5").silentAgentSeconds()).isEqualTo(2.5);
-        assertThat(settings("--drop-silent-after", "Infinity").silentAgentSeconds())
+        assertThat(settings().agents().silentSeconds()).isEqualTo(60);
+        assertThat(settings("--drop-silent-after", "2.5").agents().silentSeconds()).isEqualTo(2.5);
+        assertThat(settings("--drop-silent-after", "Infinity").agents().silentSeconds())
                 .isInfinite();
         assertThatThrownBy(() -> settings("--drop-silent-after", "0"))
                 .isInstanceOf(CalledWronglyException.class)
@@ -264,7 +264,7 @@ class SimulatorCommandTest {
         SimulatorSettings settings =
                 settings("--script-path", script.toString(), "--agent-port", "0", "--set", "RuleHalfTime=90");
 
-        assertThat(settings.agentPort()).isZero();
+        assertThat(settings.agents().port()).isZero();
         assertThat(settings.world().parameters().get(SoccerParameter.RULE_HALF_TIME))
                 .isEqualTo(90);
     }
@@ -275,7 +275,7 @@ class SimulatorCommandTest {
 
         SimulatorSettings settings = settings("--script-path", script.toString());
 
-        assertThat(settings.agentPort()).isEqualTo(3500);
+        assertThat(settings.agents().port()).isEqualTo(3500);
         assertThat(settings.world().parameters().get(SoccerParameter.BEAM_NOISE_XY))
                 .isZero();
     }

@@ -11,13 +11,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.stream.StreamSupport;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.nao.math.MathFingerprint;
 import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
@@ -79,10 +79,10 @@ class CheckupTest {
 
     @Test
     void simulatorAtTheMonitorPortIsRecognised() throws IOException {
-        SimulatorSettings settings = SimulatorSettings.beginner()
-                .agentPort(0)
-                .monitorPort(OptionalInt.of(0))
-                .build();
+        SimulatorSettings settings = SimulatorSettings.of(
+                        WorldSettings.beginner().withSynchronous(false))
+                .withAgentPort(0)
+                .withMonitorPort(0);
         try (Simulator simulator = Simulator.start(settings, Console.silent())) {
             Finding finding =
                     PortCheck.of("Monitor port", simulator.monitorPort().orElseThrow());

@@ -109,9 +109,9 @@ class HostileClassTest {
             mkdir e09; ln -s ../zoe/RaiseArms.java e09   | e09,,  | e09/RaiseArms.java is a link that leads out
             mkdir e10; ln -s /etc/passwd e10/Pass.java   | e10,,  | e10/Pass.java is a link that leads out
             mkdir e11; ln -s .. e11/up                   | e11,,  | e11/up is a link that leads out of the folder
-            mkdir -p e12/a; ln -s .. e12/a/up            | e12,,  | e12/a/up is a link to a folder in which it lies
+            mkdir -p e12/a; ln -s .. e12/a/up            | e12,,  | e12/a/up is a link to a folder that contains it
             mkdir e13; truncate -s 3G e13/data.bin       | e13,,  | e13 contains more than 100 MB
-            mkdir e14; ln -s . e14/self                  | e14,,  | e14/self is a link to a folder in which it lies
+            mkdir e14; ln -s . e14/self                  | e14,,  | e14/self is a link to a folder that contains it
             mkdir ./-rf                                  | '-rf,, | There is no .java file
             mkdir $'new\\nline'                          | "new   | line",,0.0,0,There is no .java file
             """;

@@ -17,7 +17,7 @@ import org.robonewbie.agent.running.ThinkSpelling;
 import org.robonewbie.agent.walk.Walk;
 
 /**
- * A robot that thinks: the framework turns the cycle of sense, think and act, 50 times per simulated second.
+ * A robot program whose cycle of sense, think and act is run by the framework, 50 times per simulated second.
  *
  * <pre>{@code
  * public class Walker extends Agent {
@@ -32,8 +32,8 @@ import org.robonewbie.agent.walk.Walk;
  * }
  * }</pre>
  *
- * <p>An exception in {@link #think} does not stop the robot: it is reported with its line, and the next cycle begins. The program
- * then ends with exit code 1.
+ * <p>An exception in {@link #think} does not stop the robot: it is reported with its line, and the next cycle begins. The
+ * program then ends with exit code 1.
  */
 public abstract class Agent {
 
@@ -43,22 +43,22 @@ public abstract class Agent {
     private final RobotRuntime runtime = new RobotRuntime(nameOf(getClass()));
     private final TunableNumbers numbers = TunableNumbers.of(nameOf(getClass()), runtime.diagnostics());
 
-    /** What the robot logs; printed when the run is over. */
+    /** The robot's log, printed when the run is over. */
     protected final Logger log = runtime.log();
 
-    /** Sensors and motors. */
+    /** The robot's sensors and motors. */
     protected final Robot nao = new Robot(runtime);
 
-    /** Motions by name. */
+    /** Keyframe motions by name. */
     protected final Motions motions = runtime.motions();
 
-    /** A walk into any direction, faster than motions of keyframes. */
+    /** The omnidirectional walk, faster than keyframe motions. */
     protected final Walk walk = runtime.walk();
 
-    /** What the robot remembers of the field. */
+    /** The robot's memory of the ball, landmarks and players that its camera has seen. */
     protected final LocalFieldView fieldView = runtime.fieldView();
 
-    /** The head's movement to see more; moves only in cycles in which {@code lookAround.look()} is called. */
+    /** A head scan that widens the field of view. The head moves only in cycles in which {@code lookAround.look()} is called. */
     protected final LookAround lookAround = runtime.lookAround();
 
     private Session session = new Session(runtime, new SingleMessagePort(), OptionalDouble.empty(), CycleWatch.NONE);
@@ -69,47 +69,47 @@ public abstract class Agent {
     protected Agent() {}
 
     /**
-     * Returns who the robot is and where it starts unless the user says otherwise. The place belongs to the number given here (1 if
-     * there is none): started with another {@code --number}, the robot takes that number's place in the line-up.
+     * Returns the default team, number and starting pose; options of the user take precedence. The pose belongs to the number
+     * given here (1 if there is none): when started with another {@code --number}, the robot uses the default pose of that
+     * number.
      *
-     * @return the usual options; override this, for example with {@code
-     *     Options.none().withTeam("Blue").withPose(-1, 0, 0)}
+     * @return the default options; override this, for example with {@code Options.none().withTeam("Blue").withPose(-1, 0, 0)}
      */
     protected Options defaults() {
         return Options.none();
     }
 
     /**
-     * Declares a number of this program that can be tuned: by a slider of the studio while the robot plays, by hand, or by {@code
-     * robonewbie optimise --agent}. It has its usual value unless a file with the name of the class, such as {@code
-     * Walker.numbers}, says otherwise.
+     * Declares a tunable number: a slider of the studio can change it while the robot plays, and so can {@code robonewbie
+     * optimise --agent}. It has its default value unless a file named after the class, such as {@code Walker.numbers}, sets
+     * another one.
      *
      * <pre>{@code
      * private final double nearMetres = number("near", 0.3, 0.1, 0.8);
      * }</pre>
      *
-     * <p>A slider changes fields of the robot that were computed from the number, as above, if its class has a constructor without
-     * parameters. Asked for in {@code think()}, the number is always that of the slider.
+     * <p>Moving a slider also updates fields that were computed from the number, as above, if the class has a no-arg
+     * constructor. A number that is read in {@code think()} always has the value of its slider.
      *
-     * @param name what to call it
-     * @param usual its usual value
-     * @param least the smallest value that makes sense
-     * @param most the largest value that makes sense
-     * @return its value
-     * @throws IllegalArgumentException if the usual value is not between the others
+     * @param name name of the number
+     * @param usual default value
+     * @param least smallest sensible value
+     * @param most largest sensible value
+     * @return the current value
+     * @throws IllegalArgumentException if the default value is not between the smallest and the largest
      */
     protected final double number(String name, double usual, double least, double most) {
         return numbers.declare(name, usual, least, most);
     }
 
-    /** {@return the options of the running robot, as the user wants them; the usual ones before it runs} */
+    /** {@return the options of the running robot; the defaults before it runs} */
     protected final Options options() {
         return options;
     }
 
     /**
-     * Runs the robot until the game is over. Ends the program with exit code 1 if {@link #think} failed or the connection was
-     * lost, and with 2 and one sentence if it cannot start at all.
+     * Runs the robot until the game is over. Exits with code 1 if {@link #think} failed or the connection was lost, and with
+     * code 2 and a one-sentence message if the robot cannot start.
      *
      * @param args the arguments of {@code main}, see {@link Options}
      */
@@ -118,10 +118,10 @@ public abstract class Agent {
     }
 
     /**
-     * Runs several robots of one program in the same game, each in a thread of its own; else as {@link #run}.
+     * Runs several robots of one program in the same game, each in its own thread. Exit codes are those of {@link #run}.
      *
-     * @param args the arguments of {@code main}; what they say holds for all robots
-     * @param agents the robots; they need different numbers or number 0
+     * @param args the arguments of {@code main}; they apply to all robots
+     * @param agents the robots, with different numbers or number 0
      */
     public static void runTogether(String[] args, Agent... agents) {
         int exitCode;
@@ -136,7 +136,7 @@ public abstract class Agent {
         }
     }
 
-    /** Turns the robot's cycle until the game is over; a message of the simulator begins each turn. */
+    /** Runs the cycle until the game is over; each iteration begins with a message from the simulator. */
     final void run(Session game) {
         session = game;
         while (session.next()) {
@@ -159,10 +159,10 @@ public abstract class Agent {
         session.sense();
     }
 
-    /** Decides what to do: reads sensors, sets motors, starts motions. Agents that only react need none. */
+    /** Decides what to do: reads sensors, sets motors, starts motions. The default implementation does nothing. */
     protected void think() {}
 
-    /** Sends what was set in this cycle. Overriding methods must call {@code super.act()} last. */
+    /** Sends the commands of this cycle. Overriding methods must call {@code super.act()} last. */
     protected void act() {
         session.act();
     }
@@ -172,9 +172,9 @@ public abstract class Agent {
         session.leave();
     }
 
-    /** Reports a misspelt {@code think()} and numbers in the program's file that it does not have. */
+    /** Reports a misspelt {@code think()} and numbers of the file that the program does not declare. */
     final void reportWhatIsMissing() {
-        ThinkSpelling.wrongIn(getClass(), Agent.class, nameOf(getClass()))
+        ThinkSpelling.problemIn(getClass(), Agent.class, nameOf(getClass()))
                 .ifPresent(sentence -> runtime.diagnostics().reportAt("", sentence, () -> sentence));
         numbers.reportUnknown();
     }
@@ -195,7 +195,7 @@ public abstract class Agent {
         return failed;
     }
 
-    /** Reports an exception, and does the rest of the cycle without the program. */
+    /** Reports an exception and completes the cycle without the program. */
     private void report(Throwable thrown) {
         boolean reportedBefore = failed && String.valueOf(thrown.getMessage()).startsWith(CLASS_THAT_FAILED_BEFORE);
         failed = true;
@@ -204,20 +204,20 @@ public abstract class Agent {
         if (!reportedBefore) {
             runtime.diagnostics().reportAt(Failure.place(mistake), step + mistake.getClass(), () -> {
                 log.error("%s failed: %s%s", step, mistake, stack(mistake));
-                return step + " failed with " + mistake + "; the robot goes on with the next step.";
+                return step + " failed with " + mistake + "; the robot continues with the next step.";
             });
         }
         session.complete();
     }
 
-    /** There may be too little memory for more than one sentence. */
+    /** Keeps the report short, since little memory is left. */
     private void reportExhausted(OutOfMemoryError exhausted) {
         failed = true;
         String step = failedStep(exhausted.getStackTrace());
         runtime.diagnostics().reportAt(Failure.place(exhausted), "memory", () -> step + " " + Failure.MEMORY);
     }
 
-    /** The method that {@link #run} has called: the last call before it. */
+    /** The step that {@link #run} called: the frame directly above it. */
     private static String failedStep(StackTraceElement[] calls) {
         for (int i = 1; i < calls.length; i++) {
             if (isRun(calls[i])) {
@@ -231,7 +231,7 @@ public abstract class Agent {
         return call.getMethodName().equals("run") && call.getClassName().equals(Agent.class.getName());
     }
 
-    /** The calls that led to an exception, one below the other, without those of the framework. */
+    /** The stack trace without frames of the framework, one call per line. */
     private static String stack(Throwable mistake) {
         return Arrays.stream(mistake.getStackTrace())
                 .limit(MAX_CALLS)

@@ -20,8 +20,8 @@ import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 
 /**
- * Drives an agent from outside, for tests, grading, learning and replay: perception in, commands out, without thread, clock or
- * simulator. Programs of robots do not need it.
+ * Runs an agent without thread, clock or simulator: perception in, commands out. Intended for tests, grading, learning and
+ * replay; robot programs do not need it.
  *
  * <pre>{@code
  * AgentDriver driver = new AgentDriver(new MyAgent());
@@ -46,22 +46,22 @@ public final class AgentDriver {
     }
 
     /**
-     * Sets who the agent is, which a simulator would tell.
+     * Sets the identity that a simulator would assign.
      *
-     * @param who its team, its number and its type, among others
-     * @param side the half of its team
+     * @param identity team, number and robot type, among others
+     * @param side the half that the team defends
      */
-    public void introduce(Options who, TeamSide side) {
-        agent.begin(who);
-        agent.runtime().sensors().setType(who.robotType());
-        agent.runtime().sensors().introduce(who.team(), who.number(), side);
+    public void introduce(Options identity, TeamSide side) {
+        agent.begin(identity);
+        agent.runtime().sensors().setType(identity.robotType());
+        agent.runtime().sensors().introduce(identity.team(), identity.number(), side);
     }
 
     /**
-     * Watches the program while {@link #respond} runs it: reports a misspelt {@code think()}, cycles that do not end, and slow ones.
+     * Starts a watchdog for {@link #respond}: reports a misspelt {@code think()}, endless loops and slow cycles.
      *
-     * @param listener called in the program's thread when many cycles have been slow, with what to do about it
-     * @return ends watching
+     * @param listener called in the program's thread with the cause when many cycles have been slow
+     * @return the watchdog; close it to stop watching
      */
     public Watchdog watch(Consumer<Slowness> listener) {
         agent.reportWhatIsMissing();
@@ -72,10 +72,10 @@ public final class AgentDriver {
     }
 
     /**
-     * Turns one cycle of the agent.
+     * Runs one cycle of the agent.
      *
-     * @param message what the robot senses
-     * @return what the robot does, with {@code Synchronise} at the end
+     * @param message the perceptors' readings
+     * @return the robot's commands, with {@code Synchronise} at the end
      */
     public List<EffectorCommand> respond(PerceptorMessage message) {
         port.put(message);
@@ -84,10 +84,10 @@ public final class AgentDriver {
     }
 
     /**
-     * Plays a whole game in the current thread, over a connection that may turn the simulator itself.
+     * Plays a whole game in the current thread.
      *
      * @param link the robot's end of the connection
-     * @param options who the robot is and where it starts
+     * @param options team, number, type and starting pose, among others
      * @throws IOException if the simulator closes the connection before the game
      * @throws StartUpException if the simulator refuses the robot
      */
@@ -97,10 +97,10 @@ public final class AgentDriver {
     }
 
     /**
-     * Enters a game over a connection, which is used up to the robot's first place. {@link #resume} plays.
+     * Joins a game and beams to the starting pose. Call {@link #resume} to play.
      *
      * @param link the robot's end of the connection
-     * @param options who the robot is and where it starts
+     * @param options team, number, type and starting pose, among others
      * @throws IOException if the simulator closes the connection before the game
      * @throws StartUpException if the simulator refuses the robot
      */
@@ -113,28 +113,28 @@ public final class AgentDriver {
     }
 
     /**
-     * Goes on with the game that was {@link #join joined}: answers message after message, until the connection has no more. One
-     * that does not wait for messages gives control back after each of them.
+     * Plays the {@link #join joined} game until the connection has no more messages. A non-blocking connection returns control
+     * after each message.
      */
     public void resume() {
         agent.run(session);
     }
 
     /**
-     * Lets others see what the robot thinks.
+     * Sets the receiver of the robot's telemetry.
      *
-     * @param viewer receives it from now on
+     * @param viewer the receiver
      */
     public void publishTo(TelemetrySink viewer) {
         agent.runtime().telemetry().publishTo(viewer);
     }
 
-    /** {@return who the agent is and where it starts unless the user says otherwise} */
-    public Options usualOptions() {
+    /** {@return the agent's default options} */
+    public Options defaultOptions() {
         return agent.defaults();
     }
 
-    /** {@return the numbers that the agent has declared so far, in their order} */
+    /** {@return the tunable numbers that the agent has declared so far, in order of declaration} */
     public List<TunableNumber> numbers() {
         return agent.numbers().list();
     }
@@ -145,12 +145,12 @@ public final class AgentDriver {
     }
 
     /**
-     * Brings a robot into a game over a connection that is already open.
+     * Joins a game over an open connection.
      *
      * @param link the robot's end of the connection
-     * @param options who the robot is and where it starts
-     * @return the robot on its first place
-     * @throws StartUpException if the simulator does not let the robot in
+     * @param options team, number, type and starting pose, among others
+     * @return the robot at its starting pose
+     * @throws StartUpException if the simulator refuses the robot
      */
     public static Nao connect(AgentLink link, Options options) {
         return Nao.join(options, SimulatorConnection.of(link));

@@ -45,23 +45,19 @@ final class AgentRunner {
                 .map(agent -> agent.defaults().overriddenBy(args.toArray(String[]::new)))
                 .toList();
         options.forEach(Options::checkWords);
-        try (SimulatorConnection simulator = open(options.get(0), agents.size(), nameOf(agents.get(0)))) {
+        try (SimulatorConnection simulator =
+                open(options.get(0), agents.size(), agents.get(0).getClass().getSimpleName())) {
             return new AgentRunner(simulator).runAll(agents, options);
         }
     }
 
-    private static String nameOf(Agent agent) {
-        return agent.getClass().getSimpleName();
-    }
-
-    /** Opens the connection that the options ask for, and says so. */
     static SimulatorConnection open(Options options, int robots, String agent) {
         try {
             SimulatorConnection simulator = SimulatorConnection.open(SimulatorChoice.of(options, robots, agent));
             System.out.println(simulator.description());
-            if (options.isTruth() && !simulator.endsByItself()) {
+            if (options.isTruth() && simulator.isServer()) {
                 System.err.println(
-                        "--truth has no effect here: the simulator that runs already decides whether it tells the truth.");
+                        "--truth has no effect here: the running simulator decides whether it sends true positions.");
             }
             return simulator;
         } catch (IOException unreachable) {
@@ -69,7 +65,7 @@ final class AgentRunner {
         }
     }
 
-    /** Brings a robot into the game, to its first place. */
+    @SuppressWarnings("try") // the hint is cancelled at the first answer
     static Session join(
             RobotRuntime robot,
             SimulatorConnection simulator,
@@ -81,33 +77,30 @@ final class AgentRunner {
         robot.telemetry().publishTo(simulator.telemetry());
         LinkPort port = new LinkPort(link, robot.sensors().buffer());
         try (ConnectTimeoutHint notice = ConnectTimeoutHint.of(simulator.place())) {
-            new StartDialogue(port, robot, options).run(both(notice::close, turn::answered), turn::end);
+            new StartDialogue(port, robot, options)
+                    .run(
+                            () -> {
+                                notice.close();
+                                turn.answered();
+                            },
+                            turn::end);
         }
-        OptionalDouble life = simulator.endsByItself() ? OptionalDouble.empty() : options.seconds();
+        OptionalDouble life = simulator.isServer() ? options.seconds() : OptionalDouble.empty();
         return new Session(robot, new DeadlineMonitor(port, robot, watch::slowPlace, System::nanoTime), life, watch);
-    }
-
-    private static Runnable both(Runnable first, Runnable second) {
-        return () -> {
-            first.run();
-            second.run();
-        };
     }
 
     private static void check(List<Agent> agents) {
         if (agents.isEmpty()) {
-            throw new StartUpException(
-                    "There is no agent to play: give runTogether at least one, such as new MyAgent().");
+            throw new StartUpException("runTogether needs at least one agent, such as new MyAgent().");
         }
         if (Set.copyOf(agents).size() < agents.size()) {
-            throw new StartUpException(
-                    "The same agent cannot play twice, since a robot has only one body: make each of them with new.");
+            throw new StartUpException("The same agent was passed twice. Create each agent with its own new.");
         }
     }
 
     /**
-     * The agents connect in order, so that each seed gives the same game. Each joins a server when the one before it is at its place,
-     * unless the server waits for all of them.
+     * Runs all agents. They connect in order, so that each seed gives the same game. On a server each agent joins when the
+     * previous one has reached its place, unless the server waits for all of them.
      */
     private int runAll(List<Agent> agents, List<Options> options) {
         if (agents.size() == 1) {
@@ -115,7 +108,7 @@ final class AgentRunner {
             return exitCode.get();
         }
         RobotThreads lives = new RobotThreads();
-        boolean oneByOne = simulator.admitsOneByOne();
+        boolean oneByOne = simulator.isServer();
         for (int i = 0; i < agents.size(); i++) {
             JoinTurn turn = new JoinTurn();
             Agent agent = agents.get(i);
@@ -148,17 +141,18 @@ final class AgentRunner {
     }) // the printer prints when it is closed, to a stream that stays open
     private void play(Agent agent, AgentLink link, Options options, JoinTurn turn) {
         int code;
+        Optional<Runnable> giveUp = options.isHeadless() ? Optional.of(() -> System.exit(1)) : Optional.empty();
         agent.begin(options);
         agent.reportWhatIsMissing();
         link.offerState(new AgentState(agent));
         try (LogPrinter printer = new LogPrinter(agent.runtime().log(), System.out, simulator::close);
                 link;
-                Watchdog watchdog = Watchdog.start(
-                        CycleOwner.FRAMEWORK, agent.runtime().diagnostics(), giveUp(options), slowness -> {});
+                Watchdog watchdog =
+                        Watchdog.start(CycleOwner.FRAMEWORK, agent.runtime().diagnostics(), giveUp, slowness -> {});
                 Session session = join(agent.runtime(), simulator, link, options, watchdog, turn)) {
             agent.run(session);
             if (options.isHeadless()) {
-                sayWhatHappened(agent.runtime());
+                printClosingLine(agent.runtime());
             }
             boolean failed = agent.hasFailed() || session.isBroken();
             code = failed || agent.runtime().diagnostics().isSerious() ? 1 : 0;
@@ -168,32 +162,28 @@ final class AgentRunner {
             System.err.println(refused.getMessage());
             code = 2;
         } catch (IOException lost) {
-            System.err.println(notLetIn(options, lost));
+            System.err.println(joinFailure(options, lost));
             code = 2;
         }
         exitCode.accumulateAndGet(code, Math::max);
     }
 
-    /** Says why a robot has not come into the game; a very short one is over before the robot has introduced itself. */
-    static String notLetIn(Options options, IOException lost) {
+    /** Explains why a robot could not join; a very short run ends before that. */
+    static String joinFailure(Options options, IOException lost) {
         double seconds = options.seconds().orElse(Double.POSITIVE_INFINITY);
         return seconds < SECONDS_OF_THE_START
                 ? "--seconds " + seconds
-                        + " was over before the robot could begin, whose start takes about 0.3 s. Give at least 1."
-                : "The simulator has not let the robot in: " + lost.getMessage();
+                        + " ended before the robot was in the game; joining takes about 0.3 s. Give at least 1."
+                : "The simulator did not let the robot in: " + lost.getMessage();
     }
 
-    /** A run without pictures and without a log would end without a word. */
-    private static void sayWhatHappened(RobotRuntime robot) {
+    /** Prints a closing line for a headless run that would otherwise print nothing. */
+    private static void printClosingLine(RobotRuntime robot) {
         if (robot.log().lines().isEmpty() && robot.diagnostics().reported().isEmpty()) {
             System.out.printf(
                     Locale.ROOT,
-                    "The robot has played until %.1f s, without a mistake. log.info(\"...\") in think() shows what it thinks.%n",
+                    "The robot played until %.1f s without an error. Use log.info(\"...\") in think() to see what it does.%n",
                     robot.sensors().seconds());
         }
-    }
-
-    private static Optional<Runnable> giveUp(Options options) {
-        return options.isHeadless() ? Optional.of(() -> System.exit(1)) : Optional.empty();
     }
 }

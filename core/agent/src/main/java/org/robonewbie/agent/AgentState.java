@@ -4,7 +4,7 @@ import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
-/** What is saved of an agent together with its world: the agent's own fields, if its class implements {@link Restorable}. */
+/** Checkpoint of an agent in a saved world: the agent's own fields, if its class implements {@link Restorable}. */
 final class AgentState implements Restorable {
 
     private final Agent agent;
@@ -20,7 +20,7 @@ final class AgentState implements Restorable {
         }
     }
 
-    /** Motions, walk and view of the field start over; the agent's own fields are restored. */
+    /** Resets motions, walk and field view, and restores the agent's own fields. */
     @Override
     public void restore(StateReader in) {
         agent.runtime().startOver();

@@ -16,7 +16,7 @@ import org.robonewbie.agent.running.Watchdog;
 import org.robonewbie.agent.walk.Walk;
 
 /**
- * A NAO robot in your hand: you turn the cycle yourself.
+ * A NAO robot whose cycle is run by the program itself.
  *
  * <pre>{@code
  * try (Nao nao = Nao.connect(args)) {
@@ -28,29 +28,28 @@ import org.robonewbie.agent.walk.Walk;
  * }
  * }</pre>
  *
- * <p>50 times per simulated second {@link #sense} receives what all sensors say, and {@link #act} sends what was set since
- * then. {@link Agent} is for programs that let the framework turn the cycle.
+ * <p>50 times per simulated second, {@link #sense} receives the readings of all sensors and {@link #act} sends the commands
+ * that were set since then. Extend {@link Agent} to let the framework run the cycle.
  */
 public final class Nao extends Robot implements AutoCloseable {
 
     private final SimulatorConnection simulator;
     private final Session session;
-    private final Runnable farewell;
+    private final Runnable onClose;
 
-    /** Puts a robot into a session that has begun; its farewell follows when it has left. */
-    Nao(RobotRuntime runtime, Session session, SimulatorConnection simulator, Runnable farewell) {
+    Nao(RobotRuntime runtime, Session session, SimulatorConnection simulator, Runnable onClose) {
         super(runtime);
         this.session = session;
         this.simulator = simulator;
-        this.farewell = farewell;
+        this.onClose = onClose;
     }
 
     /**
-     * Connects a robot to the simulator that the options name, or starts one. A mistake in the options ends the program with
-     * one sentence and exit code 2.
+     * Connects a robot to the simulator that the options select, or starts one. Invalid options end the program with exit code
+     * 2 and a one-sentence message.
      *
      * @param args the arguments of {@code main}, see {@link Options}
-     * @return the robot on its first place
+     * @return the robot at its starting pose
      */
     public static Nao connect(String... args) {
         try {
@@ -69,17 +68,17 @@ public final class Nao extends Robot implements AutoCloseable {
     }
 
     /**
-     * Connects a robot to the simulator that the options name, or starts one.
+     * Connects a robot to the simulator that the options select, or starts one.
      *
-     * @param options where the robot lives and who it is
-     * @return the robot on its first place
+     * @param options simulator, team, number and starting pose, among others
+     * @return the robot at its starting pose
      * @throws StartUpException if there is no such simulator or it refuses the robot
      */
     public static Nao connect(Options options) {
         return join(options, AgentRunner.open(options, 1, ""));
     }
 
-    /** Brings a robot into the game of a simulator that belongs to this robot alone. */
+    /** Joins the game of a simulator that serves this robot only. */
     static Nao join(Options options, SimulatorConnection simulator) {
         RobotRuntime runtime = new RobotRuntime("the robot");
         Watchdog watchdog = Watchdog.start(CycleOwner.PROGRAM, runtime.diagnostics(), Optional.empty(), slowness -> {});
@@ -97,7 +96,7 @@ public final class Nao extends Robot implements AutoCloseable {
         } catch (IOException lost) {
             watchdog.close();
             simulator.close();
-            throw new StartUpException(AgentRunner.notLetIn(options, lost));
+            throw new StartUpException(AgentRunner.joinFailure(options, lost));
         } catch (StartUpException refused) {
             watchdog.close();
             simulator.close();
@@ -106,7 +105,8 @@ public final class Nao extends Robot implements AutoCloseable {
     }
 
     /**
-     * Waits for the next message of the simulator and reads all sensors. If {@link #act} was forgotten, it acts first.
+     * Waits for the next message of the simulator and reads all sensors. If {@link #act} was not called since the last message,
+     * it is called first.
      *
      * @return false if the run is over
      */
@@ -114,15 +114,18 @@ public final class Nao extends Robot implements AutoCloseable {
         return session.senseNext();
     }
 
-    /** Sends what was set since the last {@link #sense}; a second time in the same cycle it does nothing but report that. */
+    /**
+     * Sends the commands that were set since the last {@link #sense}. A second call in the same cycle is reported and has no
+     * effect.
+     */
     public void act() {
         session.actOnce();
     }
 
     /**
-     * Performs a motion and returns when it is over. It senses and acts by itself meanwhile.
+     * Performs a motion and returns when it is over. Senses and acts in the meantime.
      *
-     * @param motion the name of the motion, see {@link Motions#start(String)}
+     * @param motion name of the motion, see {@link Motions#start(String)}
      * @return whether it was played to its end; false if there is no such motion or the run is over
      */
     public boolean perform(String motion) {
@@ -135,31 +138,31 @@ public final class Nao extends Robot implements AutoCloseable {
         return performing;
     }
 
-    /** {@return the motions, which play while the program goes on with its cycle} */
+    /** {@return the motions, which play while the program runs its cycle} */
     public Motions motions() {
         return runtime().motions();
     }
 
-    /** {@return the walk into any direction, while the program goes on with its cycle} */
+    /** {@return the omnidirectional walk, which moves the robot while the program runs its cycle} */
     public Walk walk() {
         return runtime().walk();
     }
 
-    /** {@return the head's movement to see more; moves only in cycles in which {@code lookAround().look()} is called} */
+    /** {@return a head scan; the head moves only in cycles in which {@code lookAround().look()} is called} */
     public LookAround lookAround() {
         return runtime().lookAround();
     }
 
-    /** {@return what the robot remembers of the field, renewed by each {@link #sense}} */
+    /** {@return the robot's memory of the field, updated by each {@link #sense}} */
     public LocalFieldView fieldView() {
         return runtime().fieldView();
     }
 
-    /** Leaves the game, prints the log and ends the simulator if it belongs to this program. */
+    /** Leaves the game, prints the log and stops the simulator if this program started it. */
     @Override
     public void close() {
         session.close();
         simulator.close();
-        farewell.run();
+        onClose.run();
     }
 }

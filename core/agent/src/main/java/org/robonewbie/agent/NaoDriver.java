@@ -10,8 +10,8 @@ import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 
 /**
- * Holds a {@link Nao} for somebody who turns the world between two calls of its program, such as a page that steps through it: without
- * thread, clock or simulator. Programs of robots do not need it.
+ * A {@link Nao} for a caller that advances the world between two calls of its program, such as a page that steps through it.
+ * Needs no thread, clock or simulator; robot programs do not need it.
  */
 public final class NaoDriver {
 
@@ -24,14 +24,14 @@ public final class NaoDriver {
     }
 
     /**
-     * Brings a robot into a game over a connection that is already open.
+     * Joins a game over an open connection.
      *
      * @param link the robot's end of the connection
-     * @param options who the robot is and where it starts
-     * @param viewer receives what the robot thinks
-     * @return its driver, with the robot on its first place
+     * @param options team, number, type and starting pose, among others
+     * @param viewer receives the robot's telemetry
+     * @return a driver with the robot at its starting pose
      * @throws IOException if the simulator closes the connection before the game
-     * @throws StartUpException if the simulator does not let the robot in
+     * @throws StartUpException if the simulator refuses the robot
      */
     public static NaoDriver enter(AgentLink link, Options options, TelemetrySink viewer) throws IOException {
         RobotRuntime runtime = new RobotRuntime("the robot");
@@ -46,7 +46,7 @@ public final class NaoDriver {
         return nao;
     }
 
-    /** Answers the last message if that has not happened yet, so that the world may go on. */
+    /** Answers the last message unless that has already happened, so that the world can advance. */
     public void complete() {
         session.complete();
     }

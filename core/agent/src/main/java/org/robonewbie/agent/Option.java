@@ -5,42 +5,39 @@ import java.util.Locale;
 import java.util.Optional;
 import org.robonewbie.nao.text.Spelling;
 
-/** One option of an agent: its name, what it takes and what the help says about it. */
+/** Command-line option of an agent: name, value and help text. */
 enum Option {
-    HOST("HOST", "join the server on this computer", Values::text),
-    PORT("N", "its port, 3100 if left out", Values.wholeNumber(1, 65535)),
-    TEAM("NAME", "name of the team, without blanks or brackets", Values::name),
+    HOST("HOST", "join the server on this computer", Values.TEXT),
+    PORT("N", "its port, default 3100", Values.wholeNumber(1, 65535)),
+    TEAM("NAME", "team name, without blanks or brackets", Values.NAME),
     NUMBER(
             "N",
-            "number on the shirt, 1 to 11, each with a place of its own; 0 takes a free one",
+            "player number, 1 to 11, each with its own starting pose; 0 takes any free number",
             Values.wholeNumber(0, 11)),
-    POSE(
-            "X,Y,DEGREES",
-            "where to start: metres, own half has x <= 0; 0 degrees looks at the opponents' goal",
-            Values::pose),
-    TYPE("N", "build of the robot, 0 to 4", Values.wholeNumber(0, 4)),
-    SEED("N", "start a simulator of its own whose run can be repeated exactly", Values::longNumber),
-    FAST("", "start a simulator of its own that runs as fast as it can", Values::flag),
-    SECONDS("T", "end after so many simulated seconds", Values::positive),
-    HEADLESS("", "no studio", Values::flag),
-    NO_BROWSER("", "studio, but do not open a browser", Values::flag),
-    TRUTH("", "let the camera also report the true places of robot and ball (own simulator)", Values::flag),
-    REPORT("FILE", "write the true results as JSON (own simulator)", Values::text),
-    RECORD("FILE", "record the run (own simulator)", Values::text),
-    WAIT_FOR("N", "hold the first cycle until N robots are in (own simulator)", Values.wholeNumber(1, 22)),
-    SCENE("NAME", "what stands on the pitch: soccer, obstacles, slope or box (own simulator)", Values::text),
-    HELP("", "show this help", Values::flag);
+    POSE("X,Y,DEGREES", "starting pose: metres, own half has x <= 0; 0 degrees faces the opponents' goal", Values.POSE),
+    TYPE("N", "robot type, 0 to 4", Values.wholeNumber(0, 4)),
+    SEED("N", "start an embedded simulator with this random seed", Values.LONG),
+    FAST("", "start an embedded simulator that runs as fast as it can", Values.FLAG),
+    SECONDS("T", "end the run after T simulated seconds", Values.POSITIVE),
+    HEADLESS("", "no studio", Values.FLAG),
+    NO_BROWSER("", "studio, but do not open a browser", Values.FLAG),
+    TRUTH("", "add the true positions of robot and ball to camera pictures (embedded simulator)", Values.FLAG),
+    REPORT("FILE", "write a report as JSON (embedded simulator)", Values.TEXT),
+    RECORD("FILE", "record the run (embedded simulator)", Values.TEXT),
+    WAIT_FOR("N", "hold the first cycle until N robots have joined (embedded simulator)", Values.wholeNumber(1, 22)),
+    SCENE("NAME", "scene on the pitch: soccer, obstacles, slope or box (embedded simulator)", Values.TEXT),
+    HELP("", "show this help", Values.FLAG);
 
     private final String placeholder;
     private final String description;
 
     @SuppressWarnings("ImmutableEnumChecker")
-    private final Values.Check check;
+    private final Values valid;
 
-    Option(String placeholder, String description, Values.Check check) {
+    Option(String placeholder, String description, Values valid) {
         this.placeholder = placeholder;
         this.description = description;
-        this.check = check;
+        this.valid = valid;
     }
 
     /** The name on the command line, such as {@code --no-browser}. */
@@ -62,9 +59,8 @@ enum Option {
         return placeholder.isEmpty();
     }
 
-    /** What is wrong with a value; empty if nothing is. */
-    Optional<String> complaint(String value) {
-        return check.complaint(value);
+    Values valid() {
+        return valid;
     }
 
     String helpLine() {
@@ -77,7 +73,7 @@ enum Option {
                 .findFirst();
     }
 
-    /** Asks for the option whose name is most like a misspelt one. */
+    /** Suggests the option with the most similar name. */
     static String question(String key) {
         String question =
                 Spelling.question(key, Arrays.stream(values()).map(Option::key).toList(), near -> "--" + near);

@@ -5,7 +5,7 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 
-/** The places from which options come; a later one is stronger. */
+/** Sources of options, in ascending precedence. */
 enum OptionSource {
     PROGRAM("in the program"),
     ENVIRONMENT("in the environment"),
@@ -18,7 +18,7 @@ enum OptionSource {
         this.where = where;
     }
 
-    /** The value of an option, and the precedence of the place where it stands. */
+    /** Value of an option with the precedence of its source. */
     record Value(String text, int strength) {}
 
     static Map<Option, Value> ofEnvironment(Map<String, String> environment) {
@@ -41,7 +41,7 @@ enum OptionSource {
         return values;
     }
 
-    /** Reads {@code --name value}, {@code --name=value} and flags; whatever is no option goes to the others. */
+    /** Reads {@code --name value}, {@code --name=value} and flags; other arguments are added to {@code others}. */
     static Map<Option, Value> ofArguments(List<String> args, List<String> others) {
         Map<Option, Value> values = new EnumMap<>(Option.class);
         Iterator<String> rest = args.iterator();
@@ -62,13 +62,12 @@ enum OptionSource {
         return values;
     }
 
-    /** Checks what was said for an option. */
     Value value(Option option, String text) {
         String trimmed = option.isFlag() && text.isBlank() ? "true" : text.trim();
-        option.complaint(trimmed).ifPresent(expected -> {
-            throw new StartUpException(
-                    option.argument() + " needs " + expected + ", but \"" + trimmed + "\" stands " + where + ".");
-        });
+        if (!option.valid().condition().test(trimmed)) {
+            throw new StartUpException(option.argument() + " needs "
+                    + option.valid().expected() + ", not \"" + trimmed + "\" (" + where + ").");
+        }
         return new Value(trimmed, ordinal());
     }
 
@@ -83,7 +82,7 @@ enum OptionSource {
             return "true";
         }
         if (!rest.hasNext()) {
-            throw new StartUpException(option.argument() + " needs a value after it; --help shows which.");
+            throw new StartUpException(option.argument() + " needs a value; --help shows which.");
         }
         return rest.next();
     }

@@ -16,9 +16,9 @@ import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
 
 /**
- * Where a robot lives and who it is: the same options for every agent. They are taken from the command line, from the file
- * {@code robonewbie.properties} in the working directory and from environment variables such as {@code ROBONEWBIE_HOST}, in
- * this order of precedence.
+ * The options that every agent accepts: simulator, team, number, starting pose and others. Sources, in descending precedence,
+ * are the command line, the file {@code robonewbie.properties} in the working directory, and environment variables such as
+ * {@code ROBONEWBIE_HOST}.
  *
  * <pre>{@code
  * Options options = Options.of(args);                     // --host 192.168.0.7 --number 4
@@ -27,7 +27,7 @@ import org.robonewbie.nao.model.RobotType;
  */
 public final class Options {
 
-    /** A line-up for numbers 1 to 11 that fits on the small pitch; number 1 keeps the goal. */
+    /** Default starting poses of numbers 1 to 11, which fit on the small pitch; number 1 keeps the goal. */
     private static final List<Pose2d> LINE_UP = List.of(
             new Pose2d(-5, 0, 0),
             new Pose2d(-0.6, 0, 0),
@@ -56,28 +56,28 @@ public final class Options {
         SimulatorChoice.check(this);
     }
 
-    /** {@return options that are all left open} */
+    /** {@return options without any value} */
     public static Options none() {
         return new Options(new EnumMap<>(Option.class), List.of(), false);
     }
 
     /**
-     * Reads the options of this program.
+     * Reads the options of this program from all sources.
      *
      * @param args the arguments of {@code main}
      * @return the options
-     * @throws StartUpException if an option is unknown or has a wrong value
+     * @throws StartUpException if an option is unknown or has an invalid value
      */
     public static Options of(String... args) {
         return none().overriddenBy(args);
     }
 
     /**
-     * Reads the options of this program and falls back to these options for what the user leaves open.
+     * Reads the options of this program; those that the user does not set keep their present value.
      *
      * @param args the arguments of {@code main}
      * @return the options
-     * @throws StartUpException if an option is unknown or has a wrong value
+     * @throws StartUpException if an option is unknown or has an invalid value
      */
     public Options overriddenBy(String... args) {
         return overriddenBy(Arrays.asList(args), "robonewbie.properties", Surroundings.environment());
@@ -95,98 +95,97 @@ public final class Options {
         }
         merged.putAll(OptionSource.ofArguments(args, others));
         Options result = new Options(merged, others, takesWords);
-        return isPlaceOfAnother(result) ? result.withoutPose() : result;
+        if (isPoseOfAnotherNumber(result)) {
+            merged.remove(Option.POSE);
+            return new Options(merged, others, takesWords);
+        }
+        return result;
     }
 
-    /** A place that the program names is that of its usual number, else all players of a team would start on one spot. */
-    private boolean isPlaceOfAnother(Options overriding) {
-        int usualNumber = Math.max(1, number());
-        boolean samePlace =
+    /**
+     * Whether the program's default pose is that of another number; otherwise all players of a team would start at the same
+     * pose.
+     */
+    private boolean isPoseOfAnotherNumber(Options overriding) {
+        int defaultNumber = Math.max(1, number());
+        boolean samePose =
                 pose().equals(overriding.pose()) && overriding.strength(Option.POSE) == strength(Option.POSE);
-        return samePlace && overriding.number() > 0 && overriding.number() != usualNumber;
+        return samePose && overriding.number() > 0 && overriding.number() != defaultNumber;
     }
 
-    private Options withoutPose() {
-        Map<Option, OptionSource.Value> changed = new EnumMap<>(Option.class);
-        changed.putAll(values);
-        changed.remove(Option.POSE);
-        return new Options(changed, arguments, takesWords);
-    }
-
-    /** {@return the help: one line for each option} */
+    /** {@return the help text, one line for each option} */
     public static String help() {
         return Arrays.stream(Option.values()).map(Option::helpLine).collect(Collectors.joining("\n"))
-                + "\nEach option can also stand in robonewbie.properties (such as host=192.168.0.7) or in the environment"
+                + "\nEach option can also be set in robonewbie.properties (such as host=192.168.0.7) or in the environment"
                 + " (such as ROBONEWBIE_HOST).";
     }
 
     /**
-     * Lets the program take words that are not options, such as the name of a file. Without this they are refused.
+     * Accepts arguments that are not options, such as a file name. Without this they are refused.
      *
-     * @return these options, open for words
+     * @return these options, accepting other arguments
      */
     public Options withWords() {
         return new Options(values, arguments, true);
     }
 
-    /** Refuses words that the program does not take. */
     void checkWords() {
         if (!takesWords && !arguments.isEmpty()) {
             throw new StartUpException("\"" + arguments.get(0)
-                    + "\" means nothing to this program. Options begin with --, such as --seconds 5; --help lists them. A program"
-                    + " that takes words says so in defaults(): Options.none().withWords().");
+                    + "\" is not an option. Options begin with --, such as --seconds 5; --help lists them. A program"
+                    + " that takes other arguments says so in defaults(): Options.none().withWords().");
         }
     }
 
     /**
-     * Sets the team.
+     * Sets the team name.
      *
-     * @param team the team's name
-     * @return these options with the other team
+     * @param team name of the team
+     * @return options with that team
      */
     public Options withTeam(String team) {
         return with(Option.TEAM, team);
     }
 
     /**
-     * Sets the number on the shirt.
+     * Sets the player number.
      *
      * @param number 1 to 11, or 0 for any free number
-     * @return these options with the other number
+     * @return options with that number
      */
     public Options withNumber(int number) {
         return with(Option.NUMBER, Integer.toString(number));
     }
 
     /**
-     * Sets the start.
+     * Sets the starting pose.
      *
-     * @param x metres from the centre, your half has x ≤ 0
+     * @param x metres from the centre; the own half has x ≤ 0
      * @param y metres to the left of the centre
-     * @param degrees direction to look to; 0 is towards the opponents' goal, positive is left
-     * @return these options with the other start
+     * @param degrees heading; 0 is towards the opponents' goal, positive is left
+     * @return options with that pose
      */
     public Options withPose(double x, double y, double degrees) {
         return with(Option.POSE, x + "," + y + "," + degrees);
     }
 
     /**
-     * Sets the end of the run.
+     * Sets the duration of the run.
      *
      * @param seconds simulated seconds, above 0
-     * @return these options with the other end
+     * @return options with that duration
      */
     public Options withSeconds(double seconds) {
         return with(Option.SECONDS, Double.toString(seconds));
     }
 
     /**
-     * Sets one option by its name on the command line.
+     * Sets an option by its name on the command line.
      *
      * @param name such as {@code seed}
-     * @param value such as {@code 1}; {@code true} switches a flag on
-     * @return these options with the other value
-     * @throws StartUpException if there is no such option or it cannot have this value
+     * @param value such as {@code 1}; {@code true} for a flag
+     * @return options with that value
+     * @throws StartUpException if there is no such option or the value is invalid
      */
     public Options with(String name, String value) {
         return with(OptionSource.find(name, "program"), value);
@@ -199,47 +198,47 @@ public final class Options {
         return new Options(changed, arguments, takesWords);
     }
 
-    /** {@return the name of the server's computer; empty if the user leaves it open} */
+    /** {@return the server's host name or address, if set} */
     public Optional<String> host() {
         return text(Option.HOST);
     }
 
-    /** {@return the server's TCP port; empty if the user leaves it open} */
+    /** {@return the server's TCP port, if set} */
     public OptionalInt port() {
         Optional<String> port = text(Option.PORT);
         return port.isPresent() ? OptionalInt.of(Integer.parseInt(port.get())) : OptionalInt.empty();
     }
 
-    /** {@return the team's name, {@code RoboNewbie} if the user leaves it open} */
+    /** {@return the team name; {@code RoboNewbie} if not set} */
     public String team() {
         return text(Option.TEAM).orElse(DEFAULT_TEAM);
     }
 
-    /** {@return the number on the shirt, 1 to 11; 0 for any free number} */
+    /** {@return the player number, 1 to 11; 0 for any free number} */
     public int number() {
         return text(Option.NUMBER).map(Integer::valueOf).orElse(0);
     }
 
-    /** {@return where the robot starts; empty if the user leaves it open} */
+    /** {@return the starting pose, if set} */
     public Optional<Pose2d> pose() {
         return text(Option.POSE).map(Options::parsePose);
     }
 
     /**
-     * Returns where the robot starts, in the coordinates of its team.
+     * Returns the starting pose in the coordinates of the robot's team.
      *
-     * @param number the robot's number, 1 to 11
-     * @return the pose that the user wants, else the usual place of this number in the own half
-     * @throws IllegalArgumentException if there is no such number
+     * @param number the player number, 1 to 11
+     * @return the pose that was set, else the default pose of this number in the own half
+     * @throws IllegalArgumentException if the number is outside that range
      */
     public Pose2d pose(int number) {
         if (number < 1 || number > LINE_UP.size()) {
-            throw new IllegalArgumentException("Robots have the numbers 1 to 11, not " + number);
+            throw new IllegalArgumentException("Players have numbers 1 to 11, not " + number);
         }
         return pose().orElse(LINE_UP.get(number - 1));
     }
 
-    /** {@return the build of the robot, 0 to 4, see {@code org.robonewbie.nao.model.RobotType}} */
+    /** {@return the robot type, 0 to 4, see {@code org.robonewbie.nao.model.RobotType}} */
     public int type() {
         return text(Option.TYPE).map(Integer::valueOf).orElse(0);
     }
@@ -248,59 +247,59 @@ public final class Options {
         return RobotType.values()[type()];
     }
 
-    /** {@return the start of all random numbers; empty if the run need not be repeatable} */
+    /** {@return the random seed; empty if the run need not be repeatable} */
     public OptionalLong seed() {
         Optional<String> seed = text(Option.SEED);
         return seed.isPresent() ? OptionalLong.of(Long.parseLong(seed.get())) : OptionalLong.empty();
     }
 
-    /** {@return whether the program's own simulator runs as fast as it can instead of in real time} */
+    /** {@return whether the embedded simulator runs as fast as it can instead of in real time} */
     public boolean isFast() {
         return isSet(Option.FAST);
     }
 
-    /** {@return simulated seconds until the run ends; empty if it has no end of its own} */
+    /** {@return simulated seconds until the run ends; empty for no limit} */
     public OptionalDouble seconds() {
         Optional<String> seconds = text(Option.SECONDS);
         return seconds.isPresent() ? OptionalDouble.of(Double.parseDouble(seconds.get())) : OptionalDouble.empty();
     }
 
-    /** {@return whether there is no studio} */
+    /** {@return whether the run has no studio} */
     public boolean isHeadless() {
         return isSet(Option.HEADLESS);
     }
 
-    /** {@return whether the studio is not opened in the browser} */
+    /** {@return whether the studio starts without opening a browser} */
     public boolean isNoBrowser() {
         return isSet(Option.NO_BROWSER);
     }
 
-    /** {@return whether pictures of the camera tell the true places of robot and ball, for experiments} */
+    /** {@return whether camera pictures include the true positions of robot and ball, for experiments} */
     public boolean isTruth() {
         return isSet(Option.TRUTH);
     }
 
-    /** {@return the JSON file for the true results; empty for none} */
+    /** {@return the JSON file for the report, if any} */
     public Optional<String> report() {
         return text(Option.REPORT);
     }
 
-    /** {@return the file for the recording; empty for none} */
+    /** {@return the file for the recording, if any} */
     public Optional<String> record() {
         return text(Option.RECORD);
     }
 
-    /** {@return the name of what stands on the pitch; empty for the bare pitch} */
+    /** {@return the name of the scene; empty for the bare pitch} */
     public Optional<String> scene() {
         return text(Option.SCENE);
     }
 
-    /** {@return how many robots must be in before the simulator starts its clock, at least 1} */
+    /** {@return the number of robots that must have joined before the simulator starts its clock, at least 1} */
     public int waitFor() {
         return text(Option.WAIT_FOR).map(Integer::valueOf).orElse(1);
     }
 
-    /** {@return the arguments that are not options, in their order} */
+    /** {@return the arguments that are not options, in order} */
     public List<String> arguments() {
         return arguments;
     }
@@ -309,7 +308,7 @@ public final class Options {
         return isSet(Option.HELP);
     }
 
-    /** Returns how much weight an option has: the more, the nearer to the command line it was set; -1 if it is not set at all. */
+    /** Returns the precedence of an option's source; -1 if the option is not set. */
     int strength(Option option) {
         OptionSource.Value value = values.get(option);
         return value == null || value.text().equals("false") ? -1 : value.strength();
@@ -327,7 +326,7 @@ public final class Options {
         double[] numbers =
                 Arrays.stream(text.split(",")).mapToDouble(Double::parseDouble).toArray();
         if (Math.abs(numbers[0]) > MAX_X || Math.abs(numbers[1]) > MAX_Y) {
-            throw new StartUpException("--pose " + text + " is far outside of every pitch: x is at most " + MAX_X
+            throw new StartUpException("--pose " + text + " is outside every pitch: x is at most " + MAX_X
                     + " m from the centre, y " + MAX_Y + " m; your own half has negative x, such as --pose -2,1,90.");
         }
         return new Pose2d(numbers[0], numbers[1], numbers[2]);

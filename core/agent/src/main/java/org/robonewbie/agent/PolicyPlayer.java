@@ -15,9 +15,9 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * Does what was learned in a task of {@code robonewbie learn} or the Python package, from the robot's messages alone: joints go to
- * the first posture, or to that of the motion that the policy carries, moved by what the network says. What it says lasts as many
- * cycles as it did while the policy was learned.
+ * Plays a policy that was trained by {@code robonewbie learn} or the Python package, from the robot's sensors alone. The
+ * network's outputs are added to the posture at the start, or to the motion that the policy contains. Each action is held for
+ * as many cycles as in training.
  *
  * <pre>{@code
  * private final PolicyPlayer kick = new PolicyPlayer(PolicyFile.shipped("kick-to"));
@@ -52,10 +52,10 @@ public final class PolicyPlayer {
     private int cycles;
 
     /**
-     * Takes a policy.
+     * Creates a player of a policy.
      *
-     * @param policy what was learned by {@code robonewbie learn} or {@code python -m robonewbie.train}
-     * @throws IllegalArgumentException if it takes what a robot does not feel, or moves what is no joint
+     * @param policy a policy from {@code robonewbie learn} or {@code python -m robonewbie.train}
+     * @throws IllegalArgumentException if an input is no sensor of the robot or an output is no joint
      */
     public PolicyPlayer(Policy policy) {
         network = policy.network();
@@ -87,38 +87,38 @@ public final class PolicyPlayer {
                 .filter(joint -> output.name().equals(JOINT + joint))
                 .findAny()
                 .orElseThrow(() -> new IllegalArgumentException("The policy moves " + output.name()
-                        + ", which is no joint. Outputs are called joint.LEFT_KNEE_PITCH and the like."));
+                        + ", which is not a joint. Outputs are named like joint.LEFT_KNEE_PITCH."));
     }
 
     /**
-     * Sets what is wanted.
+     * Sets a command input of the policy.
      *
-     * @param name what the policy can be told, such as {@code distance} of a kick
-     * @param value how much, in the unit with which it was learned; 0 until it is told
-     * @throws IllegalArgumentException if the policy cannot be told this
+     * @param name name of the command, such as {@code distance} of a kick
+     * @param value value in the unit of training; 0 until it is set
+     * @throws IllegalArgumentException if the policy has no such command
      */
     public void setCommand(String name, double value) {
         if (!commands.containsKey(name)) {
-            throw new IllegalArgumentException("This policy cannot be told \"" + name + "\". It can be told: "
-                    + (commands.isEmpty() ? "nothing" : String.join(", ", commands.keySet())) + ".");
+            throw new IllegalArgumentException("This policy has no command \"" + name + "\". Its commands: "
+                    + (commands.isEmpty() ? "none" : String.join(", ", commands.keySet())) + ".");
         }
         commands.put(name, value);
     }
 
-    /** Begins again with the posture that the robot has in the next cycle. */
+    /** Restarts the policy from the robot's posture in the next cycle. */
     public void begin() {
         acting = false;
     }
 
-    /** {@return whether the motion that the policy carries is over; a policy without a motion never is} */
+    /** {@return whether the motion that the policy contains is over; always false without a motion} */
     public boolean isFinished() {
         return acting && guide.isPresent() && guide.get().isOver(cycles);
     }
 
     /**
-     * Moves the joints, to be called once in each cycle.
+     * Moves the joints. Call it once in each cycle.
      *
-     * @param robot feels and moves
+     * @param robot the robot to sense and move
      */
     public void act(Robot robot) {
         if (!acting) {

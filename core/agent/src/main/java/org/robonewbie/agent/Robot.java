@@ -19,16 +19,17 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.telemetry.Drawing;
 
 /**
- * The hardware of the robot: getters are its sensors as of the last message, setters are its motors and its loudspeaker for the
- * next. A value that the robot cannot use is ignored or clamped, and reported once.
+ * The robot's hardware: getters read its sensors as of the last message, setters command its motors and its loudspeaker for the
+ * next one. Values that the robot cannot use are ignored or clamped, and reported once.
  *
  * <p>Units are degrees, metres, seconds and newtons. Vectors have x forward, y to the left and z up, relative to the robot.
- * (SimSpark's own messages have x to the right and y forward; they are converted on reception.) A command takes effect in the
- * message after the next, since one message is always under way.
+ * (SimSpark's own messages have x to the right and y forward; they are converted on reception.) A command takes effect two
+ * messages later, since one message is always in transit.
  *
- * <p>Drawings appear in the studio's picture of the robot's surroundings. All drawings of one cycle form a picture, which stays
- * until the next one, for a second at most. Their points are metres from the centre of the head, as in the field view; colours
- * are CSS names or codes, such as {@code red} or {@code #ff8800}. A finished program may keep them: without a studio they do nothing.
+ * <p>Drawings appear in the studio's view of the robot's surroundings. All drawings of one cycle form a picture, which is shown
+ * until the next one, for at most a second. Points are in metres from the centre of the head, as in the field view; colours are
+ * CSS names or codes, such as {@code red} or {@code #ff8800}. Without a studio they have no effect, so a finished program may
+ * keep them.
  */
 public class Robot {
 
@@ -55,76 +56,75 @@ public class Robot {
         return runtime.log();
     }
 
-    /** {@return simulated seconds since the simulator was started; grows by 0.02 in each cycle} */
+    /** {@return simulated seconds since the simulator was started; increases by 0.02 in each cycle} */
     public final double getTime() {
         return sensors().seconds();
     }
 
     /**
-     * Reads the sensor of a joint.
+     * Reads a joint's angle sensor, updated in each cycle.
      *
      * @param joint the joint
-     * @return its angle in degrees, normally within the joint's range; each cycle
+     * @return the angle in degrees, normally within the joint's range
      */
     public final double getJointAngle(Joint joint) {
         return sensors().joints().degrees(joint);
     }
 
     /**
-     * Reads the gyroscope in the torso.
+     * Reads the gyroscope in the torso, updated in each cycle.
      *
-     * @return turning speed in degrees per second: x is positive while the right side goes down, y while the robot bends
-     *     forward, z while it turns left; each cycle
+     * @return angular velocity in degrees per second: x is positive while the robot tilts to its right, y while it tilts
+     *     forward, z while it turns left
      */
     public final Vector3 getGyro() {
         return sensors().torso().gyro();
     }
 
     /**
-     * Reads the accelerometer in the torso.
+     * Reads the accelerometer in the torso, updated in each cycle.
      *
-     * @return specific force in m/s²: x forward, y left, z up; about (0, 0, 9.81) at rest, with strong shocks while walking;
-     *     updated in each cycle
+     * @return specific force in m/s²: x forward, y left, z up; about (0, 0, 9.81) at rest, with strong shocks while walking
      */
     public final Vector3 getAcceleration() {
         return sensors().torso().acceleration();
     }
 
-    /** {@return where and how strongly the ground presses on the left sole; no force in the air; each cycle} */
+    /** {@return the force on the left sole and the point where it acts; zero force in the air; updated in each cycle} */
     public final FootPressure getLeftFootPressure() {
         return sensors().leftFoot();
     }
 
-    /** {@return where and how strongly the ground presses on the right sole; no force in the air; each cycle} */
+    /** {@return the force on the right sole and the point where it acts; zero force in the air; updated in each cycle} */
     public final FootPressure getRightFootPressure() {
         return sensors().rightFoot();
     }
 
     /**
-     * Reads the camera. {@code LocalFieldView} remembers what it sees and is easier to use.
+     * Reads the camera. {@code LocalFieldView} remembers the sightings and is easier to use.
      *
-     * @return what the camera recognises, relative to the head as it is turned now; empty in two of three cycles
+     * @return the objects in view, relative to the head in its present pose; empty in two of three cycles
      */
     public final Optional<CameraPicture> getVision() {
         return sensors().picture();
     }
 
-    /** {@return messages from other robots; usually empty. Your own messages are not included} */
+    /** {@return messages of other robots in this cycle, usually none; the robot's own messages are not included} */
     public final List<HeardMessage> getHeard() {
         return sensors().heard();
     }
 
-    /** {@return the referee's play mode; the last one that this framework knows} */
+    /** {@return the referee's play mode; unknown modes are ignored} */
     public final PlayMode getPlayMode() {
         return sensors().playMode();
     }
 
-    /** {@return seconds of play; does not grow before the kick-off} */
+    /** {@return the game clock in seconds; it starts at the kick-off} */
     public final double getPlayTime() {
         return sensors().playSeconds();
     }
 
-    /** {@return the half that this team defends; left until the referee has said something else} */
+    /** {@return the half that this team defends; left until the referee has assigned one} */
     public final TeamSide getTeamSide() {
         return sensors().side();
     }
@@ -134,12 +134,12 @@ public class Robot {
         return sensors().team();
     }
 
-    /** {@return the number on the robot's shirt, 1 to 11; 0 before it has joined a game} */
+    /** {@return the player number, 1 to 11; 0 before the robot has joined a game} */
     public final int getNumber() {
         return sensors().number();
     }
 
-    /** {@return how the robot is built: as the option {@code --type} wants it, else the standard type 0} */
+    /** {@return the robot type, as set by the option {@code --type}; type 0 by default} */
     public final RobotType getType() {
         return sensors().type();
     }
@@ -155,9 +155,9 @@ public class Robot {
     }
 
     /**
-     * Checks whether the robot lies on the ground, by the smoothed accelerometer: about half a second after it has fallen.
+     * Checks whether the robot has fallen, by the smoothed accelerometer; detects a fall after about half a second.
      *
-     * @return whether the torso leans by more than 60 degrees
+     * @return whether the torso tilts by more than 60 degrees
      */
     public final boolean isFallen() {
         return getBodyPosition().isFallen();
@@ -168,14 +168,14 @@ public class Robot {
         return sensors().bodyPosition();
     }
 
-    /** {@return the last message as the simulator sent it, an S-expression; empty if the robot has no connection} */
+    /** {@return the last message of the simulator, an S-expression; empty without a connection} */
     public final String getRawMessage() {
         return sensors().buffer().toString();
     }
 
     /**
-     * Turns a motor. It keeps turning until it gets another speed or target, or a motion starts, and stops at the end of the
-     * joint's range.
+     * Sets the speed of a joint. It holds until another speed or target is set or a motion starts; the joint stops at the end
+     * of its range.
      *
      * @param joint the joint
      * @param degreesPerSecond speed from -351.77 to 351.77; 0 stops and holds the joint
@@ -185,40 +185,39 @@ public class Robot {
     }
 
     /**
-     * Moves a joint to an angle as fast as it can and holds it there, until it gets another speed or target, or a motion
-     * starts.
+     * Moves a joint to an angle at full speed and holds it there, until another speed or target is set or a motion starts.
      *
      * @param joint the joint
-     * @param degrees the angle, within the joint's range
+     * @param degrees target angle, within the joint's range
      */
     public final void setJointAngle(Joint joint, double degrees) {
         commands().setJointAngle(joint, degrees, joint.maxDegreesPerSecond());
     }
 
     /**
-     * Moves a joint to an angle and holds it there, until it gets another speed or target, or a motion starts.
+     * Moves a joint to an angle and holds it there, until another speed or target is set or a motion starts.
      *
      * @param joint the joint
-     * @param degrees the angle, within the joint's range
-     * @param degreesPerSecond how fast it may move, above 0 and up to 351.77
+     * @param degrees target angle, within the joint's range
+     * @param degreesPerSecond maximum speed, above 0 and up to 351.77
      */
     public final void setJointAngle(Joint joint, double degrees, double degreesPerSecond) {
         commands().setJointAngle(joint, degrees, degreesPerSecond);
     }
 
     /**
-     * Says something; robots up to 50 m away can hear it. There is room for one text in each cycle, the last one counts.
+     * Broadcasts a message to robots within 50 m. Only the last call in a cycle counts.
      *
-     * @param text 1 to 20 letters, digits and signs, without blanks, brackets, quotes and semicolons
+     * @param text 1 to 20 printable ASCII characters, without blanks, brackets, quotes and semicolons
      */
     public final void say(String text) {
         commands().say(text);
     }
 
     /**
-     * Moves the robot to a place on its own half. The referee allows it before a kick-off and after a goal.
+     * Beams the robot to a pose in its own half. The referee allows it before a kick-off and after a goal.
      *
-     * @param x metres from the centre towards the opponents' goal, so not above 0
+     * @param x metres from the centre towards the opponents' goal, at most 0
      * @param y metres from the centre to the left
      * @param degrees heading; 0 is towards the opponents' goal, positive is left
      */
@@ -227,9 +226,9 @@ public class Robot {
     }
 
     /**
-     * Moves the robot to a place on its own half. The referee allows it before a kick-off and after a goal.
+     * Beams the robot to a pose in its own half. The referee allows it before a kick-off and after a goal.
      *
-     * @param pose where to stand
+     * @param pose metres and degrees in the coordinates of the robot's team
      */
     public final void beam(Pose2d pose) {
         beam(pose.x(), pose.y(), pose.degrees());
@@ -241,9 +240,9 @@ public class Robot {
     }
 
     /**
-     * Asks the referee for pass mode: for up to four seconds, or until somebody touches the ball, the opponents must stay a metre away from
-     * it. The referee grants it in open play to a robot within half a metre of a ball that lies still, if no opponent is within a metre
-     * of it, and not more often than every three seconds. The team cannot score in the ten seconds after it, unless a second player
+     * Requests pass mode: opponents must stay a metre away from the ball for up to four seconds, or until the ball is touched.
+     * The referee grants it in open play to a robot within half a metre of a resting ball, if no opponent is within a metre of
+     * the ball, and at most every three seconds. The team cannot score in the following ten seconds unless a second player
      * touches the ball.
      */
     public final void requestPass() {
@@ -253,30 +252,30 @@ public class Robot {
     /**
      * Draws a point.
      *
-     * @param place metres from the head
-     * @param colour name or code
+     * @param place position, metres from the head
+     * @param colour CSS name or code
      */
     public final void drawPoint(Vector3 place, String colour) {
         runtime.telemetry().draw(new Drawing.Point(place, colour));
     }
 
     /**
-     * Draws a straight line.
+     * Draws a line.
      *
-     * @param from its start, metres from the head
-     * @param to its end, metres from the head
-     * @param colour name or code
+     * @param from start, metres from the head
+     * @param to end, metres from the head
+     * @param colour CSS name or code
      */
     public final void drawLine(Vector3 from, Vector3 to, String colour) {
         runtime.telemetry().draw(new Drawing.Line(from, to, colour));
     }
 
     /**
-     * Draws a level circle.
+     * Draws a horizontal circle.
      *
      * @param centre metres from the head
      * @param radius in metres
-     * @param colour name or code
+     * @param colour CSS name or code
      */
     public final void drawCircle(Vector3 centre, double radius, String colour) {
         runtime.telemetry().draw(new Drawing.Circle(centre, radius, colour));
@@ -285,29 +284,29 @@ public class Robot {
     /**
      * Draws a text.
      *
-     * @param place metres from the head
-     * @param text what it says
-     * @param colour name or code
+     * @param place position, metres from the head
+     * @param text the text
+     * @param colour CSS name or code
      */
     public final void drawText(Vector3 place, String text, String colour) {
         runtime.telemetry().draw(new Drawing.Text(place, text, colour));
     }
 
     /**
-     * Adds a value to a curve over time in the studio.
+     * Adds a value to a plot over time in the studio.
      *
-     * @param curve name of the curve; each name has one of its own
-     * @param value the value in this cycle, in a unit of your choice
+     * @param curve name of the curve
+     * @param value value in this cycle, in a unit of your choice
      */
     public final void plot(String curve, double value) {
         runtime.telemetry().plot(curve, value);
     }
 
     /**
-     * Shows the robot's believed pose in the studio.
+     * Shows the robot's estimated pose in the studio.
      *
      * @param x metres from the centre towards the opponents' goal
-     * @param y metres to the left of that
+     * @param y metres from the centre to the left
      * @param headingDegrees heading of the torso; 0 is towards the opponents' goal, positive is left
      */
     public final void publishPose(double x, double y, double headingDegrees) {

@@ -13,38 +13,39 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.text.Spelling;
 
 /**
- * Something that a robot feels in each cycle, and that a policy may take, under the names that learning programs know.
+ * Sensor reading that a policy may use as an input, under the name that learning programs use.
  *
- * @param quantity its name and unit
- * @param reading reads it
+ * @param quantity name and unit
+ * @param reading reads the value
  */
 record SensedQuantity(Quantity quantity, ToDoubleFunction<Robot> reading) {
 
     private static final String METRES = "m";
     private static final String NEWTONS = "N";
     private static final Map<String, SensedQuantity> ALL =
-            all().collect(Collectors.toMap(felt -> felt.quantity().name(), felt -> felt));
+            all().collect(Collectors.toMap(sensor -> sensor.quantity().name(), sensor -> sensor));
 
     /**
-     * Looks a quantity up.
+     * Looks up a quantity.
      *
-     * @throws IllegalArgumentException if robots feel nothing of this name, or in another unit
+     * @throws IllegalArgumentException if the robot has no such sensor, or measures in another unit
      */
     static SensedQuantity of(Quantity wanted) {
         return named(wanted.name())
-                .filter(felt -> felt.quantity().equals(wanted))
-                .orElseThrow(() -> new IllegalArgumentException("A robot does not feel " + wanted.name() + " in "
+                .filter(sensor -> sensor.quantity().equals(wanted))
+                .orElseThrow(() -> new IllegalArgumentException("The robot has no sensor " + wanted.name() + " in "
                         + wanted.unit() + "." + advice(wanted.name())));
     }
 
     private static String advice(String name) {
         return named(name)
-                .map(felt -> " It is felt in " + felt.quantity().unit() + ".")
+                .map(sensor -> " It is measured in " + sensor.quantity().unit() + ".")
                 .orElseGet(() -> Spelling.question(name, ALL.keySet(), SensedQuantity::withUnit));
     }
 
     private static String withUnit(String name) {
-        return name + named(name).map(felt -> " in " + felt.quantity().unit()).orElse("");
+        return name
+                + named(name).map(sensor -> " in " + sensor.quantity().unit()).orElse("");
     }
 
     private static Optional<SensedQuantity> named(String name) {

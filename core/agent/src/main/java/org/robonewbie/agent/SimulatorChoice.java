@@ -5,8 +5,8 @@ import org.robonewbie.agent.running.WantedSimulator;
 import org.robonewbie.protocol.embedded.SimulatorRequest;
 
 /**
- * Decides where robots live: options such as {@code --seed} need a simulator of the program's own, {@code --host} names that of
- * another program, and without either of them whatever runs on this computer is used.
+ * Selects the simulator: options such as {@code --seed} require an embedded one, {@code --host} names a server, and without
+ * either a server on this computer is preferred to an embedded simulator.
  */
 final class SimulatorChoice {
 
@@ -17,22 +17,22 @@ final class SimulatorChoice {
 
     private SimulatorChoice() {}
 
-    /** Checks that the options do not ask for two simulators with the same weight. */
+    /** Refuses options of the same source that ask for two simulators. */
     static void check(Options options) {
         int server = options.strength(Option.HOST);
         for (Option own : ONLY_OWN_SIMULATOR) {
             if (server >= 0 && options.strength(own) == server) {
-                throw new StartUpException(own.argument() + " needs a simulator of its own, but --host "
-                        + options.host().orElse("") + " asks for another one: leave one of the two out.");
+                throw new StartUpException(own.argument() + " needs an embedded simulator, but --host "
+                        + options.host().orElse("") + " selects a server: remove one of the two options.");
             }
         }
     }
 
-    /** Chooses the simulator; one of the program's own holds its clock until all robots are in. */
+    /** Selects the simulator; an embedded one holds its clock until all robots have joined. */
     static WantedSimulator of(Options options, int robots, String agent) {
         WantedSimulator.Kind kind = kind(options);
-        int usualPort = kind == WantedSimulator.Kind.OWN ? 0 : DEFAULT_PORT;
-        int port = options.port().orElse(usualPort);
+        int defaultPort = kind == WantedSimulator.Kind.OWN ? 0 : DEFAULT_PORT;
+        int port = options.port().orElse(defaultPort);
         String host = kind == WantedSimulator.Kind.SERVER ? options.host().orElse(THIS_COMPUTER) : THIS_COMPUTER;
         return new WantedSimulator(kind, host, port, request(options, port, robots, agent));
     }

@@ -12,12 +12,12 @@ import org.robonewbie.protocol.effector.EffectorCommand.JoinTeam;
 import org.robonewbie.protocol.effector.EffectorCommand.Synchronise;
 
 /**
- * Brings a robot into the game: creates it, joins a team, waits for number and side, beams to the first place and stands there.
- * Each received message is answered once, so it works with servers that wait for their agents and with those that do not.
+ * Start-up dialogue of a robot: creates it, joins a team, waits for number and side, beams to the starting pose and stands
+ * there. Each received message is answered once, so it works with servers in lock step and in real time.
  */
 final class StartDialogue {
 
-    private static final int PATIENCE_MESSAGES = 100;
+    private static final int MAX_MESSAGES = 100;
     private static final int MESSAGES_TO_SETTLE = 15;
 
     private final MessagePort port;
@@ -33,8 +33,8 @@ final class StartDialogue {
     /**
      * Runs the dialogue.
      *
-     * @param atFirstMessage what to do when the simulator has answered
-     * @param inPlace what to do when the robot has answered the message after its beam
+     * @param atFirstMessage called when the simulator has answered
+     * @param inPlace called when the robot has answered the first message after its beam
      */
     void run(Runnable atFirstMessage, Runnable inPlace) throws IOException {
         robot.sensors().setTeam(options.team());
@@ -56,14 +56,14 @@ final class StartDialogue {
     }
 
     private void waitForNumber() throws IOException {
-        for (int i = 0; i < PATIENCE_MESSAGES; i++) {
+        for (int i = 0; i < MAX_MESSAGES; i++) {
             receive();
             if (robot.sensors().isJoined()) {
                 return;
             }
             answer(Optional.empty());
         }
-        throw new StartUpException("The simulator has refused number " + options.number() + " of team "
+        throw new StartUpException("The simulator refused number " + options.number() + " of team "
                 + options.team() + ": choose a number that is free (--number 0 takes any), or the name of a team that"
                 + " plays already (--team). A league's team has at most 7 robots of one type: choose another one"
                 + " (--type) for the others.");
@@ -71,7 +71,7 @@ final class StartDialogue {
 
     private void receive() throws IOException {
         if (!port.receive()) {
-            throw new IOException("it has closed the connection");
+            throw new IOException("it closed the connection");
         }
         robot.sense(port.message());
     }

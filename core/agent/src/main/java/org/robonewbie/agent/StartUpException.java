@@ -1,8 +1,8 @@
 package org.robonewbie.agent;
 
 /**
- * The program was called in a way that it cannot start with, for example with an unknown option or without a server. Its
- * message is one sentence for the user: what happened and what to do.
+ * Thrown when a program cannot start, for example because of an unknown option or a missing server. The message is one sentence
+ * for the user: what happened and what to do.
  */
 public final class StartUpException extends RuntimeException {
 

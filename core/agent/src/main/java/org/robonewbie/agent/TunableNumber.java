@@ -3,18 +3,18 @@ package org.robonewbie.agent;
 import java.io.Serializable;
 
 /**
- * A number in a robot's program that can be tuned.
+ * A tunable number of a robot program, see {@link Agent#number}.
  *
- * @param name what the program calls it
- * @param usual its default value
+ * @param name name of the number
+ * @param usual default value
  * @param least smallest sensible value
  * @param most largest sensible value
- * @param value its value in this robot
+ * @param value current value
  */
 public record TunableNumber(String name, double usual, double least, double most, double value)
         implements Serializable {
 
-    /** Returns the number with another value, or with the nearest one that it may have. */
+    /** Returns the number with another value, clamped to its range. */
     TunableNumber withValue(double wanted) {
         double taken = Double.isNaN(wanted) ? value : Math.max(least, Math.min(most, wanted));
         return new TunableNumber(name, usual, least, most, taken);

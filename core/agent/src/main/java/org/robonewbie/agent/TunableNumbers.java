@@ -17,8 +17,8 @@ import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.protocol.telemetry.TelemetryItem.DeclaredNumber;
 
 /**
- * The numbers that a robot's program has declared by {@link Agent#number}. Other values for them stand in a file with the name of
- * the program's class, such as {@code Walker.numbers}, in the folder in which the program runs:
+ * The tunable numbers that a robot program has declared by {@link Agent#number}. A file in the working directory, named after
+ * the program's class, such as {@code Walker.numbers}, overrides their default values:
  *
  * <pre>
  * stride = 0.062
@@ -46,9 +46,9 @@ public final class TunableNumbers {
     }
 
     /**
-     * Returns the name of the file with other values for the numbers of a program.
+     * Returns the name of the file that overrides the numbers of a program.
      *
-     * @param type the program's class
+     * @param type simple name of the program's class
      * @return such as {@code Walker.numbers}
      */
     public static String fileName(String type) {
@@ -56,9 +56,9 @@ public final class TunableNumbers {
     }
 
     /**
-     * Creates a robot with other numbers than those of its file.
+     * Creates a robot with given numbers instead of those of its file.
      *
-     * @param values value by name; numbers that are not named have their usual value
+     * @param values value by name; other numbers have their default value
      * @param maker creates the robot, in this thread
      * @param <A> the robot's class
      * @return the robot
@@ -84,24 +84,27 @@ public final class TunableNumbers {
         }
         if (!(least <= usual && usual <= most && least < most) || Double.isInfinite(most - least)) {
             throw new IllegalArgumentException("number(\"" + name + "\", " + usual + ", " + least + ", " + most
-                    + "): give the usual value, then the least and the most it may be, such as (\"" + name
+                    + "): expected the default value, then the smallest and the largest value, such as (\"" + name
                     + "\", 5, 0, 10).");
         }
-        double value = within(name, wanted().getOrDefault(name, usual), usual, least, most);
-        declared.put(name, new TunableNumber(name, usual, least, most, value));
-        return value;
+        double requested = wanted().getOrDefault(name, usual);
+        TunableNumber number = new TunableNumber(name, usual, least, most, usual).withValue(requested);
+        if (number.value() != requested) {
+            diagnostics.reportAt(
+                    "",
+                    "number " + name,
+                    () -> name + " = " + requested + " in " + file + " is not between " + least + " and " + most + "; "
+                            + number.value() + " is used.");
+        }
+        declared.put(name, number);
+        return number.value();
     }
 
     List<TunableNumber> list() {
         return List.copyOf(declared.values());
     }
 
-    /**
-     * Publishes the numbers of a running robot, and takes over the values that people want of them at the viewer.
-     *
-     * @param robot the robot, between two cycles
-     * @param viewer who sees them
-     */
+    /** Publishes the numbers of a running robot and applies the values that the viewer requests. Call it between two cycles. */
     void follow(Agent robot, TelemetryPublisher viewer) {
         if (!followed) {
             followed = true;
@@ -110,16 +113,16 @@ public final class TunableNumbers {
         if (declared.isEmpty() || !viewer.isWatched()) {
             return;
         }
-        Map<String, Double> wishes = wishes(viewer);
+        Map<String, Double> wishes = requests(viewer);
         if (!wishes.isEmpty()) {
             Map<String, Double> before = values();
             wishes.forEach((name, value) -> declared.computeIfPresent(name, (same, number) -> number.withValue(value)));
-            renewFields(robot, before);
+            updateFields(robot, before);
         }
         publish(viewer, !wishes.isEmpty());
     }
 
-    private Map<String, Double> wishes(TelemetryPublisher viewer) {
+    private Map<String, Double> requests(TelemetryPublisher viewer) {
         Map<String, Double> wishes = new HashMap<>();
         for (String name : declared.keySet()) {
             viewer.wish(name).ifPresent(value -> wishes.put(name, value));
@@ -127,8 +130,11 @@ public final class TunableNumbers {
         return wishes;
     }
 
-    /** Fields got their values when the robot was made: what two robots made with the old and the new numbers differ in is changed. */
-    private void renewFields(Agent robot, Map<String, Double> before) {
+    /**
+     * Updates the fields that were initialised from numbers: those in which two new instances, one with the old and one with
+     * the new numbers, differ.
+     */
+    private void updateFields(Agent robot, Map<String, Double> before) {
         Map<String, Double> now = values();
         boolean inFields = declaredAtFirst.stream().anyMatch(name -> !Objects.equals(now.get(name), before.get(name)));
         if (!inFields) {
@@ -140,20 +146,19 @@ public final class TunableNumbers {
             diagnostics.reportAt(
                     "",
                     "sliders",
-                    () ->
-                            "The numbers of the robot's fields cannot follow their sliders, since no other robot can be made by "
-                                    + robot.getClass().getSimpleName()
-                                    + "(). Ask for number(...) in think(), where it always has the value of its slider.");
+                    () -> "Sliders cannot change fields, since "
+                            + robot.getClass().getSimpleName()
+                            + "() cannot create a second instance. Call number(...) in think(), where it always has the value of its slider.");
         }
     }
 
-    /** Pages come and go without a word, so the numbers are published again and again. */
+    /** Publishes the numbers periodically, since viewers connect and disconnect unannounced. */
     private void publish(TelemetryPublisher viewer, boolean changed) {
         cyclesUntilPublished--;
         if (changed || cyclesUntilPublished < 0) {
             cyclesUntilPublished = CYCLES_UNTIL_PUBLISHED_AGAIN;
             for (TunableNumber number : declared.values()) {
-                viewer.declare(new DeclaredNumber(
+                viewer.publish(new DeclaredNumber(
                         number.name(), number.usual(), number.least(), number.most(), number.value()));
             }
         }
@@ -165,36 +170,24 @@ public final class TunableNumbers {
         return values;
     }
 
-    /** Reports names in the file that the program does not have, once all of its numbers are declared. */
+    /** Reports numbers of the file that the program does not declare. Call it when all numbers are declared. */
     void reportUnknown() {
         for (String name : wanted().keySet()) {
             if (!declared.containsKey(name)) {
                 diagnostics.reportAt(
                         "",
                         "number " + name,
-                        () -> file + " has a number \"" + name + "\", but the program declares none of this name."
+                        () -> file + " has a number \"" + name + "\", but the program does not declare it."
                                 + Spelling.question(name, declared.keySet()) + " It has " + declared.keySet() + ".");
             }
         }
     }
 
-    /** The file is read when the first number is declared, so a program without numbers needs none. */
+    /** Reads the file when the first number is declared. */
     private Map<String, Double> wanted() {
         Map<String, Double> values = wanted.orElseGet(() -> read(file, diagnostics));
         wanted = Optional.of(values);
         return values;
-    }
-
-    private double within(String name, double value, double usual, double least, double most) {
-        double taken = Double.isNaN(value) ? usual : Math.max(least, Math.min(most, value));
-        if (taken != value) {
-            diagnostics.reportAt(
-                    "",
-                    "number " + name,
-                    () -> name + " = " + value + " in " + file + " is not between " + least + " and " + most + "; "
-                            + taken + " is taken.");
-        }
-        return taken;
     }
 
     private static Map<String, Double> read(String file, Diagnostics diagnostics) {
@@ -208,9 +201,9 @@ public final class TunableNumbers {
                                             "",
                                             "number " + name,
                                             () -> name + " = " + text + " in " + file
-                                                    + " is no number; the usual one is taken.")));
+                                                    + " is not a number; the default value is used.")));
         } catch (IOException unreadable) {
-            diagnostics.reportAt("", "numbers", () -> unreadable.getMessage() + " The usual numbers are taken.");
+            diagnostics.reportAt("", "numbers", () -> unreadable.getMessage() + " The default values are used.");
         }
         return values;
     }

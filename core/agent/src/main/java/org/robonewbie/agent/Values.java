@@ -1,60 +1,51 @@
 package org.robonewbie.agent;
 
-import java.util.Optional;
+import java.util.Arrays;
 import java.util.function.DoublePredicate;
+import java.util.function.Predicate;
 import org.robonewbie.nao.math.PortableMath;
 
-/** Checks of option values; each says in half a sentence what was expected. */
-final class Values {
+/**
+ * Valid values of an option.
+ *
+ * @param expected description of the valid values, for messages
+ * @param condition accepts valid values
+ */
+record Values(String expected, Predicate<String> condition) {
 
-    private Values() {}
+    static final Values TEXT = new Values("a text", value -> !value.isBlank());
 
-    /** What is wrong with a value; empty if nothing is. */
-    @FunctionalInterface
-    interface Check {
-        Optional<String> complaint(String value);
+    static final Values NAME = new Values(
+            "a name of letters A to Z, digits and signs without blanks, brackets and quotes",
+            value -> !value.isEmpty() && value.chars().allMatch(c -> c > ' ' && c <= '~' && "()\"';".indexOf(c) < 0));
+
+    static final Values FLAG = new Values("true or false", value -> value.equals("true") || value.equals("false"));
+
+    static final Values LONG = new Values("a whole number", Values::isLong);
+
+    static final Values POSITIVE = new Values("a number above 0", value -> isNumber(value, number -> number > 0));
+
+    static final Values POSE = new Values("three numbers X,Y,DEGREES such as -0.5,0.4,-40", Values::isPose);
+
+    static Values wholeNumber(int least, int most) {
+        return new Values(
+                "a whole number from " + least + " to " + most,
+                value -> isNumber(
+                        value, number -> number >= least && number <= most && number == PortableMath.rint(number)));
     }
 
-    static Optional<String> text(String value) {
-        return expect(!value.isBlank(), "a text");
+    private static boolean isPose(String value) {
+        String[] parts = value.split(",", -1);
+        return parts.length == 3 && Arrays.stream(parts).map(String::trim).allMatch(Values::isNumber);
     }
 
-    static Optional<String> name(String value) {
-        boolean readable =
-                !value.isEmpty() && value.chars().allMatch(c -> c > ' ' && c <= '~' && "()\"';".indexOf(c) < 0);
-        return expect(readable, "a name of letters A to Z, digits and signs without blanks, brackets and quotes");
-    }
-
-    static Optional<String> flag(String value) {
-        return expect(value.equals("true") || value.equals("false"), "true or false");
-    }
-
-    static Check wholeNumber(int least, int most) {
-        return value -> expect(
-                isNumber(value, number -> number >= least && number <= most && number == PortableMath.rint(number)),
-                "a whole number from " + least + " to " + most);
-    }
-
-    static Optional<String> longNumber(String value) {
+    private static boolean isLong(String value) {
         try {
             Long.parseLong(value);
-            return Optional.empty();
+            return true;
         } catch (NumberFormatException notANumber) {
-            return expect(false, "a whole number");
+            return false;
         }
-    }
-
-    static Optional<String> positive(String value) {
-        return expect(isNumber(value, number -> number > 0), "a number above 0");
-    }
-
-    static Optional<String> pose(String value) {
-        String[] parts = value.split(",", -1);
-        boolean numbers = parts.length == 3;
-        for (String part : parts) {
-            numbers &= isNumber(part.trim());
-        }
-        return expect(numbers, "three numbers X,Y,DEGREES such as -0.5,0.4,-40");
     }
 
     static boolean isNumber(String value) {
@@ -68,9 +59,5 @@ final class Values {
         } catch (NumberFormatException notANumber) {
             return false;
         }
-    }
-
-    private static Optional<String> expect(boolean fulfilled, String expected) {
-        return fulfilled ? Optional.empty() : Optional.of(expected);
     }
 }

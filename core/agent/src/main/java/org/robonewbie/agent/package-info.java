@@ -1,6 +1,3 @@
-/**
- * What a robot's programmer imports. Read {@code Nao} and {@code Agent} first:
- * these two are all that a newcomer must know.
- */
+/** The API for robot programs. Read {@code Agent} and {@code Nao} first; a newcomer needs no other class. */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.agent;

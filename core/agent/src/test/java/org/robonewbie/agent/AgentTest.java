@@ -100,7 +100,7 @@ class AgentTest {
         assertThat(printedLines())
                 .containsExactly(
                         "1.00 s: Joint angle 200.0 for LEFT_KNEE_PITCH is beyond its range of -130 to 1 degrees;"
-                                + " it goes to the end of the range. (Careless.java:36)");
+                                + " it is limited to the range. (Careless.java:36)");
         assertThat(answer).containsExactly(new SetHingeSpeed("lle4", 0), new Synchronise());
     }
 
@@ -114,7 +114,7 @@ class AgentTest {
                 .singleElement()
                 .asString()
                 .contains("Joint angle -10.0 with speed -20.0 for LEFT_KNEE_PITCH is ignored. Give a speed above 0; the"
-                        + " angle decides on the direction.");
+                        + " target angle determines the direction.");
     }
 
     @Test
@@ -140,7 +140,7 @@ class AgentTest {
 
         assertThat(((SetHingeSpeed) answer.get(0)).radiansPerSecond()).isCloseTo(Math.toRadians(351.77), within(1e-8));
         assertThat(printedLines().get(0))
-                .startsWith("1.00 s: Joint speed 1000 for NECK_YAW is more than its motor can do; it turns with 351.77"
+                .startsWith("1.00 s: Joint speed 1000 for NECK_YAW exceeds its maximum; it is limited to 351.77"
                         + " degrees per second.");
     }
 
@@ -155,7 +155,7 @@ class AgentTest {
         assertThat(second).containsExactly(new Synchronise());
         assertThat(printedLines())
                 .containsExactly("1.00 s: think() failed with java.lang.ArrayIndexOutOfBoundsException: Index 22 out of"
-                        + " bounds for length 22; the robot goes on with the next step. (Careless.java:42)");
+                        + " bounds for length 22; the robot continues with the next step. (Careless.java:42)");
     }
 
     @Test
@@ -182,9 +182,8 @@ class AgentTest {
         assertThat(printedLines())
                 .singleElement()
                 .asString()
-                .matches(
-                        "1\\.00 s: think\\(\\) has used all memory that Java has; the run ends here\\. Does the program keep"
-                                + " something in each cycle and never forget it\\? \\(Careless\\.java:\\d+\\)");
+                .matches("1\\.00 s: think\\(\\) ran out of memory; the run ends here\\. Does a list or map"
+                        + " grow in every cycle\\? \\(Careless\\.java:\\d+\\)");
     }
 
     @Test
@@ -199,7 +198,7 @@ class AgentTest {
                 .asString()
                 .matches(
                         "1\\.00 s: think\\(\\) failed with java\\.lang\\.NumberFormatException: For input string: \"fast\";"
-                                + " the robot goes on with the next step\\. \\(Careless\\.java:\\d+\\)");
+                                + " the robot continues with the next step\\. \\(Careless\\.java:\\d+\\)");
     }
 
     @Test
@@ -220,7 +219,7 @@ class AgentTest {
                 .singleElement()
                 .asString()
                 .containsPattern(
-                        "RIGHT_SHOULDER_PITCH is turned by the motion \"\\w+\", too: it obeys this command until the next"
+                        "RIGHT_SHOULDER_PITCH is also moved by the motion \"\\w+\": it follows this command until the next"
                                 + " motion starts\\. Wait for motions\\.isFinished\\(\\), or leave the joint to the motion\\."
                                 + " \\(Careless\\.java:\\d+\\)");
     }

@@ -98,7 +98,7 @@ final class Messages {
                 heard,
                 Optional.of(gyro),
                 Optional.of(accelerometer),
-                JointAngles.of(posture.toArray()),
+                JointAngles.measured(posture::degrees, List.of()),
                 FootForces.of(leftFoot, Optional.empty()),
                 vision);
     }

@@ -93,11 +93,11 @@ class OptionsTest {
     @Test
     void saysWhatAWrongValueShouldHaveBeen() {
         assertThatThrownBy(() -> read("--number", "12"))
-                .hasMessage("--number needs a whole number from 0 to 11, but \"12\" stands on the command line.");
+                .hasMessage("--number needs a whole number from 0 to 11, not \"12\" (on the command line).");
         assertThatThrownBy(() -> read("--pose", "1,2"))
-                .hasMessage("--pose needs three numbers X,Y,DEGREES such as -0.5,0.4,-40, but \"1,2\" stands on the"
-                        + " command line.");
-        assertThatThrownBy(() -> read("--seed")).hasMessage("--seed needs a value after it; --help shows which.");
+                .hasMessage("--pose needs three numbers X,Y,DEGREES such as -0.5,0.4,-40, not \"1,2\" (on the"
+                        + " command line).");
+        assertThatThrownBy(() -> read("--seed")).hasMessage("--seed needs a value; --help shows which.");
     }
 
     @ParameterizedTest
@@ -136,7 +136,7 @@ class OptionsTest {
         Files.writeString(file(), "seconds=soon\n");
 
         assertThatThrownBy(() -> read())
-                .hasMessage("--seconds needs a number above 0, but \"soon\" stands in robonewbie.properties.");
+                .hasMessage("--seconds needs a number above 0, not \"soon\" (in robonewbie.properties).");
     }
 
     @Test
@@ -172,17 +172,17 @@ class OptionsTest {
     void refusesAHostTogetherWithASeed() {
         assertThatThrownBy(() -> read("--seed", "1", "--host", "there"))
                 .hasMessage(
-                        "--seed needs a simulator of its own, but --host there asks for another one: leave one of the two"
-                                + " out.");
+                        "--seed needs an embedded simulator, but --host there selects a server: remove one of the two"
+                                + " options.");
     }
 
     @Test
-    void wordsThatMeanNothingAreRefusedUnlessTheProgramTakesWords() {
+    void otherArgumentsAreRefusedUnlessTheProgramAcceptsThem() {
         Options surplus = Options.of("--seconds", "5", "foo");
 
         assertThatThrownBy(surplus::checkWords)
                 .isInstanceOf(StartUpException.class)
-                .hasMessageStartingWith("\"foo\" means nothing to this program. Options begin with --");
+                .hasMessageStartingWith("\"foo\" is not an option. Options begin with --");
         assertThatCode(() -> Options.none().withWords().overriddenBy("foo").checkWords())
                 .doesNotThrowAnyException();
     }
@@ -191,7 +191,7 @@ class OptionsTest {
     void placeFarOutsideOfEveryPitchIsRefused() {
         assertThatThrownBy(() -> Options.of("--pose", "50,2,0").pose())
                 .isInstanceOf(StartUpException.class)
-                .hasMessageContaining("--pose 50,2,0 is far outside of every pitch");
+                .hasMessageContaining("--pose 50,2,0 is outside every pitch");
     }
 
     @Test

@@ -24,29 +24,29 @@ class PolicyPlayerTest {
     void saysWhatARobotDoesNotFeelOrMove() {
         assertThatThrownBy(() -> player("gyro.forwards", "degrees/s", "joint.LEFT_KNEE_PITCH"))
                 .hasMessage(
-                        "A robot does not feel gyro.forwards in degrees/s. Did you mean gyro.forward in degrees/s?");
+                        "The robot has no sensor gyro.forwards in degrees/s. Did you mean gyro.forward in degrees/s?");
         assertThatThrownBy(() -> player("gyro.forward", "rad/s", "joint.LEFT_KNEE_PITCH"))
-                .hasMessageStartingWith("A robot does not feel gyro.forward in rad/s.");
+                .hasMessageStartingWith("The robot has no sensor gyro.forward in rad/s.");
         assertThatThrownBy(() -> player("gyro.forward", "degrees/s", "wing"))
-                .hasMessageStartingWith("The policy moves wing, which is no joint.");
+                .hasMessageStartingWith("The policy moves wing, which is not a joint.");
     }
 
     @Test
-    void isToldOnlyWhatItWasTaught() {
+    void acceptsOnlyTheCommandsOfThePolicy() {
         PolicyPlayer player = player("command.distance", "m", "joint.LEFT_KNEE_PITCH");
 
         assertThatCode(() -> player.setCommand("distance", 3)).doesNotThrowAnyException();
         assertThatThrownBy(() -> player.setCommand("speed", 3))
-                .hasMessage("This policy cannot be told \"speed\". It can be told: distance.");
+                .hasMessage("This policy has no command \"speed\". Its commands: distance.");
         assertThatThrownBy(() -> player("gyro.left", "degrees/s", "joint.LEFT_KNEE_PITCH")
                         .setCommand("speed", 3))
-                .hasMessage("This policy cannot be told \"speed\". It can be told: nothing.");
+                .hasMessage("This policy has no command \"speed\". Its commands: none.");
     }
 
     @Test
     void takesHowFarAMotionHasGotOnlyIfItHasOne() {
         assertThatThrownBy(() -> player("motion.sine-1", "1", "joint.LEFT_KNEE_PITCH"))
-                .hasMessageStartingWith("A robot does not feel motion.sine-1 in 1.");
+                .hasMessageStartingWith("The robot has no sensor motion.sine-1 in 1.");
     }
 
     private static PolicyPlayer player(String input, String unit, String output) {

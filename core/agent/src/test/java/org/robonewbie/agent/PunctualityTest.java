@@ -29,7 +29,7 @@ class PunctualityTest {
         assertThat(robot.diagnostics().reported())
                 .singleElement()
                 .asString()
-                .contains("Cycle 1 took 30 ms, but the simulator waits only 20 ms and has gone on; compute less in a"
+                .contains("Cycle 1 took 30 ms, but the simulator advances after 20 ms; compute less in a"
                         + " cycle, and log instead of printing. Late cycles so far: 1.")
                 .contains("Slow.java:7");
         assertThat(robot.log().lines()).extracting(LogLine::text).contains("cycle 1 came late: it took 30 ms");
@@ -69,15 +69,15 @@ class PunctualityTest {
     }
 
     @Test
-    void robotThatLivesInThePastIsToldHowFarAndCatchesUp() throws IOException {
+    void reportsHowFarARobotIsBehindAndCatchesUp() throws IOException {
         thinkTooLong(1500);
 
         assertThat(port.message().seconds().orElseThrow()).isEqualTo(3.5, within(1e-9));
         assertThat(robot.diagnostics().reported())
                 .singleElement()
                 .asString()
-                .contains("The robot lived 1.5 s in the past")
-                .contains("skips 74 of them", "Slow.java:7");
+                .contains("The robot was 1.5 s behind the simulator")
+                .contains("skipped 74 cycles", "Slow.java:7");
     }
 
     @Test

@@ -6,13 +6,13 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.robonewbie.protocol.telemetry.NumberWish;
-import org.robonewbie.protocol.telemetry.NumberWishes;
 import org.robonewbie.protocol.telemetry.TelemetryItem.DeclaredNumber;
 import org.robonewbie.protocol.telemetry.TelemetryItem.LogEntry;
 import org.robonewbie.protocol.telemetry.TelemetryItem.PlotValue;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
+import org.robonewbie.protocol.telemetry.TuningRequest;
+import org.robonewbie.protocol.telemetry.TuningRequests;
 import student.Tuned;
 
 class SlidersTest {
@@ -82,7 +82,7 @@ class SlidersTest {
         cycle(agent);
 
         assertThat(viewer.plotted).containsEntry("gain", 0.5).containsEntry("asked", 0.8);
-        assertThat(viewer.log).contains("since no other robot can be made by Named(). Ask for number(...) in think()");
+        assertThat(viewer.log).contains("since Named() cannot create a second instance. Call number(...) in think()");
     }
 
     private AgentDriver watched(Agent agent) {
@@ -98,7 +98,7 @@ class SlidersTest {
 
     private static final class Viewer implements TelemetrySink {
 
-        private final NumberWishes wishes = new NumberWishes();
+        private final TuningRequests wishes = new TuningRequests();
         private final Map<String, DeclaredNumber> declared = new HashMap<>();
         private final Map<String, Double> plotted = new HashMap<>();
         private String log = "";
@@ -106,7 +106,7 @@ class SlidersTest {
         private int number;
 
         void want(String name, double value) {
-            wishes.put(new NumberWish(team, number, name, value));
+            wishes.put(new TuningRequest(team, number, name, value));
         }
 
         @Override
@@ -123,7 +123,7 @@ class SlidersTest {
         }
 
         @Override
-        public Optional<NumberWishes> wishes() {
+        public Optional<TuningRequests> tuningRequests() {
             return Optional.of(wishes);
         }
     }

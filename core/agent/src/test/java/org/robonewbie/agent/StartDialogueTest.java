@@ -65,7 +65,7 @@ class StartDialogueTest {
 
             assertThatThrownBy(() -> Nao.connect(options))
                     .isInstanceOf(StartUpException.class)
-                    .hasMessage("The simulator has refused number 4 of team Blue: choose a number that is free"
+                    .hasMessage("The simulator refused number 4 of team Blue: choose a number that is free"
                             + " (--number 0 takes any), or the name of a team that plays already (--team). A league's team"
                             + " has at most 7 robots of one type: choose another one (--type) for the others.");
         }
@@ -78,7 +78,7 @@ class StartDialogueTest {
 
             assertThatThrownBy(() -> Nao.connect(options))
                     .isInstanceOf(StartUpException.class)
-                    .hasMessageContaining("The simulator has not let the robot in");
+                    .hasMessageContaining("The simulator did not let the robot in");
         }
     }
 
@@ -94,7 +94,7 @@ class StartDialogueTest {
                 .isInstanceOf(StartUpException.class)
                 .hasMessage(
                         "No simulator answers at 127.0.0.1:" + freePort + ". Start one with \"robonewbie simulator\","
-                                + " or leave the host out to have one started for you.");
+                                + " or omit the host to start one automatically.");
     }
 
     @Test
@@ -140,7 +140,7 @@ class StartDialogueTest {
                     .singleElement()
                     .asString()
                     .contains(
-                            "act() sends nothing, since the last message is answered already: call sense() before each"
+                            "act() has no effect: the last message has already been answered; call sense() before each"
                                     + " act().");
         }
     }
@@ -167,15 +167,14 @@ class StartDialogueTest {
 
         assertThatThrownBy(() -> AgentRunner.run(List.of(), List.of(agent, agent)))
                 .isInstanceOf(StartUpException.class)
-                .hasMessage(
-                        "The same agent cannot play twice, since a robot has only one body: make each of them with new.");
+                .hasMessage("The same agent was passed twice. Create each agent with its own new.");
     }
 
     @Test
     void refusesAGameWithoutAgents() {
         assertThatThrownBy(() -> AgentRunner.run(List.of(), List.of()))
                 .isInstanceOf(StartUpException.class)
-                .hasMessage("There is no agent to play: give runTogether at least one, such as new MyAgent().");
+                .hasMessage("runTogether needs at least one agent, such as new MyAgent().");
     }
 
     @Test

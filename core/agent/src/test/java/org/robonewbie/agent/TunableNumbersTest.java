@@ -56,16 +56,19 @@ class TunableNumbersTest {
         assertThat(numbers.declare("stride", 0.05, 0.02, 0.08)).isEqualTo(0.08);
         assertThat(told())
                 .contains("stride = 9.0 in " + folder.resolve("Walker.numbers")
-                        + " is not between 0.02 and 0.08; 0.08 is taken.");
+                        + " is not between 0.02 and 0.08; 0.08 is used.");
     }
 
     @Test
-    void whatIsNoNumberIsTold() throws IOException {
+    void valueThatIsNotANumberIsReported() throws IOException {
         TunableNumbers numbers = ofFile("stride = long\npatience = NaN");
 
         assertThat(numbers.declare("stride", 0.05, 0.02, 0.08)).isEqualTo(0.05);
         assertThat(numbers.declare("patience", 2, 0, 5)).isEqualTo(2);
-        assertThat(told()).contains("stride = long in").contains("is no number").contains("patience = NaN in");
+        assertThat(told())
+                .contains("stride = long in")
+                .contains("is not a number")
+                .contains("patience = NaN in");
     }
 
     @Test
@@ -76,7 +79,7 @@ class TunableNumbersTest {
         numbers.reportUnknown();
 
         assertThat(told())
-                .contains("has a number \"strid\", but the program declares none of this name. Did you mean stride?"
+                .contains("has a number \"strid\", but the program does not declare it. Did you mean stride?"
                         + " It has [stride].");
     }
 
@@ -87,8 +90,8 @@ class TunableNumbersTest {
         assertThatThrownBy(() -> numbers.declare("stride", 1, 2, 3))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage(
-                        "number(\"stride\", 1.0, 2.0, 3.0): give the usual value, then the least and the most it may be,"
-                                + " such as (\"stride\", 5, 0, 10).");
+                        "number(\"stride\", 1.0, 2.0, 3.0): expected the default value, then the smallest and the largest"
+                                + " value, such as (\"stride\", 5, 0, 10).");
         assertThatThrownBy(() -> numbers.declare("stride", Double.NaN, 0, 1)).hasMessageContaining("NaN");
     }
 

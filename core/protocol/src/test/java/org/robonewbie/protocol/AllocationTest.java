@@ -95,7 +95,7 @@ class AllocationTest {
 
     private static void writeSpeeds(EffectorMessageWriter writer, Joint[] joints) {
         for (Joint joint : joints) {
-            writer.hingeSpeed(joint, 0.123456789 * joint.ordinal() - 1);
+            writer.hingeSpeed(joint.effectorName(), 0.123456789 * joint.ordinal() - 1);
         }
         writer.synchronise();
     }

@@ -1,11 +1,11 @@
 package org.robonewbie.simulator;
 
 /**
- * What simulator and agent have said to each other in one cycle, as it goes over the wire, without length prefixes.
+ * The messages that simulator and agent exchanged in one cycle, in wire format without length prefixes.
  *
  * @param robot number of the robot's connection, as in {@link RobotSnapshot#id}
  * @param cycle number of the cycle since the start, as in {@link WorldSnapshot#cycle}
- * @param perceptors the message that tells the robot's senses at the end of the cycle
- * @param effectors what the agent had sent and was carried out in the cycle; empty if it sent nothing
+ * @param perceptors the perceptor message generated at the end of the cycle
+ * @param effectors the effector messages executed in the cycle; empty if the agent sent none
  */
 public record AgentMessages(int robot, long cycle, String perceptors, String effectors) {}

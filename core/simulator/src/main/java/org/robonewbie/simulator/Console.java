@@ -1,6 +1,6 @@
 package org.robonewbie.simulator;
 
-/** Where the simulator tells people in plain sentences what happens. */
+/** The output for the simulator's messages to the user. */
 @FunctionalInterface
 public interface Console {
 

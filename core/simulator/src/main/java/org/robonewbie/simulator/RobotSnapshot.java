@@ -10,13 +10,13 @@ import org.robonewbie.nao.model.RobotType;
  *
  * @param id number of the robot's connection, unique while the simulator runs
  * @param team name of its team, empty before it joined one
- * @param side its half of the pitch, empty before it joined a team
- * @param number its number 1 to 11, 0 before it joined a team
- * @param body where its torso is and how its joints are bent
+ * @param side the side its team plays on, empty before it joined a team
+ * @param number uniform number 1 to 11, 0 before it joined a team
+ * @param body pose of the torso and joint angles
  */
 public record RobotSnapshot(int id, String team, Optional<TeamSide> side, int number, BodyState body) {
 
-    /** {@return the robot's build} */
+    /** {@return the robot type} */
     public RobotType type() {
         return body.type();
     }

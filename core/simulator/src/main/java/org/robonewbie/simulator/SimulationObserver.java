@@ -2,60 +2,59 @@ package org.robonewbie.simulator;
 
 import org.robonewbie.simulator.soccer.MatchEvent;
 
-/** Watches a simulation. */
+/** A listener for the cycles and events of a simulation. */
 @FunctionalInterface
 public interface SimulationObserver {
 
     /**
-     * Receives the state of the world after a cycle, on the simulation's thread: take it and return at once. While
-     * paused it is called again about ten times per second with the same cycle.
+     * Called with the state of the world after a cycle, on the simulation thread; must return quickly. While paused, it is
+     * called about ten times per second with the same cycle.
      *
      * @param snapshot the state, immutable
      */
     void cycleEnded(WorldSnapshot snapshot);
 
     /**
-     * Returns whether the state of the world is wanted; called after each cycle on the simulation's thread, before a snapshot of
-     * the world is made.
+     * Returns whether the observer needs a snapshot of this cycle. Called on the simulation thread before the snapshot is taken.
      *
-     * @return whether to call {@link #cycleEnded}; yes unless overridden
+     * @return whether to call {@link #cycleEnded}; the default is true
      */
     default boolean wantsSnapshot() {
         return true;
     }
 
     /**
-     * Receives what happened in the game within a cycle, before that cycle is reported.
+     * Called for each match event of a cycle, before {@link #cycleEnded}.
      *
-     * @param event a goal, a foul or another play mode
+     * @param event a goal, a foul or a change of play mode
      */
     default void happened(MatchEvent event) {}
 
     /**
-     * Receives what the simulator tells people, such as why it refuses an agent; called from any thread.
+     * Called for each console message, such as the reason for refusing an agent; from any thread.
      *
-     * @param sentence a complete sentence
+     * @param message a complete sentence
      */
-    default void told(String sentence) {}
+    default void messagePrinted(String message) {}
 
-    /** Is told that from now on another simulation is watched than before; called from any thread. */
-    default void anotherBegins() {}
+    /** Called when the observed simulation is replaced by another one; from any thread. */
+    default void simulationReplaced() {}
 
     /**
-     * Returns whether the messages of a robot's agent are wanted; called in each cycle on the simulation's thread.
+     * Returns whether the observer needs the messages of a robot's agent. Called in each cycle on the simulation thread.
      *
      * @param robot number of the robot's connection, as in {@link RobotSnapshot#id}
-     * @return whether to call {@link #messagesExchanged} for it; false unless overridden
+     * @return whether to call {@link #messagesExchanged} for it; the default is false
      */
     default boolean wantsMessagesOf(int robot) {
         return false;
     }
 
     /**
-     * Receives the messages of a cycle before {@link #cycleEnded} tells its state, on the simulation's thread: take them and
-     * return at once. While paused they come again.
+     * Called with the messages of a cycle before {@link #cycleEnded}, on the simulation thread; must return quickly. While
+     * paused, it is called again with the same messages.
      *
-     * @param messages what was said
+     * @param messages the messages of one agent
      */
     default void messagesExchanged(AgentMessages messages) {}
 }

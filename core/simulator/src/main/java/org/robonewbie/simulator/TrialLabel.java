@@ -1,10 +1,10 @@
 package org.robonewbie.simulator;
 
 /**
- * What is judged in a world, so that two trials of the same task can be laid over each other.
+ * The identity of a graded trial. Two trials of one task and seed start alike and can be overlaid.
  *
- * @param task its name, such as {@code kick}
- * @param attempt counts how often the task was begun; the same number for all seeds of one attempt
- * @param seed what the trial began with: trials of one task and seed begin alike
+ * @param task name of the task, such as {@code kick}
+ * @param attempt number of the attempt at the task, shared by all seeds of the attempt
+ * @param seed the seed of the trial
  */
 public record TrialLabel(String task, long attempt, long seed) {}

@@ -12,19 +12,19 @@ import org.robonewbie.simulator.landscape.Thing;
  *
  * @param cycle number of the cycle since the start, each 20 ms
  * @param gameTime seconds played, as in the game state perceptor
- * @param playMode what the referee has decided
+ * @param playMode the play mode
  * @param teamLeft name of the left team, empty before it joined
  * @param teamRight name of the right team, empty before it joined
  * @param scoreLeft goals of the left team
  * @param scoreRight goals of the right team
  * @param half 1 or 2
  * @param ballPosition centre of the ball in the world frame, metres
- * @param ballRotation how the ball is turned
- * @param robots all robots in the order in which they connected
- * @param things what else stands on the pitch, where it is now; empty in a soccer match
- * @param paused whether the clock stands still
- * @param speed what was asked for with {@link org.robonewbie.protocol.order.Order.SetSpeed}
- * @param realTimeFactor simulated seconds per second, measured over the last second
+ * @param ballRotation orientation of the ball
+ * @param robots all robots in the order of their connections
+ * @param things other objects on the pitch at their current poses; empty in a soccer match
+ * @param paused whether the clock is paused
+ * @param speed requested speed, as set with {@link org.robonewbie.protocol.order.Order.SetSpeed}
+ * @param realTimeFactor simulated seconds per real second, measured over the last second
  */
 public record WorldSnapshot(
         long cycle,
@@ -44,12 +44,12 @@ public record WorldSnapshot(
         double realTimeFactor) {
 
     /**
-     * Says how fast the world goes on.
+     * Returns a copy with another pace.
      *
-     * @param isPaused whether the clock stands still
-     * @param newSpeed simulated seconds per second that were asked for
-     * @param newFactor simulated seconds per second, as measured
-     * @return the same state of the world at this pace
+     * @param isPaused whether the clock is paused
+     * @param newSpeed requested simulated seconds per real second
+     * @param newFactor measured simulated seconds per real second
+     * @return the copy
      */
     public WorldSnapshot withPace(boolean isPaused, double newSpeed, double newFactor) {
         return new WorldSnapshot(

@@ -1,6 +1,6 @@
 /**
- * The SimSpark-compatible simulator. From outside: {@link org.robonewbie.simulator.SimulationControl} steers a running
- * simulation and {@link org.robonewbie.simulator.SimulationObserver} watches it.
+ * The SimSpark-compatible simulator. {@link org.robonewbie.simulator.SimulationControl} controls a running simulation and {@link
+ * org.robonewbie.simulator.SimulationObserver} observes it.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

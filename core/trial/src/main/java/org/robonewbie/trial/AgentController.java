@@ -8,7 +8,7 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.effector.EffectorCommand;
 
-/** An agent of this process. */
+/** A controller for an in-process agent. */
 final class AgentController implements Controller {
 
     private final AgentDriver agent;
@@ -19,14 +19,14 @@ final class AgentController implements Controller {
     }
 
     @Override
-    public void embody(RobotType built) {
-        type = built;
+    public void embody(RobotType newType) {
+        type = newType;
     }
 
     @Override
     public void introduce(String team, int number, TeamSide side) {
-        Options who = Options.none().withTeam(team).withNumber(number);
-        agent.introduce(who.with("type", Integer.toString(type.ordinal())), side);
+        Options identity = Options.none().withTeam(team).withNumber(number);
+        agent.introduce(identity.with("type", Integer.toString(type.ordinal())), side);
     }
 
     @Override

@@ -5,8 +5,8 @@ import java.util.function.Supplier;
 import org.robonewbie.simulator.recording.RecordingTarget;
 
 /**
- * What a program is challenged to do in one trial: the scene, what happens in it, and what it is measured by. Exercises are
- * challenges, and any challenge can be a contest. Each trial needs a new one, since it keeps what it has seen.
+ * A task for a program: the scene, the events in it, and the measure. Exercises are challenges, and any challenge can be a contest.
+ * Each trial needs a new instance, since a challenge accumulates its observations.
  *
  * <pre>{@code
  * Challenge challenge = new KickTask();
@@ -17,38 +17,38 @@ import org.robonewbie.simulator.recording.RecordingTarget;
 public interface Challenge extends Measure, TrialHook {
 
     /**
-     * Sets the scene. Robots of the team {@link RobotStart#TEAM} are moved by the program that is challenged, others hold still.
+     * Creates the scene. The program under test moves the robots of the team {@link RobotStart#TEAM}; all others hold still.
      *
-     * @param random what differs from seed to seed
+     * @param random source of everything that depends on the seed
      * @return the scene
      */
     Scene scene(RandomSource random);
 
     /**
-     * Completes the scene when the robots have taken their first postures.
+     * Completes the scene after the robots have taken their initial postures.
      *
-     * @param trial the trial at its beginning
+     * @param trial the trial at its start
      */
     default void begin(Trial trial) {}
 
     @Override
     default void act(Trial trial) {}
 
-    /** {@return all results by name, for tables} */
+    /** {@return all results by name} */
     default Map<String, Double> figures() {
         return Map.of("value", value());
     }
 
     /**
-     * Plays the trial to its end in this thread.
+     * Runs the trial to its end on the current thread.
      *
-     * @param seconds simulated time of the trial
-     * @param seed what is left to chance
-     * @param team name of those who are challenged
-     * @param contender makes the controller of each challenged robot when it enters
-     * @param listener sees each cycle
-     * @param recording where a recording of the trial goes
-     * @return simulated seconds after which it was over
+     * @param seconds maximum simulated duration of the trial
+     * @param seed seed of the trial
+     * @param team name of the team under test
+     * @param contender creates the controller of each robot under test when it enters
+     * @param listener called after each cycle
+     * @param recording receives a recording of the trial
+     * @return simulated duration in seconds
      */
     default double play(
             double seconds,

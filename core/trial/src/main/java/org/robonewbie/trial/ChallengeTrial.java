@@ -6,8 +6,7 @@ import java.util.function.Supplier;
 import org.robonewbie.simulator.recording.RecordingTarget;
 
 /**
- * One trial of a {@link Challenge} in the hand of somebody who turns it cycle by cycle, such as a page that shows it. It keeps
- * neither thread nor clock.
+ * A trial of a {@link Challenge} that its owner steps manually, such as a page that displays it. It uses neither threads nor clocks.
  *
  * <pre>{@code
  * try (ChallengeTrial trial = new ChallengeTrial(challenge, 12, seed, RobotStart.TEAM, contender, TrialListener.NONE, RecordingTarget.NONE)) {
@@ -20,30 +19,30 @@ import org.robonewbie.simulator.recording.RecordingTarget;
 public final class ChallengeTrial implements AutoCloseable {
 
     private final Challenge challenge;
-    private final double mostSeconds;
+    private final double maxSeconds;
     private final Trial trial;
 
     /**
-     * Sets the scene and lets the robots enter.
+     * Creates the scene and its robots.
      *
-     * @param challenge what is asked for; used for this trial only
-     * @param mostSeconds simulated time of the trial
-     * @param seed what is left to chance
-     * @param team name of those who are challenged
-     * @param contender makes the controller of each challenged robot when it enters
-     * @param listener sees each cycle
-     * @param recording where a recording of the trial goes
+     * @param challenge the task; used for this trial only
+     * @param maxSeconds maximum simulated duration of the trial
+     * @param seed seed of the trial
+     * @param team name of the team under test
+     * @param contender creates the controller of each robot under test when it enters
+     * @param listener called after each cycle
+     * @param recording receives a recording of the trial
      */
     public ChallengeTrial(
             Challenge challenge,
-            double mostSeconds,
+            double maxSeconds,
             long seed,
             String team,
             Supplier<? extends Controller> contender,
             TrialListener listener,
             RecordingTarget recording) {
         this.challenge = challenge;
-        this.mostSeconds = mostSeconds;
+        this.maxSeconds = maxSeconds;
         Scene scene = challenge.scene(new RandomSource(seed));
         Iterator<RobotStart> robots = scene.robots().iterator();
         Function<RobotStart, Controller> cast =
@@ -59,17 +58,17 @@ public final class ChallengeTrial implements AutoCloseable {
         }
     }
 
-    /** {@return whether the time is over or the challenge is decided} */
+    /** {@return whether the time is up or the challenge is decided} */
     public boolean isOver() {
-        return trial.seconds() >= mostSeconds || challenge.isDecided();
+        return trial.seconds() >= maxSeconds || challenge.isDecided();
     }
 
-    /** Lets all robots and the world go on for one cycle. */
+    /** Runs all controllers and the world for one cycle. */
     public void step() {
         challenge.see(trial.step());
     }
 
-    /** {@return the trial that is being played} */
+    /** {@return the running trial} */
     public Trial trial() {
         return trial;
     }

@@ -12,17 +12,17 @@ import org.robonewbie.nao.motion.MotionPlayer;
 import org.robonewbie.protocol.effector.EffectorCommand;
 
 /**
- * What moves a robot in a {@link Trial}: an agent of this process, a program of another process,
- * a motion, a walk, a policy or bare joint speeds.
+ * The control of a robot in a {@link Trial}: an in-process agent, a program of another process, a motion, a walk, a policy or
+ * joint speeds.
  *
- * <p>A controller answers each cycle's sensor readings with commands. It keeps its own state, so each robot of each trial needs
- * its own controller.
+ * <p>A controller answers the sensor readings of each cycle with commands. It is stateful, so each robot of each trial needs its
+ * own instance.
  */
 @FunctionalInterface
 public interface Controller extends AutoCloseable {
 
     /**
-     * Returns a controller for an agent of this process.
+     * Returns a controller for an in-process agent.
      *
      * @param agent the agent; its {@code main} and {@code defaults} have no effect
      * @return the controller
@@ -32,7 +32,7 @@ public interface Controller extends AutoCloseable {
     }
 
     /**
-     * Plays a motion once and then holds the joints.
+     * Returns a controller that plays a motion once and then holds the joints.
      *
      * @param motion the motion
      * @return the controller
@@ -42,22 +42,22 @@ public interface Controller extends AutoCloseable {
     }
 
     /**
-     * Plays the motion of a file once, by the rule that the file names, and then holds the joints.
+     * Returns a controller that plays the motion of a file once, with the interpolation of the file, and then holds the joints.
      *
      * @param file the file, see {@link MotionPlayer#of}
      * @return the controller
-     * @throws org.robonewbie.nao.motion.MotionFormatException if the file cannot be understood
+     * @throws org.robonewbie.nao.motion.MotionFormatException if the file cannot be parsed
      */
     static Controller ofMotion(MotionFile file) {
         return new MotionController(MotionPlayer.of(file, 1, Interpolation.LINEAR));
     }
 
     /**
-     * Walks with one velocity, see {@link org.robonewbie.agent.walk.Walk#towards}.
+     * Returns a controller that walks with a constant velocity, see {@link org.robonewbie.agent.walk.Walk#towards}.
      *
-     * @param forwardMetresPerSecond speed ahead
-     * @param leftMetresPerSecond speed to the left
-     * @param turnDegreesPerSecond turning speed to the left
+     * @param forwardMetresPerSecond forward speed
+     * @param leftMetresPerSecond sideways speed, positive to the left
+     * @param turnDegreesPerSecond turn rate, positive to the left
      * @return the controller
      */
     static Controller ofWalk(double forwardMetresPerSecond, double leftMetresPerSecond, double turnDegreesPerSecond) {
@@ -65,11 +65,10 @@ public interface Controller extends AutoCloseable {
     }
 
     /**
-     * Turns joints with speeds that depend on what the robot feels: joint angles, gyroscope and accelerometer. A policy that
-     * needs more implements this interface.
+     * Returns a controller that computes joint speeds from joint angles, gyroscope and accelerometer. A policy that needs more
+     * inputs implements this interface.
      *
-     * @param policy calculates the speed of each joint in degrees per second, in the order of {@link
-     *     org.robonewbie.nao.Joint}
+     * @param policy computes the speed of each joint in degrees per second, in the order of {@link org.robonewbie.nao.Joint}
      * @return the controller
      */
     static Controller ofPolicy(Function<SensorReadings, double[]> policy) {
@@ -77,10 +76,9 @@ public interface Controller extends AutoCloseable {
     }
 
     /**
-     * Turns joints with constant speeds.
+     * Returns a controller with constant joint speeds.
      *
-     * @param degreesPerSecond the speed of each joint in the order of {@link org.robonewbie.nao.Joint}; none for a robot that
-     *     holds still
+     * @param degreesPerSecond the speed of each joint in the order of {@link org.robonewbie.nao.Joint}; none to hold still
      * @return the controller
      */
     static Controller ofSpeeds(double... degreesPerSecond) {
@@ -89,48 +87,47 @@ public interface Controller extends AutoCloseable {
     }
 
     /**
-     * Sets the build of the robot that it moves, before anything else.
+     * Sets the type of the controlled robot. Called first.
      *
      * @param type the robot type
      */
     default void embody(RobotType type) {}
 
     /**
-     * Sets the controller's identity, before anything that it senses.
+     * Sets the identity of the robot. Called before any readings.
      *
-     * @param team its team
-     * @param number its number
-     * @param side the half of its team
+     * @param team name of its team
+     * @param number uniform number
+     * @param side the side of its team
      */
     default void introduce(String team, int number, TeamSide side) {}
 
     /**
-     * Passes on what the robot senses before the trial begins, so that programs of other processes can join the game. Their
-     * answers are ignored.
+     * Passes readings before the trial starts, so that programs of other processes can join the game. Their answers are ignored.
      *
-     * @param readings what the robot senses
+     * @param readings the sensor readings
      */
     default void awake(SensorReadings readings) {}
 
     /**
      * Answers the readings of one cycle.
      *
-     * @param readings what the robot senses
-     * @return what the robot does
+     * @param readings the sensor readings
+     * @return the commands
      */
     List<EffectorCommand> respond(SensorReadings readings);
 
-    /** {@return whether the controller reads whole messages with pictures; without them a direct trial is faster} */
+    /** {@return whether the controller needs complete messages with camera pictures; a direct trial is faster without them} */
     default boolean readsMessages() {
         return true;
     }
 
-    /** {@return whether the controller has finished; one without an end never does} */
+    /** {@return whether the controller has finished; always false for one without an end} */
     default boolean isFinished() {
         return false;
     }
 
-    /** Releases what the controller holds. */
+    /** Releases resources. */
     @Override
     default void close() {}
 }

@@ -18,8 +18,8 @@ import org.robonewbie.protocol.perceptor.Vision;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * Readings taken from the world itself. Single values are rounded as messages round them; the whole message is written and read
- * as on its way to an agent, but only if a controller asks for it.
+ * Readings taken directly from the world. Single values are rounded as in messages; the complete message is encoded and parsed only
+ * on demand.
  */
 final class DirectReadings implements SensorReadings {
 
@@ -36,8 +36,8 @@ final class DirectReadings implements SensorReadings {
         gyro = robot.gyroDegreesPerSecond();
         acceleration = robot.acceleration();
         feet = robot.footForces();
-        OptionalInt untold = OptionalInt.empty();
-        game = new GameState(untold, Optional.empty(), untold, untold, world.seconds(), world.playModeName());
+        OptionalInt none = OptionalInt.empty();
+        game = new GameState(none, Optional.empty(), none, none, world.seconds(), world.playModeName());
         picture = seeing ? world.picture(robot) : Optional.empty();
     }
 
@@ -99,7 +99,7 @@ final class DirectReadings implements SensorReadings {
     }
 
     private static Optional<FootForce> rounded(Optional<FootForce> foot) {
-        return foot.map(felt -> new FootForce(rounded(felt.point()), rounded(felt.force())));
+        return foot.map(measured -> new FootForce(rounded(measured.point()), rounded(measured.force())));
     }
 
     private static Vector3 rounded(Vector3 reading) {

@@ -20,8 +20,8 @@ import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * The simulated world alone, stepped without messages and referee. As in a game, what a robot senses is one cycle old when it
- * arrives, and its commands, in the precision in which messages carry them, act in the next step.
+ * The physics alone, stepped without messages and referee. As in a game, readings arrive one cycle late, and commands are rounded to
+ * message precision and act in the next step.
  */
 final class DirectWorld implements World {
 
@@ -29,7 +29,7 @@ final class DirectWorld implements World {
     private final CameraSettings cameraSettings;
     private SplittableRandom random;
     private final Map<Robot, Camera> cameras = new HashMap<>();
-    private Optional<WorldState> beginning = Optional.empty();
+    private Optional<WorldState> start = Optional.empty();
     private long cycles;
 
     DirectWorld(SteppedSimulator simulator, boolean noise, long seed) {
@@ -51,13 +51,13 @@ final class DirectWorld implements World {
 
     @Override
     public void keep() {
-        beginning = Optional.of(simulator.world().save());
+        start = Optional.of(simulator.world().save());
         cycles = 0;
     }
 
     @Override
     public void reset(long seed) {
-        simulator.world().restore(beginning.orElseThrow());
+        simulator.world().restore(start.orElseThrow());
         random = new SplittableRandom(seed);
         cameras.clear();
         cycles = 0;
@@ -80,7 +80,7 @@ final class DirectWorld implements World {
         return simulator.match().state().playMode().simSparkName();
     }
 
-    /** What a robot sees in this cycle; as in a game there is a picture in each third one. */
+    /** Returns the camera picture of this cycle; as in a game, there is one in every third cycle. */
     Optional<Vision> picture(Robot robot) {
         if (cycles % CameraSettings.CYCLES_PER_PICTURE != 0) {
             return Optional.empty();

@@ -7,7 +7,7 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.protocol.effector.EffectorCommand;
 
-/** Converts joint speeds to commands; like an agent, it omits motors that are at rest and are to stay so. */
+/** Converts joint speeds to commands. Like an agent, it omits motors that remain at rest. */
 final class JointSpeeds {
 
     private static final Joint[] JOINTS = Joint.values();
@@ -19,7 +19,7 @@ final class JointSpeeds {
             return new double[Joint.COUNT];
         }
         if (degreesPerSecond.length != Joint.COUNT) {
-            throw new IllegalArgumentException(degreesPerSecond.length + " joint speeds for a robot of " + Joint.COUNT
+            throw new IllegalArgumentException(degreesPerSecond.length + " joint speeds for a robot with " + Joint.COUNT
                     + " joints. Give one speed for each Joint in its order.");
         }
         return degreesPerSecond.clone();

@@ -1,13 +1,13 @@
 package org.robonewbie.trial;
 
 /**
- * What a trial is watched for: it sees the truth of each cycle and has a value at any time, such as the metres that a robot has
- * walked. Measures remember what they have seen, so each trial needs new ones.
+ * A quantity that is measured in a trial, such as the metres that a robot has walked. It observes the true state after each cycle.
+ * Measures are stateful, so each trial needs new instances.
  *
  * <pre>{@code
  * public final class Height implements Measure {
  *     private double metres;
- *     public void see(WorldState moment) { metres = Math.max(metres, moment.robot().position().z()); }
+ *     public void see(WorldState state) { metres = Math.max(metres, state.robot().position().z()); }
  *     public double value() { return metres; }
  * }
  * }</pre>
@@ -17,26 +17,26 @@ package org.robonewbie.trial;
 public interface Measure {
 
     /**
-     * Looks at the truth after a cycle; the first moment is the beginning of the trial.
+     * Observes the true state after a cycle. The first state is the start of the trial.
      *
-     * @param state what is true now
+     * @param state the true state
      */
     void see(WorldState state);
 
-    /** {@return what has been measured so far, in the measure's unit; always a number} */
+    /** {@return the value so far in {@link #unit}; never NaN} */
     double value();
 
-    /** {@return the unit of the value, such as {@code m/s}; empty for a mere number} */
+    /** {@return the unit of the value, such as {@code m/s}; empty for a dimensionless number} */
     default String unit() {
         return "";
     }
 
-    /** {@return whether a larger value is better than a smaller one} */
+    /** {@return whether larger values are better} */
     default boolean isLargerBetter() {
         return true;
     }
 
-    /** {@return whether there is nothing more to see, so that the trial may end before its time} */
+    /** {@return whether the value is final, so that the trial may end early} */
     default boolean isDecided() {
         return false;
     }

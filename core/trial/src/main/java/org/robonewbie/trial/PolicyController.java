@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.function.Function;
 import org.robonewbie.protocol.effector.EffectorCommand;
 
-/** Joint speeds as a function of what the robot feels. */
+/** A controller that computes joint speeds from sensor readings. */
 final class PolicyController implements Controller {
 
     private final Function<SensorReadings, double[]> policy;

@@ -5,14 +5,14 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 
-/** What is left to chance in a scene: numbers that are the same for the same seed. */
+/** The random numbers of a scene, determined by the seed of the trial. */
 public final class RandomSource {
 
     private final long seed;
     private final Random random;
 
     /**
-     * Creates the numbers of a trial.
+     * Creates the source of a trial.
      *
      * @param seed the seed of the trial
      */
@@ -27,17 +27,17 @@ public final class RandomSource {
     }
 
     /**
-     * Draws a number.
+     * Draws a uniformly distributed number.
      *
-     * @param least at least this
-     * @param most less than this
-     * @return a number between them, each as likely as the others
+     * @param min lower bound, inclusive
+     * @param max upper bound, exclusive
+     * @return the number
      */
-    public double between(double least, double most) {
-        return least + (most - least) * random.nextDouble();
+    public double between(double min, double max) {
+        return min + (max - min) * random.nextDouble();
     }
 
-    /** {@return 1 or -1, each as likely as the other} */
+    /** {@return 1 or -1 with equal probability} */
     public int side() {
         return random.nextBoolean() ? 1 : -1;
     }
@@ -48,14 +48,14 @@ public final class RandomSource {
     }
 
     /**
-     * Shuffles things.
+     * Shuffles a list.
      *
-     * @param things the things
+     * @param elements the elements
      * @param <T> their type
-     * @return the same things in random order
+     * @return the elements in random order
      */
-    public <T> List<T> shuffled(List<T> things) {
-        List<T> all = new ArrayList<>(things);
+    public <T> List<T> shuffled(List<T> elements) {
+        List<T> all = new ArrayList<>(elements);
         Collections.shuffle(all, random);
         return List.copyOf(all);
     }

@@ -8,17 +8,17 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 
 /**
- * How one robot of a {@link Scene} starts: its team, its number, its build, its place, and how it gets into its first posture.
+ * The start of a robot in a {@link Scene}: team, number, robot type, pose, and the motions into its initial posture.
  *
- * @param team its team; the team of a scene's first robot owns the left goal
- * @param number its number, 1 to 11
- * @param type its build
- * @param place where it starts, standing with all joints at 0
- * @param prelude motions that it plays before the trial begins, such as one into the stance
+ * @param team name of its team; the team of the first robot of a scene defends the left goal
+ * @param number uniform number, 1 to 11
+ * @param type robot type
+ * @param place start pose, standing with all joints at 0
+ * @param prelude motions that it plays before the trial starts, such as one into the stance
  */
 public record RobotStart(String team, int number, RobotType type, Pose2d place, List<Motion> prelude) {
 
-    /** The team of robots that are alone on the pitch. */
+    /** The default team. */
     public static final String TEAM = "Students";
 
     /** Copies the list. */
@@ -27,7 +27,7 @@ public record RobotStart(String team, int number, RobotType type, Pose2d place, 
     }
 
     /**
-     * Places a standard robot, number 1 of its team, facing the right goal.
+     * Places a robot of type 0, number 1 of the default team, facing the right goal.
      *
      * @param x metres from the centre towards the right goal
      * @param y metres from the centre to the left
@@ -38,9 +38,9 @@ public record RobotStart(String team, int number, RobotType type, Pose2d place, 
     }
 
     /**
-     * Places a standard robot, number 1 of its team.
+     * Places a robot of type 0, number 1 of the default team.
      *
-     * @param place where it stands
+     * @param place its pose
      * @return the start
      */
     public static RobotStart at(Pose2d place) {
@@ -48,17 +48,7 @@ public record RobotStart(String team, int number, RobotType type, Pose2d place, 
     }
 
     /**
-     * Chooses another place.
-     *
-     * @param other where the robot stands
-     * @return a changed copy
-     */
-    public RobotStart withPlace(Pose2d other) {
-        return new RobotStart(team, number, type, other, prelude);
-    }
-
-    /**
-     * Chooses another build.
+     * Changes the robot type.
      *
      * @param other the robot type
      * @return a changed copy
@@ -68,7 +58,7 @@ public record RobotStart(String team, int number, RobotType type, Pose2d place, 
     }
 
     /**
-     * Chooses another team and number.
+     * Changes team and number.
      *
      * @param newTeam name of the team
      * @param newNumber 1 to 11
@@ -79,7 +69,7 @@ public record RobotStart(String team, int number, RobotType type, Pose2d place, 
     }
 
     /**
-     * Plays motions before the trial begins.
+     * Sets the motions that the robot plays before the trial starts.
      *
      * @param motions the motions in order
      * @return a changed copy
@@ -89,11 +79,11 @@ public record RobotStart(String team, int number, RobotType type, Pose2d place, 
     }
 
     /**
-     * Plays motions of the framework before the trial begins.
+     * Sets motions of the framework that the robot plays before the trial starts.
      *
      * @param motions names such as {@code stand}
      * @return a changed copy
-     * @throws IllegalArgumentException if there is no motion of a name
+     * @throws IllegalArgumentException if a motion does not exist
      */
     public RobotStart after(String... motions) {
         return after(Stream.of(motions).map(ShippedMotions::motion).toArray(Motion[]::new));

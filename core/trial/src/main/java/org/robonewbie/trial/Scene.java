@@ -7,18 +7,17 @@ import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
- * Where a trial begins: the pitch and its rules, the robots and the ball. A scene is a value; the same scene can be played as
- * often as you like.
+ * The start of a trial: pitch and rules, robots and ball. A scene is immutable and can be reused.
  *
  * <pre>{@code
  * Scene scene = Scene.of(RobotStart.at(-3, 0)).withBall(-2.8, 0.04).withoutNoise();
  * }</pre>
  *
  * @param parameters the pitch and the referee's rules
- * @param noise whether cameras are as imprecise as those of the league
- * @param landscape what stands on the pitch besides goals and ball
+ * @param noise whether cameras have the noise of the league
+ * @param landscape objects on the pitch besides goals and ball
  * @param robots the robots in the order in which they enter
- * @param ball where the ball lies at first, its height does not matter; empty for the centre spot
+ * @param ball initial position of the ball, whose height is ignored; empty for the centre spot
  */
 public record Scene(
         SoccerParameters parameters,
@@ -31,30 +30,18 @@ public record Scene(
     public Scene {
         robots = List.copyOf(robots);
         if (robots.isEmpty()) {
-            throw new IllegalArgumentException("A scene without robots: give at least one RobotStart.");
+            throw new IllegalArgumentException("The scene has no robots. Give at least one RobotStart.");
         }
     }
 
     /**
-     * Creates a scene with nothing but goals and ball on the pitch.
-     *
-     * @param parameters the pitch and the referee's rules
-     * @param noise whether cameras are as imprecise as those of the league
-     * @param robots the robots in the order in which they enter
-     * @param ball where the ball lies at first; empty for the centre spot
-     */
-    public Scene(SoccerParameters parameters, boolean noise, List<RobotStart> robots, Optional<Vector3> ball) {
-        this(parameters, noise, Landscape.SOCCER, robots, ball);
-    }
-
-    /**
-     * Sets a scene on the beginners' pitch, with noise and the ball on the centre spot.
+     * Creates a scene on the beginners' pitch, with noise and the ball on the centre spot.
      *
      * @param robots the robots in the order in which they enter
      * @return the scene
      */
     public static Scene of(RobotStart... robots) {
-        return new Scene(SoccerParameters.beginner(), true, List.of(robots), Optional.empty());
+        return new Scene(SoccerParameters.beginner(), true, Landscape.SOCCER, List.of(robots), Optional.empty());
     }
 
     /**
@@ -71,7 +58,7 @@ public record Scene(
     /**
      * Moves the ball.
      *
-     * @param place where it lies; its height does not matter
+     * @param place its position, whose height is ignored
      * @return a changed copy
      */
     public Scene withBall(Vector3 place) {
@@ -79,7 +66,7 @@ public record Scene(
     }
 
     /**
-     * Chooses another pitch or other rules.
+     * Changes pitch and rules.
      *
      * @param other the parameters
      * @return a changed copy
@@ -89,9 +76,9 @@ public record Scene(
     }
 
     /**
-     * Puts things on the pitch.
+     * Changes the objects on the pitch.
      *
-     * @param other what stands there
+     * @param other the new landscape
      * @return a changed copy
      */
     public Scene withLandscape(Landscape other) {
@@ -99,7 +86,7 @@ public record Scene(
     }
 
     /**
-     * Removes the camera noise.
+     * Disables camera noise.
      *
      * @return a changed copy
      */
@@ -108,9 +95,9 @@ public record Scene(
     }
 
     /**
-     * Gives the robots of the team {@link RobotStart#TEAM} another name.
+     * Renames the team {@link RobotStart#TEAM}.
      *
-     * @param name name of a team
+     * @param name the new name
      * @return a changed copy
      */
     public Scene withTeam(String name) {

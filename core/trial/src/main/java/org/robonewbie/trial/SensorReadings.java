@@ -9,21 +9,21 @@ import org.robonewbie.protocol.perceptor.FootForces;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.Vision;
 
-/** What a robot senses in one cycle, in the precision that messages carry. Valid until the next cycle. */
+/** The sensor readings of a robot in one cycle, rounded as in messages. Valid until the next cycle. */
 public interface SensorReadings {
 
     /**
-     * Reads a joint's angle.
+     * Returns the angle of a joint.
      *
      * @param joint the joint
-     * @return degrees, in hundredths
+     * @return degrees, rounded to hundredths
      */
     double degrees(Joint joint);
 
     /**
-     * Passes the angles of all joints on.
+     * Copies the angles of all joints.
      *
-     * @param joints takes the angles
+     * @param joints receives the angles
      */
     default void sense(JointStates joints) {
         for (Joint joint : Joint.values()) {
@@ -34,21 +34,20 @@ public interface SensorReadings {
     /** {@return the angular velocity of the torso in degrees per second, about SimSpark's axes: right, forward, up} */
     Vector3 gyro();
 
-    /** {@return the acceleration that the torso feels in metres per second squared, along SimSpark's axes: right, forward, up} */
+    /** {@return the proper acceleration of the torso in metres per second squared, along SimSpark's axes: right, forward, up} */
     Vector3 acceleration();
 
     /** {@return the contact forces on the feet, along SimSpark's axes} */
     FootForces feet();
 
     /**
-     * {@return the camera's picture of this cycle, empty if there is none; in a direct trial its numbers are more precise than
-     * those of a message}
+     * {@return the camera picture of this cycle, empty if there is none; not rounded in a direct trial}
      */
     Optional<Vision> picture();
 
-    /** {@return the whole message, as an agent gets it} */
+    /** {@return the complete parsed message} */
     PerceptorMessage message();
 
-    /** {@return the text of the message, as it is sent} */
+    /** {@return the text of the message in wire format} */
     MessageBuffer text();
 }

@@ -3,7 +3,7 @@ package org.robonewbie.trial;
 import java.util.List;
 import org.robonewbie.simulator.cycle.SteppedSimulator;
 
-/** The whole cycle of the simulator, with messages in both directions and a referee. */
+/** The complete simulation cycle, with messages in both directions and a referee. */
 final class ServedWorld implements World {
 
     private final SteppedSimulator simulator;
@@ -21,11 +21,11 @@ final class ServedWorld implements World {
 
     @Override
     public void keep() {
-        // a served trial is not reset
+        // A served trial cannot be reset.
     }
 
     @Override
     public void reset(long seed) {
-        throw new IllegalStateException("Only a direct trial can be reset. Begin a new one.");
+        throw new IllegalStateException("A served trial cannot be reset. Create a new one, or use a direct trial.");
     }
 }

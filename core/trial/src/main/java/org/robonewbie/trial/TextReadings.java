@@ -10,7 +10,7 @@ import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
 import org.robonewbie.protocol.perceptor.Vision;
 
-/** Readings that came as text; they are parsed only if a controller asks for them. */
+/** Readings in wire format, parsed on demand. */
 final class TextReadings implements SensorReadings {
 
     private final MessageBuffer text;

@@ -24,8 +24,8 @@ import org.robonewbie.simulator.world.Ball;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * Robots that try something: a {@link Scene}, a {@link Controller} for each of its robots, and a seed. Equal trials run equally,
- * to the bit; the world waits for every controller.
+ * A deterministic simulation of a {@link Scene} with a {@link Controller} for each of its robots and a seed. Equal trials are
+ * bit-identical; the simulation waits for every controller.
  *
  * <pre>{@code
  * try (Trial trial = Trial.direct(Scene.of(RobotStart.at(-3, 0)), 1, Controller.ofMotion(kick))) {
@@ -35,9 +35,9 @@ import org.robonewbie.simulator.world.Robot;
  * }
  * }</pre>
  *
- * <p>In a <em>served</em> trial robots exchange messages with a whole simulator, and the referee watches. In a <em>direct</em>
- * trial they join in the same way, and then only the physics continues: faster, but without referee and without hearing.
- * Without noise both give the same robot. Not thread-safe.
+ * <p>In a <em>served</em> trial, robots exchange messages with a complete simulator including the referee. In a <em>direct</em>
+ * trial, they join in the same way, but then only the physics runs, which is faster, without referee and hearing. Without noise, a
+ * robot behaves identically in both. Not thread-safe.
  */
 public final class Trial implements AutoCloseable {
 
@@ -46,10 +46,10 @@ public final class Trial implements AutoCloseable {
     private static final int CYCLES_TO_WAKE = 14;
     private static final int CYCLES_TO_REST = 5;
 
-    /** A robot appears in the first cycle and gets a message after the third. */
+    /** A robot appears in the first cycle and gets its first message after the third. */
     private static final int CYCLES_TO_APPEAR = 3;
 
-    /** A program needs 17 messages to begin: these in which it learns its number, and others in which it settles. */
+    /** Messages with the robot's number; with {@link #CYCLES_TO_WAKE}, a program gets the 17 messages that it needs to start. */
     private static final int CYCLES_TO_JOIN = 3;
 
     private final Scene scene;
@@ -74,12 +74,12 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
-     * Begins a trial with a whole simulator.
+     * Starts a trial with a complete simulator.
      *
-     * @param scene where it begins
-     * @param seed chooses all noise
-     * @param controllers who moves each robot of the scene
-     * @return the trial at its beginning
+     * @param scene the start of the trial
+     * @param seed seed of all noise
+     * @param controllers the controller of each robot of the scene
+     * @return the trial at its start
      */
     public static Trial served(Scene scene, long seed, Controller... controllers) {
         Iterator<Controller> all = each(scene, controllers);
@@ -87,14 +87,14 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
-     * Begins a trial with a whole simulator, for those who watch or record it.
+     * Starts a trial with a complete simulator, a listener and a recording.
      *
-     * @param scene where it begins
-     * @param seed chooses all noise
-     * @param listener sees each cycle
-     * @param recording where a recording of the trial goes
-     * @param cast chooses who moves a robot when it enters
-     * @return the trial at its beginning
+     * @param scene the start of the trial
+     * @param seed seed of all noise
+     * @param listener called after each cycle
+     * @param recording receives a recording of the trial
+     * @param cast creates the controller of a robot when it enters
+     * @return the trial at its start
      */
     public static Trial observed(
             Scene scene,
@@ -108,12 +108,12 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
-     * Begins a trial in the physical world alone.
+     * Starts a trial with physics only.
      *
-     * @param scene where it begins
-     * @param seed chooses all noise
-     * @param controllers who moves each robot of the scene
-     * @return the trial at its beginning
+     * @param scene the start of the trial
+     * @param seed seed of all noise
+     * @param controllers the controller of each robot of the scene
+     * @return the trial at its start
      */
     public static Trial direct(Scene scene, long seed, Controller... controllers) {
         Iterator<Controller> all = each(scene, controllers);
@@ -145,7 +145,7 @@ public final class Trial implements AutoCloseable {
         }
     }
 
-    /** Admits a robot and moves it to its place, where it settles with all joints at 0. */
+    /** Creates a robot and moves it to its start pose, where it settles with all joints at 0. */
     private void enter(RobotStart start, Controller controller) {
         AgentLink link = simulator.connect();
         TrialBody.create(link, start.type());
@@ -174,7 +174,7 @@ public final class Trial implements AutoCloseable {
         return controller;
     }
 
-    /** Plays the first motions of one robot while the others hold still. */
+    /** Plays the prelude of one robot while the others hold still. */
     private void playPrelude(TrialBody body) {
         Controller own = body.controller();
         for (Motion motion : body.start().prelude()) {
@@ -207,8 +207,7 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
-     * Lets robots beam themselves where the referee permits it, as in a match. At first beams are ignored: the scene says where robots
-     * stand.
+     * Allows robots to beam under the rules of the referee. By default beams are ignored, since the scene defines the start poses.
      */
     public void allowBeams() {
         bodies.forEach(TrialBody::allowBeams);
@@ -227,7 +226,7 @@ public final class Trial implements AutoCloseable {
         return now();
     }
 
-    /** Makes the present moment the beginning, to which {@link #reset} returns. */
+    /** Makes the current state the start of the trial, to which {@link #reset} returns. */
     public void keep() {
         cycles = 0;
         world.keep();
@@ -235,11 +234,10 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
-     * Returns to the beginning, with robots and ball where they were then: much faster than a new trial. Only direct trials can
-     * do this.
+     * Resets a direct trial to its start, which is much faster than creating a new one.
      *
-     * @param seed chooses all noise from now on
-     * @param controllers who moves each robot from now on
+     * @param seed new seed of all noise
+     * @param controllers the new controller of each robot
      */
     public void reset(long seed, Controller... controllers) {
         Iterator<Controller> all = each(scene, controllers);
@@ -256,9 +254,9 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
-     * Adds a hook for what no controller does, such as pushes or a shot.
+     * Sets a hook for external events, such as pushes or a shot.
      *
-     * @param newHook acts after each cycle from now on
+     * @param newHook called after each cycle
      * @return this trial
      */
     public Trial with(TrialHook newHook) {
@@ -267,7 +265,7 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
-     * Carries out an order of the human referee before the next cycle, such as a kick-off. Only served trials have a referee.
+     * Executes an order of the human referee, such as a kick-off, before the next cycle. Only served trials have a referee.
      *
      * @param order the order
      */
@@ -276,22 +274,22 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
-     * Goes on until the time is over or a measure is decided. Each call shows the measures the present moment first.
+     * Runs until the time is up or a measure is decided. The measures first observe the current state.
      *
-     * @param seconds the time of the trial, counted from its beginning
-     * @param measures what it is watched for
+     * @param seconds end of the run, in simulated seconds since the start of the trial
+     * @param measures the measures
      */
     public void run(double seconds, Measure... measures) {
         List<Measure> all = List.of(measures);
-        WorldState beginning = now();
-        all.forEach(measure -> measure.see(beginning));
+        WorldState first = now();
+        all.forEach(measure -> measure.see(first));
         while (seconds() < seconds && all.stream().noneMatch(Measure::isDecided)) {
             WorldState state = step();
             all.forEach(measure -> measure.see(state));
         }
     }
 
-    /** {@return what is true now} */
+    /** {@return the current true state} */
     public WorldState now() {
         MatchState game = simulator.match().state();
         return new WorldState(
@@ -305,13 +303,13 @@ public final class Trial implements AutoCloseable {
                 game.score(TeamSide.RIGHT));
     }
 
-    /** {@return simulated seconds since the trial began} */
+    /** {@return simulated seconds since the start of the trial} */
     public double seconds() {
         return cycles * Cycle.SECONDS;
     }
 
     /**
-     * Changes how well all surfaces hold on to each other until the trial is over or reset.
+     * Scales the friction of all surfaces until the trial ends or is reset.
      *
      * @param factor above 0; 1 as in SimSpark, with 0.5 feet slip twice as fast under the same force
      */
@@ -319,13 +317,13 @@ public final class Trial implements AutoCloseable {
         simulator.world().setGrip(factor);
     }
 
-    /** {@return the ball, to be moved or looked at} */
+    /** {@return the ball} */
     public Ball ball() {
         return simulator.world().ball();
     }
 
     /**
-     * Returns a robot, to push it or to look closer.
+     * Returns a robot.
      *
      * @param index its index in the scene
      * @return the robot in the simulated world
@@ -335,7 +333,7 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
-     * Returns what a robot senses, which its controller will answer in the next cycle.
+     * Returns the readings that a robot's controller answers in the next cycle.
      *
      * @param index its index in the scene
      * @return the readings, valid until the next cycle
@@ -345,19 +343,19 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
-     * Places the ball on the ground at rest.
+     * Places the ball on the ground, at rest.
      *
-     * @param place where to; its height does not matter
+     * @param place its position, whose height is ignored
      */
     public void placeBall(Vector3 place) {
         ball().place(new Vector3(place.x(), place.y(), ball().properties().radius()));
     }
 
     /**
-     * Moves a robot, upright, with its joints as they are.
+     * Moves a robot to an upright pose without changing its joint angles.
      *
      * @param index its index in the scene
-     * @param place where to
+     * @param place its new pose
      */
     public void moveRobot(int index, Pose2d place) {
         move(bodies.get(index), place);
@@ -369,10 +367,10 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
-     * Listens to a robot.
+     * Returns the message that a robot said in this cycle.
      *
      * @param index its index in the scene
-     * @return what it has said in this cycle; empty if it was silent
+     * @return the text; empty if it said nothing
      */
     public Optional<String> said(int index) {
         return bodies.get(index).commands().stream()
@@ -382,11 +380,11 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
-     * Takes a snapshot of the world for an audience.
+     * Takes a snapshot of the world for observers.
      *
-     * @param paused whether the world is paused
-     * @param speed simulated seconds per second
-     * @return the present state
+     * @param paused whether the trial is paused
+     * @param speed simulated seconds per real second
+     * @return the current state
      */
     public WorldSnapshot snapshot(boolean paused, double speed) {
         return simulator.snapshot(paused, speed);

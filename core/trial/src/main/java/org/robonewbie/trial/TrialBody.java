@@ -11,7 +11,7 @@ import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.simulator.world.Robot;
 
-/** One robot of a trial: its connection to the simulator, its body in the world, and who moves it. */
+/** A robot of a trial with its connection to the simulator, its body in the world and its controller. */
 final class TrialBody {
 
     private final AgentLink link;
@@ -25,7 +25,6 @@ final class TrialBody {
     private List<EffectorCommand> commands = List.of();
     private boolean mayBeam;
 
-    /** Takes over a connection whose robot has just appeared. */
     TrialBody(AgentLink link, RobotStart start, Robot robot, Controller controller) {
         this.link = link;
         this.start = start;
@@ -34,7 +33,7 @@ final class TrialBody {
         receive();
     }
 
-    /** Asks for a robot. */
+    /** Requests a robot. */
     static void create(AgentLink link, RobotType type) {
         MessageBuffer message = new MessageBuffer();
         new EffectorMessageWriter(message).write(CreateRobot.of(type.ordinal())).synchronise();
@@ -61,21 +60,20 @@ final class TrialBody {
         return readings;
     }
 
-    void setReadings(SensorReadings others) {
-        readings = others;
+    void setReadings(SensorReadings newReadings) {
+        readings = newReadings;
     }
 
-    /** What the controller has commanded in this cycle. */
+    /** The controller's commands of this cycle. */
     List<EffectorCommand> commands() {
         return commands;
     }
 
-    /** Lets the robot beam itself from now on. */
     void allowBeams() {
         mayBeam = true;
     }
 
-    /** Sends the controller's answer to the last readings; beams are ignored unless the trial allows them. */
+    /** Gets the controller's answer to the current readings. Beams are ignored unless the trial allows them. */
     void perform() {
         commands = controller.respond(readings).stream()
                 .filter(command -> !(command instanceof EffectorCommand.Synchronise))
@@ -102,7 +100,7 @@ final class TrialBody {
     void receive() {
         try {
             if (!link.receive(received)) {
-                throw new IllegalStateException("The simulator has sent a robot of the trial away.");
+                throw new IllegalStateException("The simulator has disconnected a robot of the trial.");
             }
             readings = new TextReadings(received);
         } catch (IOException broken) {

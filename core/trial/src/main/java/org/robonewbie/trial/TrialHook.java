@@ -1,11 +1,11 @@
 package org.robonewbie.trial;
 
-/** What happens in a {@link Trial} that no controller does: a shot, a push, a robot that is carried away. */
+/** A callback for external events in a {@link Trial}, such as a shot, a push or a robot being moved. */
 @FunctionalInterface
 public interface TrialHook {
 
     /**
-     * Acts between two cycles, before measures see the result of the first.
+     * Called after each cycle, before measures observe it.
      *
      * @param trial the trial
      */

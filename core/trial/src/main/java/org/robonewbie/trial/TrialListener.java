@@ -1,14 +1,14 @@
 package org.robonewbie.trial;
 
-/** Watches a running trial. */
+/** A listener for the cycles of a running trial. */
 @FunctionalInterface
 public interface TrialListener {
 
-    /** An audience that is not there. */
+    /** A listener that does nothing. */
     TrialListener NONE = trial -> {};
 
     /**
-     * Sees the world after a cycle, also while the scene is still being set; the next cycle waits until this method returns.
+     * Called after each cycle, including those that set up the scene. The next cycle starts after this method returns.
      *
      * @param trial the trial
      */

@@ -2,7 +2,7 @@ package org.robonewbie.trial;
 
 import org.robonewbie.agent.Agent;
 
-/** An agent that does nothing but walk with one velocity; from elsewhere it goes into the stance first. */
+/** An agent that walks with a constant velocity. */
 final class WalkingAgent extends Agent {
 
     private final double forward;

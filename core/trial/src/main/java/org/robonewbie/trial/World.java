@@ -2,15 +2,15 @@ package org.robonewbie.trial;
 
 import java.util.List;
 
-/** How commands get into the simulated world and readings out of it. */
+/** The exchange of commands and readings with the simulated world. */
 interface World {
 
-    /** Runs one cycle of 20 ms, in which the commands of all robots are on their way. */
+    /** Runs one cycle of 20 ms with the commands of all robots. */
     void cycle(List<TrialBody> bodies);
 
-    /** Keeps the present state as the beginning of the trial. */
+    /** Saves the current state as the start of the trial. */
     void keep();
 
-    /** Returns to the state that was kept, with other noise. */
+    /** Restores the saved state with a new seed. */
     void reset(long seed);
 }

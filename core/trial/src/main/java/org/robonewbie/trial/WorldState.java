@@ -9,16 +9,16 @@ import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.simulator.landscape.Thing;
 
 /**
- * What is true at one moment of a trial, without noise and delay; measures look at nothing else. The world frame has its origin
- * on the centre spot, x towards the right goal, y to the left of that and z up.
+ * The true state of a trial, without noise and delay, which is the only input of measures. The world frame has its origin at the
+ * centre spot, x towards the right goal, y to the left and z up.
  *
- * @param seconds simulated time since the trial began
+ * @param seconds simulated time since the start of the trial
  * @param robots the robots in the order of the scene
  * @param ball centre of the ball, metres
  * @param ballVelocity metres per second
- * @param things what else stands on the pitch, where it is now
- * @param playMode what the referee has decided
- * @param leftGoals goals of the team that plays towards the right
+ * @param things other objects on the pitch at their current poses
+ * @param playMode the play mode
+ * @param leftGoals goals of the left team, which plays towards the right
  * @param rightGoals goals of the other team
  */
 public record WorldState(
@@ -37,43 +37,21 @@ public record WorldState(
         things = List.copyOf(things);
     }
 
-    /**
-     * Creates a moment on a pitch where nothing else stands.
-     *
-     * @param seconds simulated time since the trial began
-     * @param robots the robots in the order of the scene
-     * @param ball centre of the ball, metres
-     * @param ballVelocity metres per second
-     * @param playMode what the referee has decided
-     * @param leftGoals goals of the team that plays towards the right
-     * @param rightGoals goals of the other team
-     */
-    public WorldState(
-            double seconds,
-            List<BodyState> robots,
-            Vector3 ball,
-            Vector3 ballVelocity,
-            PlayMode playMode,
-            int leftGoals,
-            int rightGoals) {
-        this(seconds, robots, ball, ballVelocity, List.of(), playMode, leftGoals, rightGoals);
-    }
-
     /** {@return the first robot} */
     public BodyState robot() {
         return robots.get(0);
     }
 
-    /** {@return where the first robot stands} */
+    /** {@return the pose of the first robot on the ground} */
     public Pose2d place() {
         return place(0);
     }
 
     /**
-     * Returns where a robot stands.
+     * Returns the pose of a robot on the ground.
      *
      * @param index the robot's index in the scene
-     * @return the place of its torso
+     * @return position and heading of its torso
      */
     public Pose2d place(int index) {
         BodyState body = robots.get(index);
@@ -83,7 +61,7 @@ public record WorldState(
     /**
      * Returns the goals of a team.
      *
-     * @param side the half of a team
+     * @param side the side of the team
      * @return the team's goals
      */
     public int goals(TeamSide side) {

@@ -1,6 +1,6 @@
 /**
- * Robots that try something, and the truth about what comes of it: the one machine behind exercises, contests, learning and
- * measurements. Read {@link org.robonewbie.trial.Trial} first. A trial, a motion and two measures:
+ * Deterministic trials with measures of the true results, the basis of exercises, contests, learning and measurements. Read {@link
+ * org.robonewbie.trial.Trial} first. A trial, a motion and two measures:
  *
  * <pre>{@code
  * Scene scene = Scene.of(RobotStart.at(-3, 0).after(stand)).withBall(-2.8, 0.04);

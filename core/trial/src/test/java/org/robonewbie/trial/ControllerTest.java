@@ -82,7 +82,8 @@ class ControllerTest {
         double[] unknown = new double[Joint.COUNT];
         unknown[3] = Double.NaN;
 
-        assertThatThrownBy(() -> Controller.ofSpeeds(1, 2)).hasMessageStartingWith("2 joint speeds for a robot of 22");
+        assertThatThrownBy(() -> Controller.ofSpeeds(1, 2))
+                .hasMessageStartingWith("2 joint speeds for a robot with 22");
         try (Trial trial = Trial.direct(SCENE, 1, Controller.ofSpeeds(unknown))) {
             assertThatThrownBy(trial::step).hasMessageStartingWith("Joint speed NaN for " + Joint.values()[3]);
         }

@@ -160,7 +160,7 @@ class MeasuresTest {
         try (URLClassLoader wrong = new URLClassLoader(
                 new URL[] {folder.toUri().toURL()}, getClass().getClassLoader())) {
             assertThatThrownBy(() -> Measures.named("Turn", wrong))
-                    .hasMessageStartingWith("A jar or folder offers a Measure that cannot be loaded: ");
+                    .hasMessageStartingWith("A jar or folder provides a Measure that cannot be loaded: ");
         }
     }
 
@@ -333,6 +333,6 @@ class MeasuresTest {
 
     private static WorldState moment(double seconds, Pose torso, Vector3 ball, Vector3 velocity, int goals) {
         BodyState body = BodyState.of(RobotType.TYPE_0, torso, Posture.ZERO);
-        return new WorldState(seconds, List.of(body), ball, velocity, PlayMode.PLAY_ON, goals, 0);
+        return new WorldState(seconds, List.of(body), ball, velocity, List.of(), PlayMode.PLAY_ON, goals, 0);
     }
 }

@@ -5,14 +5,14 @@ import org.robonewbie.agent.Options;
 import org.robonewbie.nao.Joint;
 
 /**
- * Lesson 2: the basic structure of an agent, which raises its left arm to 30 degrees.
+ * Lesson 2: the basic structure of an agent. This one raises its left arm to 30 degrees.
  *
- * <p>The framework turns the cycle: it senses (reads all sensors), calls {@link #think}, and acts (sends all commands), 50 times
- * per simulated second. {@code think} decides by the sensors what the motors do.
+ * <p>The framework runs the cycle 50 times per simulated second: it senses (reads all sensors), calls {@link #think}, and acts
+ * (sends all commands). {@code think} computes motor commands from sensor readings.
  *
- * <p>The arm stops a little above 30 degrees. Why? A command shows its effect in the message after the next: when the sensor
- * first says 30, two more steps are already under way. Try other speeds: by how much does the arm go too far? With
- * {@code nao.setJointAngle(Joint.LEFT_SHOULDER_PITCH, 30)} the framework takes care of that.
+ * <p>The arm stops slightly above 30 degrees. Why? A command takes effect two messages later: when the sensor first reads 30,
+ * two more steps are already in transit. Try other speeds: by how much does the arm overshoot? {@code
+ * nao.setJointAngle(Joint.LEFT_SHOULDER_PITCH, 30)} compensates for this.
  */
 public final class Agent_BasicStructure extends Agent {
 
@@ -39,7 +39,7 @@ public final class Agent_BasicStructure extends Agent {
     protected void think() {
         double angle = nao.getJointAngle(Joint.LEFT_SHOULDER_PITCH); // degrees
         nao.setJointSpeed(Joint.LEFT_SHOULDER_PITCH, angle < 30 ? 60 : 0); // degrees per second
-        if (angle != angleBefore) { // until the arm rests
+        if (angle != angleBefore) { // until the arm is at rest
             log.info("left shoulder pitch %.2f degrees", angle);
         }
         angleBefore = angle;

@@ -11,13 +11,13 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
 
 /**
- * A soccer player that shows what improvement looks like: it scores about twenty times as fast as {@link Agent_SimpleSoccer}.
+ * A soccer player that scores about twenty times as fast as {@link Agent_SimpleSoccer}.
  *
- * <p>What it does better: it walks into any direction without stopping, decides in each cycle instead of after each motion, knows
- * where it is and so where the goal is without seeing it, remembers the ball while it moves itself, and keeps its eyes on the
- * ball. Behind the ball it simply walks on: the feet push the ball along.
+ * <p>Improvements: it walks in any direction without stopping, makes a decision in each cycle instead of after each motion,
+ * localises itself and so knows the direction of the goal without seeing it, compensates its own movement in the ball's
+ * position, and keeps the ball in view. Behind the ball it just walks on: its feet push the ball along.
  *
- * <p>Ideas: kick when the way is free; look where the opponents are; pass.
+ * <p>Ideas: kick when the path is free; consider the opponents; pass.
  */
 public class Agent_BetterSoccer extends Agent {
 
@@ -60,7 +60,7 @@ public class Agent_BetterSoccer extends Agent {
         }
     }
 
-    /** Whether the referee gives the ball to the other team alone, for a goal kick for example: pushing it would be a foul. */
+    /** Whether only the other team may play the ball, for example in a goal kick; pushing it would be a foul. */
     private boolean isBallForbidden() {
         TeamSide opponent = nao.getTeamSide().opponent();
         return nao.getPlayMode().kicker().filter(opponent::equals).isPresent();
@@ -83,7 +83,7 @@ public class Agent_BetterSoccer extends Agent {
         bring(ballNow, goal);
     }
 
-    /** Turns the head to the ball; the camera sees far enough up and down. */
+    /** Turns the head to the ball; the vertical field of view is large enough without a change of pitch. */
     private void watch(Vector3 ball) {
         double bearing = Math.toDegrees(Math.atan2(ball.y(), ball.x()));
         nao.setJointAngle(Joint.NECK_YAW, Math.max(-80, Math.min(80, bearing)), 180);
@@ -91,10 +91,10 @@ public class Agent_BetterSoccer extends Agent {
     }
 
     /**
-     * Gets behind the ball, seen from the goal, and then walks through it towards the goal.
+     * Gets behind the ball, as seen from the goal, and then walks through it towards the goal.
      *
-     * @param ball position of the ball, in metres from the robot
-     * @param goal where the ball has to go, in metres from the robot
+     * @param ball position of the ball in the robot's frame, in metres
+     * @param goal target of the ball in the robot's frame, in metres
      */
     protected void bring(Vector3 ball, Vector3 goal) {
         Vector3 way = new Vector3(goal.x() - ball.x(), goal.y() - ball.y(), 0);
@@ -115,10 +115,10 @@ public class Agent_BetterSoccer extends Agent {
     }
 
     /**
-     * Walks to a place near by without turning away, or to a far one as people do.
+     * Walks to a point: a near one without turning away, a distant one facing it.
      *
-     * @param place where to, in metres from the robot
-     * @param turn degrees to turn meanwhile, positive is left
+     * @param place target in the robot's frame, in metres
+     * @param turn angle to turn by if the target is near, in degrees; positive is left
      */
     protected final void walkTo(Vector3 place, double turn) {
         nao.drawPoint(place, "red");

@@ -10,10 +10,10 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * Dances, without any soccer. The motion is made by the program instead of a file: postures that are changed step by step, each
- * with the time to reach it.
+ * A dancer, without soccer. The motion is created by the program instead of a file: a sequence of postures, each with the time
+ * to reach it.
  *
- * <p>Make your own dance: which joints can the robot move without falling, and how fast?
+ * <p>Create your own dance: which joints can the robot move without falling, and how fast?
  */
 public final class Agent_Dance extends Agent {
 

@@ -4,8 +4,8 @@ import org.robonewbie.agent.Agent;
 import org.robonewbie.agent.Options;
 
 /**
- * Stands on the field, looks at the others and calls a greeting now and then: a partner for {@link Agent_TestPerceptorInput} and
- * {@link Agent_TestLocalFieldView}.
+ * A partner for {@link Agent_TestPerceptorInput} and {@link Agent_TestLocalFieldView}: it stands on the field and sends a
+ * greeting now and then.
  */
 public final class Agent_Dummy extends Agent {
 

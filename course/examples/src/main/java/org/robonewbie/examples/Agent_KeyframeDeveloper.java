@@ -11,11 +11,11 @@ import org.robonewbie.nao.motion.file.MotionFiles;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 
 /**
- * Plays the motion that you are writing, again and again: change {@code motions/my-motion.txt} with the motion editor or any
- * text editor and save it, and the robot shows the new motion as soon as the running one is over. When it falls, it gets up.
+ * Plays a motion repeatedly while you edit it: save {@code motions/my-motion.txt} in the motion editor or any text editor, and
+ * the robot plays the new version as soon as the current motion is over. If the robot falls, it gets up.
  *
- * <p>Another file is chosen by its name: {@code Agent_KeyframeDeveloper my-kick}. A file that is not yet there begins as a copy
- * of {@code wave}.
+ * <p>{@code Agent_KeyframeDeveloper my-kick} plays another file. A file that does not exist yet is created as a copy of {@code
+ * wave}.
  */
 public final class Agent_KeyframeDeveloper extends Agent {
 
@@ -31,7 +31,7 @@ public final class Agent_KeyframeDeveloper extends Agent {
     /**
      * Starts the robot.
      *
-     * @param args the name of the motion, and options
+     * @param args name of the motion, and options
      */
     public static void main(String[] args) {
         new Agent_KeyframeDeveloper().run(args);
@@ -79,6 +79,6 @@ public final class Agent_KeyframeDeveloper extends Agent {
     private static void begin(Path file) throws IOException {
         Files.createDirectories(file.toAbsolutePath().getParent());
         MotionFiles.save(ShippedMotions.file("wave"), file);
-        System.out.println("Edit the new file " + file + " and save it: the robot plays it at once.");
+        System.out.println("Edit the new file " + file + " and save it: the robot plays each new version.");
     }
 }

@@ -10,13 +10,14 @@ import org.robonewbie.agent.perception.LocalFieldView;
 import org.robonewbie.nao.Vector3;
 
 /**
- * Thinks with a world model of its own in the place of the local field view: it foresees where the ball is while the robot moves and the
- * head looks elsewhere, and draws that on the pitch (orange) beside what the field view remembers (grey).
+ * An agent with its own world model instead of the local field view: it predicts the ball while the robot moves and the head
+ * looks elsewhere, and draws the prediction (orange) beside the field view's memory (grey).
  *
- * <p>A world model is any class that is updated in {@link #sense}, after the framework has read all sensors: that one line is all that is
- * needed. Kick the ball in the studio and see how long the two circles agree.
+ * <p>A world model is any class that is updated in {@link #sense} after the framework has read all sensors; that takes one
+ * line. Kick the ball in the studio and watch how long the two circles agree.
  *
- * <p>Ideas: let the ball slow down as it rolls; forget it when the camera looks where it should be and sees none; ask team mates.
+ * <p>Ideas: model the friction of the ball; discard it when the camera looks at its predicted position and does not see it; ask
+ * team mates.
  */
 public final class Agent_OwnWorldModel extends Agent {
 
@@ -57,17 +58,17 @@ public final class Agent_OwnWorldModel extends Agent {
         }
     }
 
-    /** Where the ball is, as the robot moves on and the ball rolls. */
+    /** Estimate of the ball's position while robot and ball move. */
     private static final class WorldModel {
 
-        private static final double TRUST_IN_THE_NEW = 0.3;
+        private static final double SMOOTHING = 0.3;
 
         private final Odometry odometry = new Odometry();
         private Vector3 place = Vector3.ZERO;
         private Vector3 velocity = Vector3.ZERO;
         private double seenSeconds = Double.NEGATIVE_INFINITY;
 
-        /** Takes in one cycle: the robot's own motion, and the ball if it is seen. */
+        /** Processes one cycle: the robot's movement, and the ball if it is visible. */
         void update(Robot nao, LocalFieldView seen) {
             odometry.update(nao);
             FieldItem ball = seen.ball();
@@ -80,7 +81,7 @@ public final class Agent_OwnWorldModel extends Agent {
             double seconds = ball.lastSeenSeconds() - seenSeconds;
             if (seconds < 1) {
                 Vector3 measured = now.minus(place).times(1 / seconds);
-                velocity = velocity.times(1 - TRUST_IN_THE_NEW).plus(measured.times(TRUST_IN_THE_NEW));
+                velocity = velocity.times(1 - SMOOTHING).plus(measured.times(SMOOTHING));
             } else {
                 velocity = Vector3.ZERO;
             }
@@ -88,7 +89,7 @@ public final class Agent_OwnWorldModel extends Agent {
             seenSeconds = ball.lastSeenSeconds();
         }
 
-        /** The ball as seen from the robot, at a time. */
+        /** Returns the predicted ball in the robot's frame. */
         Vector3 ball(double seconds) {
             return odometry.pose().fromFrame(place.plus(velocity.times(seconds - seenSeconds)));
         }

@@ -9,13 +9,13 @@ import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.MotionFiles;
 
 /**
- * Takes penalties: gets behind the ball as {@link Agent_BetterSoccer} does, but then kicks it hard.
+ * A penalty taker: it gets behind the ball as {@link Agent_BetterSoccer} does, but then kicks it hard.
  *
- * <p>A kick needs patience. The robot stops where the ball lies right before one of its feet, stands still, looks once more, and
- * only then plays the motion. Where the ball must lie, the file of the motion says in its comment {@code // ball:}. To see the ball
- * from the torso and not from the leaning head, it asks the accelerometer how much it leans.
+ * <p>A kick requires precision. The robot stops with the ball right in front of a foot, stands still, checks the ball's
+ * position again, and only then plays the motion. The comment {@code // ball:} of the motion file states the required position.
+ * The tilt of the torso, from the accelerometer, is used to convert the sighting from the head's to the torso's frame.
  *
- * <p>Start {@link Agent_PenaltyGoalkeeper} in the same simulator. Ideas: choose the corner that the goalkeeper leaves free.
+ * <p>Start {@link Agent_PenaltyGoalkeeper} in the same simulator. Ideas: aim at the corner that the goalkeeper leaves open.
  */
 public final class Agent_PenaltyAttacker extends Agent_BetterSoccer {
 
@@ -51,9 +51,9 @@ public final class Agent_PenaltyAttacker extends Agent_BetterSoccer {
 
     @Override
     protected void bring(Vector3 ball, Vector3 goal) {
-        double feltDegrees =
+        double measuredDegrees =
                 Math.toDegrees(Math.asin(limited(-nao.getAcceleration().x() / 9.81, 0.3)));
-        leanDegrees += 0.1 * (feltDegrees - leanDegrees); // smooth, since each step shakes the robot
+        leanDegrees += 0.1 * (measuredDegrees - leanDegrees); // smoothed, since each step shakes the robot
         Vector3 place = fromTorso(ball);
         double turn = Math.toDegrees(Math.atan2(goal.y() - ball.y(), goal.x() - ball.x()));
         if (Math.hypot(place.x(), place.y()) > NEAR_METRES || Math.abs(turn) > 40 || place.x() < 0.05) {
@@ -64,7 +64,7 @@ public final class Agent_PenaltyAttacker extends Agent_BetterSoccer {
         }
     }
 
-    /** Steps to where the kick begins, and kicks. */
+    /** Steps into position and kicks. */
     private void prepareKick(Vector3 ball, double turn) {
         boolean left = ball.y() > 0;
         double forward = ball.x() - ballBeforeKick.x();
@@ -86,14 +86,14 @@ public final class Agent_PenaltyAttacker extends Agent_BetterSoccer {
         }
     }
 
-    /** Where a ball lies that the head sees, measured level from below the torso. */
+    /** Converts a position from the head's frame to a horizontal frame below the torso. */
     private Vector3 fromTorso(Vector3 ball) {
         double lean = Math.toRadians(leanDegrees);
         double up = ball.z() + HEAD_ABOVE_TORSO_METRES;
         return new Vector3(ball.x() * Math.cos(lean) + up * Math.sin(lean), ball.y(), 0);
     }
 
-    /** Where the ball must lie for a kick with the left foot. */
+    /** Required position of the ball for a kick with the left foot. */
     private static Translation2d ballBeforeKick() {
         try {
             return MotionFiles.library()

@@ -10,11 +10,11 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
 
 /**
- * Keeps the goal against {@link Agent_PenaltyAttacker}: watches the ball, foresees where it will cross the goal line, and dives
- * if it comes fast. Afterwards it gets up and walks back to its place.
+ * A goalkeeper against {@link Agent_PenaltyAttacker}: it observes the ball, predicts where it will cross the goal line, and
+ * dives for a fast ball. Afterwards it gets up and walks back to its position.
  *
- * <p>How fast the ball is, no sensor tells: it is calculated from two pictures of the camera. Ideas: come out of the goal to make
- * the angle smaller; do not dive if a step aside is enough.
+ * <p>No sensor measures the velocity of the ball: it is computed from two camera pictures. Ideas: come out of the goal to
+ * reduce the angle; do not dive if a side step is enough.
  */
 public final class Agent_PenaltyGoalkeeper extends Agent {
 
@@ -90,7 +90,7 @@ public final class Agent_PenaltyGoalkeeper extends Agent {
         shotPictures = isShot(ball) ? shotPictures + 1 : 0;
     }
 
-    /** Whether the ball comes so fast that the goal is in danger. The grass brakes it: it rolls 0.67 m for each m/s. */
+    /** Whether the ball is fast enough to reach the goal. Friction of the grass stops it: it rolls 0.67 m for each m/s. */
     private boolean isShot(Vector3 ball) {
         double approach = -ballVelocity.x();
         return approach > FAST_METRES_PER_SECOND
@@ -98,18 +98,18 @@ public final class Agent_PenaltyGoalkeeper extends Agent {
                 && Math.abs(crossing(fieldView.ball())) < self.field().goalWidth() / 2 + 0.1;
     }
 
-    /** How far to the left of the robot the ball will pass, in metres. */
+    /** Lateral distance at which the ball will pass the robot, in metres to the left. */
     private double crossing(FieldItem item) {
         Vector3 ball = item.position();
         return ball.y() + ballVelocity.y() * ball.x() / Math.max(0.01, -ballVelocity.x());
     }
 
-    /** A step in front of the middle of the team's own goal; where that is depends on the pitch. */
+    /** The position one step in front of the centre of the own goal, which depends on the field. */
     private Pose2d place() {
         return new Pose2d(BEFORE_LINE_METRES - self.field().length() / 2, 0, 0);
     }
 
-    /** Where the straight way of the ball into the middle of the goal comes by, in metres to the left. */
+    /** Lateral position on the line from the ball to the centre of the goal, in metres to the left. */
     private double coveringY(FieldItem ball) {
         if (ball.ageSeconds() > MEMORY_SECONDS) {
             return 0;

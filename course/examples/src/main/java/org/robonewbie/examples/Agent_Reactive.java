@@ -6,8 +6,8 @@ import org.robonewbie.agent.perception.FieldItem;
 import org.robonewbie.nao.Joint;
 
 /**
- * Reacts without thinking: what the sensors say leads straight to the motors. The head follows the ball, and the arm on the
- * side of another robot goes up.
+ * A reactive agent: sensor readings are mapped directly to motor commands. The head follows the ball, and the robot raises the
+ * arm on the side of another robot.
  *
  * <p>There is no {@code think} here; {@code act} sets the motors before it sends the commands.
  */
@@ -41,12 +41,12 @@ public final class Agent_Reactive extends Agent {
         } else {
             lookAround.look();
         }
-        nao.setJointAngle(Joint.LEFT_SHOULDER_PITCH, isSomebody(true) ? 90 : 0, SPEED);
-        nao.setJointAngle(Joint.RIGHT_SHOULDER_PITCH, isSomebody(false) ? 90 : 0, SPEED);
+        nao.setJointAngle(Joint.LEFT_SHOULDER_PITCH, seesRobot(true) ? 90 : 0, SPEED);
+        nao.setJointAngle(Joint.RIGHT_SHOULDER_PITCH, seesRobot(false) ? 90 : 0, SPEED);
         super.act();
     }
 
-    private boolean isSomebody(boolean onTheLeft) {
+    private boolean seesRobot(boolean onTheLeft) {
         return fieldView.players().stream()
                 .anyMatch(player -> player.ageSeconds() < 1 && (player.bearing() > 0) == onTheLeft);
     }

@@ -8,15 +8,14 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
 
 /**
- * A soccer player with a very simple decision tree: find the ball, walk to it, get behind it, and push it into the goal. It
- * plays poorly on purpose, so that there is much to improve.
+ * A soccer player with a simple decision tree: find the ball, walk to it, get behind it, and push it into the goal. It plays
+ * poorly on purpose, so that there is much to improve.
  *
- * <p>The head looks around all the time; what it sees stays in the field view, and counts as known for as long as one round of
- * the head takes. Decisions are made only when the last motion is over and the head looks down before the feet, where the
- * field view is exact.
+ * <p>The head scans all the time. Sightings stay in the field view, and count as known for the duration of one scan. Decisions
+ * are made only when the last motion is over and the head looks down in front of the feet, where the field view is exact.
  *
- * <p>Ideas: the player wants the ball nearly straight ahead, but all its turns are as large as one motion: turn by the angle
- * that is needed; do not stop so often; kick; walk around the ball instead of side-stepping.
+ * <p>Ideas: the player wants the ball nearly straight ahead, but all its turns have the same size: turn by the required angle;
+ * stop less often; kick; walk around the ball instead of side-stepping.
  */
 public class Agent_SimpleSoccer extends Agent {
 
@@ -50,7 +49,7 @@ public class Agent_SimpleSoccer extends Agent {
         if (hasToGoToStart()) {
             nao.beam(options().pose(nao.getNumber()));
             motions.reset();
-        } else if (motions.isFinished() && looksBeforeTheFeet()) {
+        } else if (motions.isFinished() && looksAtFeet()) {
             decide();
         }
     }
@@ -86,15 +85,18 @@ public class Agent_SimpleSoccer extends Agent {
         }
     }
 
-    /** Steps aside until the goal comes into view; the other way if that takes long, since a goal post may be in the way. */
+    /** Side-steps until the goal comes into view; changes direction after many steps, since a goal post may be in the way. */
     private void goAroundTheBall() {
         boolean left = stepsAround / MANY_STEPS % 2 == 0;
         motions.start(left ? "side-step-left" : "side-step-right");
         stepsAround++;
     }
 
-    /** A head that is turned and bent at once sees the ball aside from where the field view says; straight ahead all is right. */
-    private boolean looksBeforeTheFeet() {
+    /**
+     * Whether the head looks down straight ahead; with a head that is turned and tilted at the same time, the field view is
+     * inaccurate.
+     */
+    private boolean looksAtFeet() {
         return Math.abs(nao.getJointAngle(Joint.NECK_YAW)) < 10 && nao.getJointAngle(Joint.NECK_PITCH) < -25;
     }
 

@@ -5,10 +5,10 @@ import org.robonewbie.agent.Options;
 import org.robonewbie.agent.perception.FieldItem;
 
 /**
- * Walks to the ball and stops there. The decision is made whenever the last motion is over: turn until the ball is ahead, walk
- * until it is near.
+ * Walks to the ball and stops there. It decides whenever the last motion is over: turn until the ball is ahead, walk until it
+ * is near.
  *
- * <p>The head looks down a little, so that the ball is seen even right in front of the feet.
+ * <p>The head scans far enough down to see the ball even right in front of the feet.
  */
 public class Agent_SimpleWalkToBall extends Agent {
 

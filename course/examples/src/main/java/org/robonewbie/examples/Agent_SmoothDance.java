@@ -7,10 +7,10 @@ import org.robonewbie.nao.motion.Interpolation;
 import org.robonewbie.nao.motion.KeyframeInterval;
 
 /**
- * Plays the dance with smooth curves instead of straight lines between the keyframes: an interpolation of your own in a dozen
- * lines. Watch how the arms swing through a keyframe instead of changing their speed abruptly.
+ * Plays the dance with smooth curves instead of straight lines between keyframes, by a custom interpolation in a dozen lines.
+ * Watch how the arms pass through a keyframe instead of changing speed abruptly.
  *
- * <p>Started with the word {@code linear} it dances as usual, for comparison.
+ * <p>With the argument {@code linear} it uses the default interpolation, for comparison.
  */
 public final class Agent_SmoothDance extends Agent {
 
@@ -38,8 +38,8 @@ public final class Agent_SmoothDance extends Agent {
     }
 
     /**
-     * Cubic curves through all keyframes (Catmull and Rom): at each keyframe the joint has the mean speed of the ways before and
-     * after it.
+     * Cubic Catmull-Rom spline through all keyframes: at each keyframe the joint has the mean velocity of the adjacent
+     * sections.
      */
     static final class Spline implements Interpolation {
 

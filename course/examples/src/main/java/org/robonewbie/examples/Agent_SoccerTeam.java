@@ -7,11 +7,11 @@ import org.robonewbie.agent.perception.FieldItem;
 import org.robonewbie.agent.perception.HeardMessage;
 
 /**
- * A team of which each player has a role: number 1 keeps the goal, of the others the one who is nearest to the ball attacks as
- * {@link Agent_SimpleSoccer} does, and the rest keeps the ball in view. They find out who is nearest by calling their distances.
+ * A team with roles: number 1 keeps the goal, the nearest other player to the ball attacks as {@link Agent_SimpleSoccer} does,
+ * and the rest keeps the ball in view. The players broadcast their distances to find out which one is nearest.
  *
- * <p>{@code Agent_SoccerTeam 3 --team Blue} starts three players with one command. Started a second time with another team
- * name, they have opponents.
+ * <p>{@code Agent_SoccerTeam 3 --team Blue} starts three players with one command. Start it a second time with another team
+ * name for opponents.
  */
 public final class Agent_SoccerTeam extends Agent_SimpleSoccer {
 
@@ -27,7 +27,7 @@ public final class Agent_SoccerTeam extends Agent_SimpleSoccer {
     /**
      * Creates a player.
      *
-     * @param number its number, 1 to 11
+     * @param number player number, 1 to 11
      */
     public Agent_SoccerTeam(int number) {
         this.number = number;
@@ -36,7 +36,7 @@ public final class Agent_SoccerTeam extends Agent_SimpleSoccer {
     /**
      * Starts the players.
      *
-     * @param args how many players, 1 to 11, and options such as {@code --team Blue}
+     * @param args number of players, 1 to 11, and options such as {@code --team Blue}
      */
     public static void main(String[] args) {
         Agent[] team = IntStream.rangeClosed(1, players(args))
@@ -77,11 +77,11 @@ public final class Agent_SoccerTeam extends Agent_SimpleSoccer {
         if (attacks || nao.isFallen()) {
             super.decide();
         } else {
-            faceTheBall();
+            faceBall();
         }
     }
 
-    private void faceTheBall() {
+    private void faceBall() {
         FieldItem ball = fieldView.ball();
         if (ball.ageSeconds() > MEMORY_SECONDS) {
             motions.start("turn-left");

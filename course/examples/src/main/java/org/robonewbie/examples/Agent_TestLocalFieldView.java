@@ -14,15 +14,15 @@ import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.Vector3;
 
 /**
- * Prints what the robot remembers of the field while its head looks around, twice per second for five seconds, and compares it
- * with the truth.
+ * Logs the contents of the field view while the head scans, twice per second for five seconds, and compares them with the
+ * truth.
  *
- * <p>Watch how objects stay known when the head turns away, and how their age grows. Start {@link Agent_Dummy} in the same
+ * <p>Watch how objects stay known when the head turns away, and how their age increases. Start {@link Agent_Dummy} in the same
  * simulator to see another robot.
  *
- * <p>No real robot knows the truth; the simulator sends it for this experiment (option {@code --truth}). The field view adds
- * the angles of neck and camera, which is simple but not exact. How large is the error, and where is the head when it is
- * largest? Started with the word {@code exact} the robot calculates with the real joints of its neck.
+ * <p>A real robot cannot know the truth; the simulator sends it for this experiment (option {@code --truth}). The field view
+ * adds the angles of neck and camera, which is simple but not exact. How large is the error, and at which head angles is it
+ * largest? With the argument {@code exact} the robot uses the forward kinematics of its neck.
  */
 public final class Agent_TestLocalFieldView extends Agent {
 
@@ -37,7 +37,7 @@ public final class Agent_TestLocalFieldView extends Agent {
     /**
      * Starts the robot.
      *
-     * @param args {@code exact} for exact calculation, and options such as {@code --headless}
+     * @param args {@code exact} for exact kinematics, and options such as {@code --headless}
      */
     public static void main(String[] args) {
         new Agent_TestLocalFieldView().run(args);
@@ -65,7 +65,7 @@ public final class Agent_TestLocalFieldView extends Agent {
         }
     }
 
-    /** Compares the belief about the ball with the truth, whenever the camera sees it. */
+    /** Compares the estimated with the true position of the ball, whenever it is visible. */
     private void compare(CameraPicture.Truth places) {
         FieldItem ball = fieldView.ball();
         if (ball.isVisible()) {
@@ -75,17 +75,17 @@ public final class Agent_TestLocalFieldView extends Agent {
             comparisons++;
             sumOfErrors += error;
             largestError = Math.max(largestError, error);
-            nao.plot("error of the ball in metres", error);
+            nao.plot("ball error in metres", error);
             nao.drawPoint(truth, "green");
             nao.drawPoint(ball.position(), "orange");
             if (cycle % 25 == 0) {
-                log.info("ball in truth %s; the belief is %.3f m wrong", Direction.of(truth), error);
+                log.info("true ball %s; the estimate is %.3f m off", Direction.of(truth), error);
                 log.info("mean error %.3f m, largest %.3f m", sumOfErrors / comparisons, largestError);
             }
         }
     }
 
-    /** Turns a point of the pitch into what a robot sees that looks straight ahead. */
+    /** Converts a point on the field to the frame of a head that looks straight ahead. */
     private static Vector3 seenFromHead(Vector3 point, Vector3 head, double headingDegrees) {
         Vector3 way = point.minus(head);
         double heading = Math.toRadians(headingDegrees);

@@ -9,10 +9,10 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 
 /**
- * Logs the robot's sensors in each of 50 cycles. The log is printed when the run is over, since printing within a cycle would
+ * Logs all sensor readings in each of 50 cycles. The log is printed when the run is over, since printing within a cycle would
  * take too long.
  *
- * <p>Start {@link Agent_Dummy} in the same simulator to have something to hear and to see.
+ * <p>Start {@link Agent_Dummy} in the same simulator for messages and a robot in view.
  */
 public final class Agent_TestPerceptorInput extends Agent {
 

@@ -8,10 +8,10 @@ import org.robonewbie.agent.perception.CameraTransformation;
 import org.robonewbie.nao.geometry.Pose2d;
 
 /**
- * Determines its place on the pitch while walking about, and compares it with the truth.
+ * Localises itself on the field while it walks, and compares the result with the truth.
  *
- * <p>This is more than a beginner needs: goal posts and flags reveal the place and the pitch, gyroscope and legs the movement
- * in between; see {@link SelfLocalisation}. In the studio the belief is drawn next to the robot.
+ * <p>This is beyond what a beginner needs: goal posts and flags determine pose and field, gyroscope and legs the movement in
+ * between; see {@link SelfLocalisation}. The studio draws the estimated pose next to the robot.
  */
 public final class Agent_TestSelfLocalisation extends Agent {
 
@@ -58,7 +58,7 @@ public final class Agent_TestSelfLocalisation extends Agent {
             comparisons += self.isKnown() ? 1 : 0;
             sumOfErrors += self.isKnown() ? error : 0;
             largestError = Math.max(largestError, self.isKnown() ? error : 0);
-            nao.plot("error of the own place in metres", error);
+            nao.plot("position error in metres", error);
         });
     }
 }

@@ -9,20 +9,20 @@ import org.robonewbie.agent.Options;
 import org.robonewbie.nao.Joint;
 
 /**
- * Two behaviours at the same time, each in a thread of its own: the head follows the ball while the left arm swings. Both run
- * once in each cycle, and {@code think} waits for both, so that all commands belong to the same message.
+ * Two concurrent behaviours in separate threads: the head follows the ball while the left arm swings. Both run once in each
+ * cycle, and {@code think} waits for both, so that all commands belong to the same message.
  *
- * <p>Each behaviour moves joints of its own. What happens if both want the same one?
+ * <p>The behaviours move different joints. What happens if both move the same one?
  */
 public final class Agent_TwoBehaviours extends Agent {
 
     private final ExecutorService threads = Executors.newFixedThreadPool(2, work -> {
         Thread thread = new Thread(work, "behaviour");
-        thread.setDaemon(true); // so that the program can end
+        thread.setDaemon(true); // does not keep the program alive
         return thread;
     });
     private final List<Callable<Object>> behaviours =
-            List.of(Executors.callable(this::followTheBall), Executors.callable(this::swingTheArm));
+            List.of(Executors.callable(this::followBall), Executors.callable(this::swingArm));
 
     /** Creates the agent. */
     public Agent_TwoBehaviours() {}
@@ -50,7 +50,7 @@ public final class Agent_TwoBehaviours extends Agent {
         }
     }
 
-    private void followTheBall() {
+    private void followBall() {
         if (fieldView.ball().ageSeconds() < 1) {
             nao.setJointAngle(
                     Joint.NECK_YAW,
@@ -61,7 +61,7 @@ public final class Agent_TwoBehaviours extends Agent {
         }
     }
 
-    private void swingTheArm() {
+    private void swingArm() {
         nao.setJointAngle(Joint.LEFT_SHOULDER_PITCH, 45 * Math.sin(2 * Math.PI * nao.getTime() / 2));
     }
 }

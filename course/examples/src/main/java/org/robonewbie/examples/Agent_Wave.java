@@ -3,10 +3,10 @@ package org.robonewbie.examples;
 import org.robonewbie.agent.Nao;
 
 /**
- * Lesson 1: a robot that says hello. {@code Nao} is the robot in your hand; {@code perform} plays a motion from the file
- * {@code motions/wave.txt} to its end.
+ * Lesson 1: a robot that says hello. {@code Nao} represents the robot; {@code perform} plays the motion in the file {@code
+ * motions/wave.txt} to its end.
  *
- * <p>Try other names: {@code stand}, {@code walk-forward}, {@code turn-left}.
+ * <p>Try other motions: {@code stand}, {@code walk-forward}, {@code turn-left}.
  */
 public final class Agent_Wave {
 

@@ -1,8 +1,8 @@
 /**
- * Lessons that run. Read {@link org.robonewbie.examples.Agent_Wave} first, then {@link
+ * Example agents of the lessons. Read {@link org.robonewbie.examples.Agent_Wave} first, then {@link
  * org.robonewbie.examples.Agent_BasicStructure} and {@link org.robonewbie.examples.Agent_SimpleSoccer}.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.examples;

@@ -59,7 +59,7 @@ class MistakesTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
             Agent_BasicStructure | --host 127.0.0.1 --port 9 | No simulator answers at 127.0.0.1:9. Start one with \
-            "robonewbie simulator", or leave the host out to have one started for you.
+            "robonewbie simulator", or omit the host to start one automatically.
             Agent_SoccerTeam     | 12 --headless             | A team has 1 to 11 players, not "12".
             Agent_Wave           | --headles                 | The option "headles" on the command line is unknown. \
             Did you mean --headless?

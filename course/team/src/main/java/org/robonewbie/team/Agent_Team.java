@@ -28,11 +28,11 @@ import org.robonewbie.team.world.Situation;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * A player of the example team for the league's pitch. In each cycle it updates what it believes ({@link WorldModel}), decides ({@link
- * Strategy}), moves (the classes in {@code skill}) and tells its team mates ({@link TeamMessage}).
+ * A player of the example team for the league. In each cycle it updates its world model ({@link WorldModel}), makes a decision
+ * ({@link Strategy}), moves (the classes in {@code skill}) and communicates with its team mates ({@link TeamMessage}).
  *
- * <p>{@code Agent_Team 11 --team Blue} starts eleven players with one command, {@code Agent_Team --number 4} only number 4. They play on
- * pitches of any size.
+ * <p>{@code Agent_Team 11 --team Blue} starts eleven players with one command, {@code Agent_Team --number 4} only number 4.
+ * They play on fields of any size.
  */
 public class Agent_Team extends Agent {
 
@@ -61,7 +61,7 @@ public class Agent_Team extends Agent {
     private List<Translation2d> way = List.of();
     private double beamedSeconds = Double.NEGATIVE_INFINITY;
 
-    /** Creates a player with any number that is free. */
+    /** Creates a player with any free number. */
     public Agent_Team() {
         this(0);
     }
@@ -69,7 +69,7 @@ public class Agent_Team extends Agent {
     /**
      * Creates a player.
      *
-     * @param number its number, 1 to 11, or 0 for any that is free
+     * @param number player number, 1 to 11, or 0 for any free number
      */
     public Agent_Team(int number) {
         this.number = number;
@@ -80,7 +80,7 @@ public class Agent_Team extends Agent {
     /**
      * Starts the players.
      *
-     * @param args how many players, 1 to 11, and options such as {@code --team Blue}; with {@code --number} it is one player
+     * @param args number of players, 1 to 11, and options such as {@code --team Blue}; with {@code --number}, a single player
      */
     public static void main(String[] args) {
         int option = Arrays.asList(args).indexOf("--number");
@@ -93,10 +93,10 @@ public class Agent_Team extends Agent {
     }
 
     /**
-     * Chooses how a player is built. The league allows seven robots of one type in a team and nine of any two types, and wants three types
-     * among eleven robots.
+     * Returns the robot type of a player. The league allows seven robots of one type and nine of any two types in a team, and
+     * requires three types among eleven robots.
      *
-     * @param number the player's number, 1 to 11, or 0 for any
+     * @param number player number, 1 to 11, or 0 for any
      * @return type 0 for the first seven, then two each of types 2 and 4, whose legs are as long as those of type 0
      */
     public static RobotType type(int number) {
@@ -106,7 +106,7 @@ public class Agent_Team extends Agent {
         return number <= MAX_OF_TWO_TYPES ? RobotType.TYPE_2 : RobotType.TYPE_4;
     }
 
-    /** Whatever is no number is refused later, with the other options. */
+    /** Invalid numbers are refused later, with the other options. */
     private static int numberAfter(int option, String... args) {
         String number = option + 1 < args.length ? args[option + 1] : "";
         return number.matches(NUMBER) ? Integer.parseInt(number) : 0;
@@ -136,7 +136,7 @@ public class Agent_Team extends Agent {
         if (nao.getVision().isPresent()) {
             strategy.decide();
         }
-        if (isToLineUp()) {
+        if (shouldLineUp()) {
             lineUp();
         } else if (nao.isFallen()) {
             getUp.start();
@@ -144,17 +144,17 @@ public class Agent_Team extends Agent {
             play(strategy.plan());
         }
         gaze.look(world);
-        speak();
+        broadcast();
         board.show(strategy.plan(), strategy.options(), way);
     }
 
-    private boolean isToLineUp() {
+    private boolean shouldLineUp() {
         return nao.isBeamAllowed()
                 && world.situation() == Situation.LINE_UP
                 && world.secondsInSituation() > STILL_SECONDS;
     }
 
-    /** Goes to its place before a kick-off: by beam, and again if the referee has moved it. */
+    /** Beams the robot to its kick-off position, and again if the referee has moved it. */
     private void lineUp() {
         boolean small = !Roles.isKeeper(world, 1);
         Pose2d place = KickOffPositions.place(world.number(), !world.hasScored(), small, world.field());
@@ -205,7 +205,7 @@ public class Agent_Team extends Agent {
         }
     }
 
-    private void speak() {
+    private void broadcast() {
         if (Talk.isMyTurn(world.seconds(), world.number())) {
             Plan plan = strategy.plan();
             nao.say(new TeamMessage(

@@ -11,14 +11,13 @@ import org.robonewbie.team.world.BallFilter;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * Shows in the studio what a player believes and plans: its role, its way, the ball and how it rolls, where it wants the ball to go, and
- * whom it passes to. Around the ball of the striker stands a rose: each possible kick and each direction of dribbling is a ray, the
- * longer the more it gains.
+ * Drawing of a player's beliefs and decisions in the studio: role, path, ball and its predicted path, target of the ball, and
+ * receiver of a pass. Each option of the striker is a ray at the ball: the longer, the higher its gain.
  */
 final class DecisionDrawing {
 
     private static final double HEAD_METRES = -0.5;
-    private static final double LONGEST_RAY_METRES = 1;
+    private static final double MAX_RAY_METRES = 1;
     private static final String KICK_COLOUR = "white";
     private static final String DRIBBLE_COLOUR = "grey";
 
@@ -30,7 +29,7 @@ final class DecisionDrawing {
         this.world = world;
     }
 
-    /** Draws the plan, what else was possible, and the way of this cycle. */
+    /** Draws the plan, the other options and the path of this cycle. */
     void show(Plan plan, List<KickChoice.Option> options, List<Translation2d> way) {
         nao.publishPose(world.pose().x(), world.pose().y(), world.pose().degrees());
         nao.drawText(
@@ -38,7 +37,7 @@ final class DecisionDrawing {
                 plan.role() + " " + plan.action(),
                 plan.role().colour());
         nao.plot("seconds since the ball was seen", Math.min(10, world.ballAgeSeconds()));
-        if (!world.isFallen()) { // else nobody could tell where on the pitch the lines belong
+        if (!world.isFallen()) { // lines that start at a fallen robot would be misplaced
             showWay(plan, way);
             if (plan.role() == TeamRole.STRIKER) {
                 showBall();
@@ -57,14 +56,14 @@ final class DecisionDrawing {
         nao.drawPoint(seen(plan.target()), colour);
     }
 
-    /** The ball, and how far it will roll. */
+    /** Draws the ball and the place where it will come to rest. */
     private void showBall() {
         Translation2d rest = world.ball().plus(world.ballVelocity().times(BallFilter.ROLLING_SECONDS));
         nao.drawCircle(seen(world.ball()), 0.15, "orange");
         nao.drawLine(seen(world.ball()), seen(rest), "orange");
     }
 
-    /** Where the ball is to go, to whom, and what else was possible. */
+    /** Draws the target of the ball, the receiver of a pass, and the other options. */
     private void showChoice(Plan plan, List<KickChoice.Option> options) {
         boolean kick = plan.isKick();
         if (!kick && plan.action() != Plan.Action.DRIBBLE) {
@@ -83,8 +82,7 @@ final class DecisionDrawing {
 
     private void showRay(KickChoice.Option option, double most) {
         boolean kick = option.plan().isKick();
-        Translation2d ray =
-                Translation2d.polar(option.plan().headingDegrees(), LONGEST_RAY_METRES * option.gain() / most);
+        Translation2d ray = Translation2d.polar(option.plan().headingDegrees(), MAX_RAY_METRES * option.gain() / most);
         nao.drawLine(seen(world.ball()), seen(world.ball().plus(ray)), kick ? KICK_COLOUR : DRIBBLE_COLOUR);
     }
 

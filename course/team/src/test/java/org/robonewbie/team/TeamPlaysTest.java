@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.team.talk.TeamMessage;
 import org.robonewbie.trial.Controller;
@@ -90,7 +91,8 @@ class TeamPlaysTest {
                     "Others", number, RobotType.TYPE_0, new Pose2d(12, 3.0 * number - 7.5, 180), List.of()));
             controllers.add(Controller.ofSpeeds());
         }
-        Scene scene = new Scene(SoccerParameters.league(), true, robots, Optional.of(new Vector3(9, 0, 0)));
+        Scene scene =
+                new Scene(SoccerParameters.league(), true, Landscape.SOCCER, robots, Optional.of(new Vector3(9, 0, 0)));
         return Trial.served(scene, seed, controllers.toArray(Controller[]::new));
     }
 }

@@ -21,7 +21,7 @@ final class StudentAgent extends Agent implements StudentObject {
         this.type = type;
         this.machine = machine;
         fields = type.newFields();
-        ThinkSpelling.wrongAmong(type.headings(), type.simpleName()).ifPresent(machine.output()::println);
+        ThinkSpelling.problemAmong(type.headings(), type.simpleName()).ifPresent(machine.output()::println);
     }
 
     @Override

@@ -17,9 +17,9 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.protocol.embedded.PuppetProvider;
-import org.robonewbie.protocol.telemetry.NumberWishes;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
+import org.robonewbie.protocol.telemetry.TuningRequests;
 import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.SimulationControl;
@@ -46,9 +46,9 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
     private final SimulationControl simulation;
     private final PuppetService puppets;
     private final RoboVizFeed board = new RoboVizFeed();
-    private final NumberWishes numbers = new NumberWishes();
+    private final TuningRequests numbers = new TuningRequests();
     private final CommandQueue commandQueue = new ThreadedCommandQueue();
-    private final UndoManager undoManager = new UndoManager(this, this::told);
+    private final UndoManager undoManager = new UndoManager(this, this::messagePrinted);
     private final Queue<MatchEvent> events = new ConcurrentLinkedQueue<>();
     private final Queue<String> sentences = new ConcurrentLinkedQueue<>();
     private final List<Spectator> spectators = new CopyOnWriteArrayList<>();
@@ -94,12 +94,12 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
     }
 
     @Override
-    public NumberWishes numbers() {
+    public TuningRequests numbers() {
         return numbers;
     }
 
     @Override
-    public Optional<NumberWishes> wishes() {
+    public Optional<TuningRequests> tuningRequests() {
         return Optional.of(numbers);
     }
 
@@ -179,12 +179,12 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
     }
 
     @Override
-    public void anotherBegins() {
+    public void simulationReplaced() {
         undoManager.forget();
     }
 
     @Override
-    public void told(String sentence) {
+    public void messagePrinted(String sentence) {
         sentences.add(sentence);
     }
 

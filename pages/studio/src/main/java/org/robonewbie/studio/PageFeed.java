@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.protocol.embedded.PuppetProvider;
-import org.robonewbie.protocol.telemetry.NumberWishes;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
+import org.robonewbie.protocol.telemetry.TuningRequests;
 import org.robonewbie.simulator.AgentMessages;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.SimulationControl;
@@ -90,7 +90,7 @@ public final class PageFeed implements TelemetrySink {
     public PageFeed(World world, Page page) {
         this.world = world;
         this.page = page;
-        this.context = new SteppedContext(world, this::told);
+        this.context = new SteppedContext(world, this::messagePrinted);
     }
 
     /**
@@ -128,7 +128,7 @@ public final class PageFeed implements TelemetrySink {
                 request.applyTo(context);
             }
         } catch (IllegalArgumentException | IllegalStateException wrong) {
-            told(String.valueOf(wrong.getMessage()));
+            messagePrinted(String.valueOf(wrong.getMessage()));
         }
     }
 
@@ -166,7 +166,7 @@ public final class PageFeed implements TelemetrySink {
      *
      * @param sentence a complete sentence
      */
-    public void told(String sentence) {
+    public void messagePrinted(String sentence) {
         queue.add(SceneDescriptionWriter.notice(sentence));
     }
 
@@ -179,7 +179,7 @@ public final class PageFeed implements TelemetrySink {
     }
 
     @Override
-    public Optional<NumberWishes> wishes() {
+    public Optional<TuningRequests> tuningRequests() {
         return Optional.of(context.numbers());
     }
 

@@ -41,7 +41,7 @@ public final class ShownSimulation implements SimulationControl {
         observers.forEach(shown::removeObserver);
         shown = other;
         observers.forEach(other::addObserver);
-        observers.forEach(SimulationObserver::anotherBegins);
+        observers.forEach(SimulationObserver::simulationReplaced);
     }
 
     @Override

@@ -2,7 +2,7 @@ package org.robonewbie.studio;
 
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.robonewbie.protocol.telemetry.NumberWishes;
+import org.robonewbie.protocol.telemetry.TuningRequests;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
 
@@ -11,7 +11,7 @@ final class SteppedContext implements StudioContext {
 
     private final PageFeed.World world;
     private final CommandQueue commandQueue = new InlineCommandQueue();
-    private final NumberWishes numbers = new NumberWishes();
+    private final TuningRequests numbers = new TuningRequests();
     private final PuppetService puppets;
     private final UndoManager undoManager;
 
@@ -43,7 +43,7 @@ final class SteppedContext implements StudioContext {
     }
 
     @Override
-    public NumberWishes numbers() {
+    public TuningRequests numbers() {
         return numbers;
     }
 

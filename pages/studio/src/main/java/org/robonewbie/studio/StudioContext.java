@@ -1,6 +1,6 @@
 package org.robonewbie.studio;
 
-import org.robonewbie.protocol.telemetry.NumberWishes;
+import org.robonewbie.protocol.telemetry.TuningRequests;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
 
@@ -16,7 +16,7 @@ interface StudioContext {
     CommandQueue commandQueue();
 
     /** Values that the user has set for tunable numbers of robots' programs. */
-    NumberWishes numbers();
+    TuningRequests numbers();
 
     /** The robots that are steered by hand. */
     PuppetService puppets();

@@ -4,7 +4,7 @@ import java.util.List;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.order.PlayerNumber;
-import org.robonewbie.protocol.telemetry.NumberWish;
+import org.robonewbie.protocol.telemetry.TuningRequest;
 
 /** Command of a page. */
 interface StudioRequest {
@@ -38,7 +38,7 @@ interface StudioRequest {
      *
      * @param wish the number and its new value
      */
-    record Tune(NumberWish wish) implements StudioRequest {
+    record Tune(TuningRequest wish) implements StudioRequest {
         @Override
         public void applyTo(StudioContext context) {
             context.numbers().put(wish);

@@ -15,7 +15,7 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.order.PlayerNumber;
-import org.robonewbie.protocol.telemetry.NumberWish;
+import org.robonewbie.protocol.telemetry.TuningRequest;
 import org.robonewbie.simulator.SimulationControl;
 
 /**
@@ -61,7 +61,7 @@ final class StudioRequestReader {
             case "seen" -> new StudioRequest.Seen();
             case "watch" -> new StudioRequest.Watch(text("team"), (int) number("number", 0, PLAYERS));
             case "tune" ->
-                new StudioRequest.Tune(new NumberWish(
+                new StudioRequest.Tune(new TuningRequest(
                         text("team"),
                         (int) number("number", 0, PLAYERS),
                         text("name"),

@@ -22,6 +22,7 @@ import org.robonewbie.nao.motion.file.MotionFiles;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
@@ -94,13 +95,11 @@ class FirstMotionTest {
         DoubleAccumulator nearest = new DoubleAccumulator(Math::min, Double.MAX_VALUE);
         SimulationObserver observer = world -> world.robots()
                 .forEach(robot -> nearest.accumulate(Math.abs(robot.body().hingeDegrees()[hinge] - degrees)));
-        SimulatorSettings settings = SimulatorSettings.beginner()
-                .agentPort(0)
-                .synchronous(true)
-                .awaitedAgents(1)
-                .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
-                .seed(1)
-                .build();
+        SimulatorSettings settings = SimulatorSettings.of(
+                        WorldSettings.beginner().withSeed(1))
+                .withAgentPort(0)
+                .withAwaitedAgents(1)
+                .withSpeed(SimulationControl.AS_FAST_AS_POSSIBLE);
         try (Simulator simulator = Simulator.start(settings, Console.silent())) {
             simulator.control().addObserver(observer);
             Process agent = new ProcessBuilder(

@@ -1,10 +1,12 @@
 package org.robonewbie.studio;
 
 import java.io.IOException;
+import java.util.Optional;
 import java.util.OptionalInt;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
@@ -27,12 +29,9 @@ final class PlayingRobot implements AutoCloseable {
 
     /** Starts it with an optional monitor port. */
     static PlayingRobot start(OptionalInt monitorPort) throws IOException {
-        SimulatorSettings settings = SimulatorSettings.beginner()
-                .agentPort(0)
-                .monitorPort(monitorPort)
-                .synchronous(true)
-                .speed(1)
-                .build();
+        SimulatorSettings settings = SimulatorSettings.of(WorldSettings.beginner())
+                .withAgentPort(0)
+                .withMonitors(new SimulatorSettings.Monitors(monitorPort, 0.04, true, Optional.empty()));
         PlayingRobot robot = new PlayingRobot(Simulator.start(settings, Console.silent()));
         robot.program.start();
         return robot;

@@ -9,6 +9,7 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
@@ -21,14 +22,11 @@ final class RecordedRun implements AutoCloseable {
 
     RecordedRun(Path file) throws IOException {
         simulator = Simulator.start(
-                SimulatorSettings.beginner()
-                        .agentPort(0)
-                        .synchronous(true)
-                        .awaitedAgents(1)
-                        .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
-                        .seed(1)
-                        .recording(Optional.of(file))
-                        .build(),
+                SimulatorSettings.of(WorldSettings.beginner().withSeed(1))
+                        .withAgentPort(0)
+                        .withAwaitedAgents(1)
+                        .withSpeed(SimulationControl.AS_FAST_AS_POSSIBLE)
+                        .withOutput(Optional.of(file), Optional.empty()),
                 Console.standard());
         link = simulator.connect();
         say("(scene rsg/agent/nao/nao.rsg)(syn)");

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
@@ -18,13 +19,10 @@ final class SteeredField implements AutoCloseable {
     SteeredField(Chromium browser, Path folder) throws IOException {
         this.browser = browser;
         this.simulator = Simulator.start(
-                SimulatorSettings.beginner()
-                        .agentPort(0)
-                        .synchronous(true)
-                        .awaitedAgents(1)
-                        .speed(2)
-                        .seed(3)
-                        .build(),
+                SimulatorSettings.of(WorldSettings.beginner().withSeed(3))
+                        .withAgentPort(0)
+                        .withAwaitedAgents(1)
+                        .withSpeed(2),
                 Console.silent());
         StudioFolders folders = new StudioFolders(
                 folder.resolve("motions"), Optional.of(new RecordingRepository(folder, 1_000_000_000)));

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.simulator.Console;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
@@ -70,12 +71,10 @@ class StudioViewerTest {
 
     @Test
     void robotOfTheRealSimulatorIsSeenAndStepped() throws Exception {
-        SimulatorSettings settings = SimulatorSettings.beginner()
-                .agentPort(0)
-                .synchronous(true)
-                .awaitedAgents(1)
-                .seed(1)
-                .build();
+        SimulatorSettings settings = SimulatorSettings.of(
+                        WorldSettings.beginner().withSeed(1))
+                .withAgentPort(0)
+                .withAwaitedAgents(1);
         try (Simulator simulator = Simulator.start(settings, Console.standard());
                 Viewer.View view = viewer.open(simulator.control(), 0);
                 AgentLink agent = simulator.connect();

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.agent.puppet.RobotPuppetProvider;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
@@ -39,12 +40,7 @@ final class TestSimulator implements AutoCloseable {
     }
 
     TestSimulator(Landscape landscape) {
-        SimulatorSettings settings = SimulatorSettings.beginner()
-                .agentPort(0)
-                .synchronous(true)
-                .landscape(landscape)
-                .seed(1)
-                .build();
+        SimulatorSettings settings = SimulatorSettings.of(WorldSettings.beginner().withLandscape(landscape).withSeed(1)).withAgentPort(0);
         try {
             simulator = Simulator.start(settings, Console.silent());
         } catch (IOException e) {

@@ -84,9 +84,9 @@ final class WrittenTelemetry {
         if (item instanceof TelemetryItem.DeclaredNumber number) {
             return Map.of(
                     "name", number.name(),
-                    "defaultValue", number.usual(),
-                    "min", number.least(),
-                    "max", number.most(),
+                    "defaultValue", number.defaultValue(),
+                    "min", number.min(),
+                    "max", number.max(),
                     "value", number.value());
         }
         TelemetryItem.PlotValue plot = (TelemetryItem.PlotValue) item;

@@ -49,7 +49,7 @@ final class FreePitch implements EditableWorld {
      */
     FreePitch(long seed, PageFeed feed, RecordingTarget recording) {
         this.feed = feed;
-        simulator = SteppedSimulator.start(WorldSettings.beginner().withSeed(seed), recording, feed::told);
+        simulator = SteppedSimulator.start(WorldSettings.beginner().withSeed(seed), recording, feed::messagePrinted);
         simulator.reportEventsTo(feed::happened);
     }
 
@@ -64,7 +64,7 @@ final class FreePitch implements EditableWorld {
         driver.publishTo(feed);
         PatientLink link = new PatientLink(simulator.connect(this::cycle));
         try {
-            driver.join(link, asNumber(players.size(), driver.usualOptions()));
+            driver.join(link, asNumber(players.size(), driver.defaultOptions()));
         } catch (IOException impossible) {
             throw new UncheckedIOException("The world of the page has closed its connection.", impossible);
         }

@@ -62,7 +62,7 @@ final class HeadlessRun {
         try (SteppedSimulator simulator = SteppedSimulator.start(settings, Console.silent())) {
             simulator.endAfter(seconds);
             AgentDriver driver = new AgentDriver(agent);
-            driver.play(simulator.connect(), driver.usualOptions());
+            driver.play(simulator.connect(), driver.defaultOptions());
             return simulator.report();
         } catch (IOException impossible) {
             throw new UncheckedIOException("The world of the page has closed its connection.", impossible);

@@ -3,7 +3,6 @@ package org.robonewbie.web;
 import java.util.Arrays;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
-import org.robonewbie.agent.walk.Gait;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.pagejvm.SpecialCalls;
@@ -31,19 +30,6 @@ final class NumberArrays {
                         (WalkVelocity) Objects.requireNonNull(given[1]),
                         (WalkVelocity) Objects.requireNonNull(given[2]),
                         (double[]) Objects.requireNonNull(given[3]))
-                : SpecialCalls.UNKNOWN;
-    }
-
-    /**
-     * Calls a method of {@link Gait}.
-     *
-     * @param name name of the method
-     * @param given its arguments
-     * @return its result, or {@link SpecialCalls#UNKNOWN}
-     */
-    static Object gait(String name, @Nullable Object[] given) {
-        return name.equals("of") && given.length == 3
-                ? Gait.of(toInt(given[0]), toInt(given[1]), (double[]) Objects.requireNonNull(given[2]))
                 : SpecialCalls.UNKNOWN;
     }
 

@@ -27,7 +27,6 @@ final class PageCalls {
                         : SpecialCalls.UNKNOWN;
             case "java/util/Arrays" -> NumberArrays.arrays(name, arguments);
             case "org/robonewbie/agent/walk/WalkStyle" -> NumberArrays.walkStyle(name, arguments);
-            case "org/robonewbie/agent/walk/Gait" -> NumberArrays.gait(name, arguments);
             case "org/robonewbie/team/tactics/Assignment" -> NumberArrays.assignment(name, arguments);
             default -> SpecialCalls.UNKNOWN;
         };

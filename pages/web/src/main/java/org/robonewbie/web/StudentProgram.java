@@ -111,7 +111,7 @@ final class StudentProgram {
         driver.publishTo(viewer);
         PatientLink own = enter();
         try {
-            driver.join(own, driver.usualOptions().overriddenBy(arguments).withSeconds(FOREVER_SECONDS));
+            driver.join(own, driver.defaultOptions().overriddenBy(arguments).withSeconds(FOREVER_SECONDS));
         } catch (IOException impossible) {
             throw new UncheckedIOException("The world of the page has closed its connection.", impossible);
         }

@@ -206,7 +206,7 @@ class ProgramInThePageTest {
                 + "        nao.setJointAngle(Joint.LEFT_KNEE_PITCH, 500);\n    }\n}\n");
         browser.click("#program-run");
 
-        browser.await(ROOM + ".includes('it goes to the end of the range. (MyAgent.java:5)')");
+        browser.await(ROOM + ".includes('it is limited to the range. (MyAgent.java:5)')");
     }
 
     @Test

@@ -64,7 +64,7 @@ class SlowProgramTest {
                     protected void think(double seconds) {}
                 }
                 """))
-                .contains("Timer has no think(); think(...) is never called, since think() takes nothing");
+                .contains("Timer has no think(); think(...) is never called, since think() has no parameters");
     }
 
     private static String saidBy(String name, String source) {

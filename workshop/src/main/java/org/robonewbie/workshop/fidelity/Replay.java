@@ -13,7 +13,6 @@ import org.robonewbie.simulator.soccer.JoinRefusedException;
 import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.simulator.world.Ball;
-import org.robonewbie.simulator.world.BallProperties;
 import org.robonewbie.simulator.world.SoccerWorld;
 
 /** Plays recordings again in worlds of ours, each run in a fresh one, and compares every row. */
@@ -101,7 +100,7 @@ final class Replay {
 
     /** The referee takes part: it puts the ball back before the kick-off and when it has left the pitch. */
     private void replayBall(RecordedRun run) throws IOException {
-        SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE, BallProperties.STANDARD);
+        SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE);
         Match match = new Match(world, SoccerParameters.league(), 0);
         Ball ball = world.ball();
         BallStart start = BallStart.of(run.name(), ball.properties().radius());

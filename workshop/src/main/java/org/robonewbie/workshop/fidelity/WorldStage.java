@@ -6,7 +6,6 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.simulator.world.Ball;
-import org.robonewbie.simulator.world.BallProperties;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
@@ -17,7 +16,7 @@ final class WorldStage implements ReplayStage {
     private final Robot robot;
 
     WorldStage(RobotType type, JoiningWay way) {
-        world = new SoccerWorld(SoccerField.LEAGUE, BallProperties.STANDARD);
+        world = new SoccerWorld(SoccerField.LEAGUE);
         robot = world.addRobot(type);
         join(way);
     }

@@ -7,7 +7,6 @@ import java.lang.management.MemoryType;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.OptionalDouble;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
@@ -16,6 +15,7 @@ import org.robonewbie.nao.Cycle;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.server.WarmUp;
@@ -85,27 +85,22 @@ public final class MatchLoad {
     }
 
     private SimulatorSettings settings() {
-        return SimulatorSettings.league()
-                .parameters(SoccerParameters.league()
-                        .with("RuleHalfTime=" + load.secondsOfPlay() / 2)
-                        .with("AutomaticKickOff=true")
-                        .with("WaitBeforeKickOff=" + SECONDS_BEFORE_KICK_OFF))
-                .agentPort(0)
-                .synchronous(!load.realTime())
-                .speed(load.realTime() ? 1 : SimulationControl.AS_FAST_AS_POSSIBLE)
-                .silentAgentSeconds(SILENT_AGENT_SECONDS)
-                .awaitedAgents(load.robots())
-                .seconds(OptionalDouble.empty())
-                .build();
+        return SimulatorSettings.of(WorldSettings.league()
+                        .withParameters(SoccerParameters.league()
+                                .with("RuleHalfTime=" + load.secondsOfPlay() / 2)
+                                .with("AutomaticKickOff=true")
+                                .with("WaitBeforeKickOff=" + SECONDS_BEFORE_KICK_OFF))
+                        .withSynchronous(!load.realTime()))
+                .withAgents(new SimulatorSettings.Agents(
+                        SimulatorSettings.LOCALHOST, 0, List.of(), load.robots(), SILENT_AGENT_SECONDS))
+                .withSpeed(load.realTime() ? 1 : SimulationControl.AS_FAST_AS_POSSIBLE);
     }
 
     private List<LoadPlayer> connect(int port) throws IOException {
         List<LoadPlayer> players = new ArrayList<>();
         for (int i = 0; i < load.robots(); i++) {
-            LoadPlayer player = new LoadPlayer(port, i % 2 == 0 ? "Left" : "Right", i / 2 + 1, i == 0);
-            Thread thread = new Thread(player, "player " + (i + 1));
-            thread.setDaemon(true);
-            thread.start();
+            LoadPlayer player = new LoadPlayer(port, i, i == 0);
+            player.start();
             players.add(player);
         }
         return players;

@@ -79,7 +79,7 @@ final class BenchmarkAgent {
         for (Joint joint : Joint.values()) {
             double missing = scene.targetDegrees(joint, robot, cycle)
                     - percepts.jointAngles().degreesOr(joint, 0);
-            writer.hingeSpeed(joint, Math.toRadians(GAIN_PER_SECOND * missing));
+            writer.hingeSpeed(joint.effectorName(), Math.toRadians(GAIN_PER_SECOND * missing));
         }
         writer.synchronise();
         link.send(message);

@@ -16,6 +16,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.protocol.order.Order;
+import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.team.Agent_Team;
@@ -94,7 +95,7 @@ final class TeamMatch {
                 .with(SoccerParameter.WAIT_BEFORE_KICK_OFF, WAIT_SECONDS)
                 .with(SoccerParameter.SINGLE_HALF_TIME, 1)
                 .with(SoccerParameter.RULE_HALF_TIME, halfSeconds);
-        Scene scene = new Scene(rules, true, robots, Optional.of(Vector3.ZERO));
+        Scene scene = new Scene(rules, true, Landscape.SOCCER, robots, Optional.of(Vector3.ZERO));
         try (Trial trial = Trial.served(scene, seed, controllers.toArray(Controller[]::new))) {
             trial.allowBeams();
             trial.order(new Order.SetTime(0));

@@ -11,6 +11,7 @@ import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -20,6 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.soccer.SoccerParameters;
@@ -85,7 +87,7 @@ class ReferenceRecorderTest {
     @Test
     void aRobotOnANoisyServerIsFollowedFromWhereItStands() throws IOException {
         ReferenceScenario squat = scenario("h_squat");
-        try (Simulator simulator = start(settings().parameters(SoccerParameters.league()))) {
+        try (Simulator simulator = start(exactServer().withParameters(SoccerParameters.league()), 0.02)) {
             recorder(simulator, 0).record(List.of(squat), directory);
         }
 
@@ -117,7 +119,7 @@ class ReferenceRecorderTest {
     @Tag("slow")
     @Test
     void ourServerIsRecordedExactlyEvenIfItTellsMonitorsLessOften() throws IOException {
-        try (Simulator simulator = start(settings().monitorStepSeconds(0.04))) {
+        try (Simulator simulator = start(exactServer(), 0.04)) {
             recorder(simulator, 0).record(List.of(scenario("d_fall_front")), directory);
         }
 
@@ -186,22 +188,21 @@ class ReferenceRecorderTest {
     }
 
     private static Simulator start(boolean synchronous) throws IOException {
-        return start(
-                settings().synchronous(synchronous).speed(synchronous ? SimulationControl.AS_FAST_AS_POSSIBLE : 1));
+        return start(exactServer().withSynchronous(synchronous), 0.02);
     }
 
-    private static Simulator start(SimulatorSettings.Builder settings) throws IOException {
-        return Simulator.start(settings.build(), Console.silent());
+    private static Simulator start(WorldSettings world, double monitorStepSeconds) throws IOException {
+        SimulatorSettings settings = SimulatorSettings.of(world)
+                .withAgentPort(0)
+                .withMonitors(
+                        new SimulatorSettings.Monitors(OptionalInt.of(0), monitorStepSeconds, true, Optional.empty()))
+                .withSpeed(world.synchronous() ? SimulationControl.AS_FAST_AS_POSSIBLE : 1);
+        return Simulator.start(settings, Console.silent());
     }
 
-    private static SimulatorSettings.Builder settings() {
-        return SimulatorSettings.league()
-                .parameters(SoccerParameters.league().with("BeamNoiseXY=0").with("BeamNoiseAngle=0"))
-                .noise(false)
-                .agentPort(0)
-                .monitorPort(OptionalInt.of(0))
-                .monitorStepSeconds(0.02)
-                .synchronous(true)
-                .speed(SimulationControl.AS_FAST_AS_POSSIBLE);
+    private static WorldSettings exactServer() {
+        return WorldSettings.league()
+                .withParameters(SoccerParameters.league().with("BeamNoiseXY=0").with("BeamNoiseAngle=0"))
+                .withNoise(false);
     }
 }

@@ -11,13 +11,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
@@ -100,12 +100,10 @@ class BenchmarkTest {
 
     @Test
     void serverOfAnotherProcessIsMeasuredOverTcp() throws IOException {
-        SimulatorSettings settings = SimulatorSettings.league()
-                .agentPort(0)
-                .monitorPort(OptionalInt.of(0))
-                .synchronous(true)
-                .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
-                .build();
+        SimulatorSettings settings = SimulatorSettings.of(WorldSettings.league())
+                .withAgentPort(0)
+                .withMonitorPort(0)
+                .withSpeed(SimulationControl.AS_FAST_AS_POSSIBLE);
         try (Simulator simulator = Simulator.start(settings, Console.silent())) {
             ServerAddress address = new ServerAddress(
                     "127.0.0.1",

@@ -20,10 +20,10 @@ import org.robonewbie.protocol.effector.EffectorCommand.Synchronise;
 import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
-/** The commands of this cycle, checked. */
+/** Validated commands of the current cycle. */
 public final class Commands {
 
-    private static final String SPEED_IS_A_SIZE = "Give a speed above 0; the angle decides on the direction.";
+    private static final String SPEED_ADVICE = "Give a speed above 0; the target angle determines the direction.";
 
     private final SensorState sensors;
     private final Motors motors;
@@ -64,7 +64,7 @@ public final class Commands {
             diagnostics.report(
                     "speed " + joint,
                     () -> format(
-                            "Joint speed %.4g for %s is more than its motor can do; it turns with %.2f degrees per second.",
+                            "Joint speed %.4g for %s exceeds its maximum; it is limited to %.2f degrees per second.",
                             speed, joint, most));
         }
         double possible = Math.max(-most, Math.min(most, speed));
@@ -76,11 +76,11 @@ public final class Commands {
     }
 
     /**
-     * Sets the target of a joint.
+     * Sets the target angle of a joint.
      *
      * @param joint the joint
-     * @param degrees the angle
-     * @param speed how fast it may move, in degrees per second
+     * @param degrees target angle
+     * @param speed maximum speed in degrees per second
      */
     public void setJointAngle(Joint joint, double degrees, double speed) {
         if (!Double.isFinite(degrees) || !(speed > 0)) {
@@ -88,7 +88,7 @@ public final class Commands {
                     "angle " + joint + (speed <= 0),
                     () -> format(
                             "Joint angle %s with speed %s for %s is ignored. %s",
-                            degrees, speed, joint, speed <= 0 ? SPEED_IS_A_SIZE : "Was something divided by zero?"));
+                            degrees, speed, joint, speed <= 0 ? SPEED_ADVICE : "Was something divided by zero?"));
             return;
         }
         reportConflict(joint);
@@ -96,27 +96,30 @@ public final class Commands {
             diagnostics.report(
                     "range " + joint,
                     () -> format(
-                            "Joint angle %s for %s is beyond its range of %.0f to %.0f degrees; it goes to the end of"
+                            "Joint angle %s for %s is beyond its range of %.0f to %.0f degrees; it is limited to"
                                     + " the range.",
                             degrees, joint, joint.minDegrees(), joint.maxDegrees()));
         }
         motors.setTarget(joint, degrees, speed);
     }
 
-    /** A command for a joint that a motion leaves alone, such as one of the head during a kick, is as it should be. */
+    /**
+     * Reports a command for a joint that a motion is moving. Commands for other joints, such as those of the head during a
+     * kick, are fine.
+     */
     private void reportConflict(Joint joint) {
         turningMotion
                 .apply(joint)
                 .ifPresent(motion -> diagnostics.report(
                         "motion and command " + joint,
                         () -> format(
-                                "%s is turned by the motion \"%s\", too: it obeys this command until the next motion starts."
+                                "%s is also moved by the motion \"%s\": it follows this command until the next motion starts."
                                         + " Wait for motions.isFinished(), or leave the joint to the motion.",
                                 joint, motion)));
     }
 
     /**
-     * Says a text.
+     * Broadcasts a message.
      *
      * @param text 1 to 20 characters
      */
@@ -130,7 +133,7 @@ public final class Commands {
     }
 
     /**
-     * Beams the robot, and reports it if the referee does not allow that.
+     * Beams the robot; reports it if the referee does not allow a beam.
      *
      * @param x metres towards the opponents' goal
      * @param y metres to the left
@@ -152,18 +155,18 @@ public final class Commands {
         beam = Optional.of(new Beam(new Pose2d(x, y, degrees)));
     }
 
-    /** Asks the referee for pass mode. */
+    /** Requests pass mode. */
     public void requestPass() {
         requestsPass = true;
     }
 
-    /** {@return whether the robot will be put somewhere else by the next message} */
+    /** {@return whether this cycle contains a beam} */
     public boolean isBeaming() {
         return beam.isPresent();
     }
 
     /**
-     * Ends the cycle: fixes the speeds, and forgets what counts only once.
+     * Ends the cycle: fixes the speeds and clears one-time commands.
      *
      * @return all commands, with {@code Synchronise} at the end
      */

@@ -2,35 +2,23 @@ package org.robonewbie.agent.cycle;
 
 import org.robonewbie.agent.log.StudentCode;
 
-/** An observer of how long the robot's program thinks in each cycle. */
+/** Listener for the times at which a robot program runs within a cycle. */
 public interface CycleWatch {
 
-    /** Observes nothing. */
-    CycleWatch NONE = new CycleWatch() {
-        @Override
-        public void thinkBegins() {}
+    /** Ignores all events. */
+    CycleWatch NONE = new CycleWatch() {};
 
-        @Override
-        public void thinkResumes() {}
+    /** Called when the sensors have been read. */
+    default void thinkBegins() {}
 
-        @Override
-        public void thinkEnds() {}
+    /** Called when the answer has been sent; the program may still run before it waits for the next message. */
+    default void thinkResumes() {}
 
-        @Override
-        public String slowPlace() {
-            return StudentCode.place().orElse("");
-        }
-    };
+    /** Called when the answer is complete or the program waits for the next message. */
+    default void thinkEnds() {}
 
-    /** The sensors have been read. */
-    void thinkBegins();
-
-    /** The answer has been sent; the program may do more before it asks for the next message. */
-    void thinkResumes();
-
-    /** The answer is complete, or the program asks for the next message. */
-    void thinkEnds();
-
-    /** {@return file and line where the program spent its time in a slow cycle; empty if that is not known} */
-    String slowPlace();
+    /** {@return file and line where the program spent its time in a slow cycle; empty if unknown} */
+    default String slowPlace() {
+        return StudentCode.place().orElse("");
+    }
 }

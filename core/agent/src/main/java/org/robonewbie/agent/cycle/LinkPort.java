@@ -9,7 +9,7 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
 
-/** The wire: text from the simulator becomes perceptions, and commands become text for the simulator. */
+/** Message port that parses the simulator's text and serialises the robot's commands. */
 public final class LinkPort implements MessagePort {
 
     private final AgentLink link;
@@ -23,7 +23,7 @@ public final class LinkPort implements MessagePort {
      * Creates the port.
      *
      * @param link the connection to the simulator
-     * @param received takes the text of each message
+     * @param received buffer for the text of each message
      */
     public LinkPort(AgentLink link, MessageBuffer received) {
         this.link = link;
@@ -52,7 +52,7 @@ public final class LinkPort implements MessagePort {
     }
 
     /**
-     * Checks whether the simulator has gone on without waiting for the answer.
+     * Checks whether the simulator has advanced without waiting for the answer.
      *
      * @return whether the next message has already arrived
      * @throws IOException if the connection is broken

@@ -5,7 +5,7 @@ import java.util.List;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 
-/** The source of a robot's perceptions and the destination of its commands. */
+/** Source of a robot's perceptions and sink of its commands. */
 public interface MessagePort extends AutoCloseable {
 
     /**
@@ -16,13 +16,13 @@ public interface MessagePort extends AutoCloseable {
      */
     boolean receive() throws IOException;
 
-    /** {@return the perception that was received last} */
+    /** {@return the last perception} */
     PerceptorMessage message();
 
     /**
      * Sends the answer to the last perception.
      *
-     * @param commands what the robot does, with {@code Synchronise} at the end
+     * @param commands the robot's commands, with {@code Synchronise} at the end
      * @throws IOException if the connection is broken
      */
     void send(List<EffectorCommand> commands) throws IOException;

@@ -12,7 +12,7 @@ import org.robonewbie.protocol.perceptor.Vision;
 import org.robonewbie.protocol.perceptor.Vision.SeenLine;
 import org.robonewbie.protocol.perceptor.Vision.SeenPlayer;
 
-/** Turns the wire's pictures into those that robots' programs see. */
+/** Converts vision messages to the pictures of the public API. */
 final class Pictures {
 
     private Pictures() {}
@@ -37,10 +37,10 @@ final class Pictures {
     }
 
     private static Optional<Truth> truth(Vision vision) {
-        boolean told = vision.ownPosition().isPresent()
+        boolean complete = vision.ownPosition().isPresent()
                 && vision.ownOrientationDegrees().isPresent()
                 && vision.ballPosition().isPresent();
-        return told
+        return complete
                 ? Optional.of(new Truth(
                         vision.ownPosition().get(),
                         vision.ownOrientationDegrees().getAsDouble(),

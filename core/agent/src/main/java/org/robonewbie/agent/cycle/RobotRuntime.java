@@ -15,7 +15,7 @@ import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 
 /**
- * The parts of one robot, wired together: takes in a perception and returns the commands that answer it.
+ * The components of one robot, wired together: receives a perception and returns the commands that answer it.
  *
  * <pre>{@code
  * RobotRuntime robot = new RobotRuntime("Walker");
@@ -24,7 +24,8 @@ import org.robonewbie.protocol.perceptor.PerceptorMessage;
  * List<EffectorCommand> answer = robot.act();
  * }</pre>
  *
- * <p>Programs of students see it through {@code Robot}, {@code Motions}, {@code Walk}, {@code LocalFieldView} and {@code Logger}.
+ * <p>Programs of students see it through {@code Robot}, {@code Motions}, {@code Walk}, {@code LocalFieldView} and {@code
+ * Logger}.
  */
 public final class RobotRuntime {
 
@@ -40,9 +41,9 @@ public final class RobotRuntime {
     private final TelemetryPublisher telemetry = new TelemetryPublisher(sensors);
 
     /**
-     * Creates a robot that has not sensed anything yet.
+     * Creates a robot without sensor readings.
      *
-     * @param name the robot's name, for the headline of its log
+     * @param name name of the robot, for the heading of its log
      */
     public RobotRuntime(String name) {
         log = new RunLog(name);
@@ -54,9 +55,9 @@ public final class RobotRuntime {
     }
 
     /**
-     * Takes in a message: sensors, clocks, and the view of the field.
+     * Processes a message: updates sensors, clocks and the field view.
      *
-     * @param message what the robot senses
+     * @param message the perceptors' readings
      */
     public void perceive(PerceptorMessage message) {
         sense(message);
@@ -71,9 +72,9 @@ public final class RobotRuntime {
     }
 
     /**
-     * Takes in a message without looking at the field, as long as the robot is not in the game yet.
+     * Processes a message without updating the field view, before the robot has joined a game.
      *
-     * @param message what the robot senses
+     * @param message the perceptors' readings
      */
     public void sense(PerceptorMessage message) {
         sensors.accept(message);
@@ -84,29 +85,29 @@ public final class RobotRuntime {
     /**
      * Advances walk and motions by one cycle.
      *
-     * @return what the robot does in this cycle, with {@code Synchronise} at the end
+     * @return the robot's commands in this cycle, with {@code Synchronise} at the end
      */
     public List<EffectorCommand> act() {
         if (commands.isBeaming() && sensors.isBeamAllowed()) {
-            loseOrientation();
+            discardPose();
         }
         walk.update(sensors.torso(), sensors.leftFoot(), sensors.rightFoot());
         telemetry.publishActions(walk);
         return commands.take();
     }
 
-    /** Ends all motions and forgets the field, for a robot that goes on from another moment of the game. */
+    /** Stops all motions and clears the field view, for a robot that continues from a restored world. */
     public void startOver() {
         motions.reset();
-        loseOrientation();
+        discardPose();
     }
 
     private Optional<String> turningMotion(Joint joint) {
         return motions.turning(joint);
     }
 
-    /** What the robot knows of place and posture is no longer true. */
-    private void loseOrientation() {
+    /** Discards position and posture, which are no longer valid. */
+    private void discardPose() {
         fieldView.forget();
         walk.reset();
         sensors.falls().reset();
@@ -127,7 +128,7 @@ public final class RobotRuntime {
         return sensors;
     }
 
-    /** {@return the head's movement to see more} */
+    /** {@return the head scan} */
     public LookAround lookAround() {
         return lookAround;
     }
@@ -137,7 +138,7 @@ public final class RobotRuntime {
         return commands;
     }
 
-    /** {@return the motions by name} */
+    /** {@return the keyframe motions} */
     public MotionSequencer motions() {
         return motions;
     }
@@ -147,12 +148,12 @@ public final class RobotRuntime {
         return walk;
     }
 
-    /** {@return what the robot remembers of the field} */
+    /** {@return the memory of the field} */
     public FieldMemory fieldView() {
         return fieldView;
     }
 
-    /** {@return the publisher of what the robot thinks} */
+    /** {@return the telemetry publisher} */
     public TelemetryPublisher telemetry() {
         return telemetry;
     }

@@ -20,7 +20,7 @@ import org.robonewbie.protocol.perceptor.FootForce;
 import org.robonewbie.protocol.perceptor.GameState;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 
-/** The last readings of all sensors, in the body's frame; a reading that is missing or no number leaves the one before. */
+/** The last readings of all sensors, in the body's frame; a missing or non-finite reading keeps the previous value. */
 public final class SensorState {
 
     static final Joint[] JOINTS = Joint.values();
@@ -41,13 +41,13 @@ public final class SensorState {
     private int number;
     private boolean joined;
 
-    /** Creates the senses of a robot at rest. */
+    /** Creates the state of a robot at rest. */
     public SensorState() {}
 
     /**
-     * Takes in a message.
+     * Processes a message.
      *
-     * @param newMessage what the robot senses
+     * @param newMessage the perceptors' readings
      */
     public void accept(PerceptorMessage newMessage) {
         message = newMessage;
@@ -56,25 +56,23 @@ public final class SensorState {
             joints.sense(joint, newMessage.jointAngles().degreesOr(joint, Double.NaN));
         }
         if (newMessage.gyro().isPresent()) {
-            turn(newMessage.gyro().get());
+            updateGyro(newMessage.gyro().get());
         }
         if (newMessage.accelerometer().isPresent()) {
-            push(newMessage.accelerometer().get());
+            updateAccelerometer(newMessage.accelerometer().get());
         }
         if (newMessage.gameState().isPresent()) {
             accept(newMessage.gameState().get());
         }
     }
 
-    /** Takes in the gyroscope's reading in SimSpark's frame. */
-    private void turn(Vector3 raw) {
+    private void updateGyro(Vector3 raw) {
         if (isFinite(raw)) {
             torso = torso.withGyro(SimSparkFrame.toBody(raw));
         }
     }
 
-    /** Takes in the accelerometer's reading in SimSpark's frame. */
-    private void push(Vector3 raw) {
+    private void updateAccelerometer(Vector3 raw) {
         if (isFinite(raw)) {
             torso = torso.withAcceleration(SimSparkFrame.toBody(raw));
             falls.update(torso);
@@ -92,33 +90,33 @@ public final class SensorState {
     }
 
     /**
-     * Sets the team, which no message tells.
+     * Sets the team name, which no message contains.
      *
-     * @param name the team's name
+     * @param name name of the team
      */
     public void setTeam(String name) {
         team = name;
     }
 
     /**
-     * Sets how the robot is built, as it was asked for.
+     * Sets the robot type.
      *
-     * @param asked the robot type
+     * @param asked the type that the robot requested
      */
     public void setType(RobotType asked) {
         type = asked;
     }
 
-    /** {@return how the robot is built; type 0 unless another one was asked for} */
+    /** {@return the robot type; type 0 by default} */
     public RobotType type() {
         return type;
     }
 
     /**
-     * Sets who the robot is, which a simulator tells once at the beginning.
+     * Sets the identity that a simulator would assign.
      *
-     * @param ownTeam the team's name
-     * @param ownNumber the number on the shirt
+     * @param ownTeam name of the team
+     * @param ownNumber the player number
      * @param ownSide the half that the team defends
      */
     public void introduce(String ownTeam, int ownNumber, TeamSide ownSide) {
@@ -127,7 +125,7 @@ public final class SensorState {
         side = ownSide;
     }
 
-    /** {@return the bytes of the last message, which the connection fills} */
+    /** {@return the text of the last message, filled by the connection} */
     public MessageBuffer buffer() {
         return buffer;
     }
@@ -157,17 +155,17 @@ public final class SensorState {
         return torso;
     }
 
-    /** {@return what the left sole feels} */
+    /** {@return the force on the left sole} */
     public FootPressure leftFoot() {
         return pressure(message.footForces().left());
     }
 
-    /** {@return what the right sole feels} */
+    /** {@return the force on the right sole} */
     public FootPressure rightFoot() {
         return pressure(message.footForces().right());
     }
 
-    /** {@return the picture of the camera; empty in two of three cycles} */
+    /** {@return the camera picture; empty in two of three cycles} */
     public Optional<CameraPicture> picture() {
         return message.vision().map(Pictures::of);
     }
@@ -193,7 +191,7 @@ public final class SensorState {
         };
     }
 
-    /** {@return time of play in seconds} */
+    /** {@return the game clock in seconds} */
     public double playSeconds() {
         return playSeconds;
     }
@@ -201,11 +199,11 @@ public final class SensorState {
     /**
      * Returns the goals of a team.
      *
-     * @param whose the team that plays from this side
+     * @param teamSide side of the team
      * @return its goals
      */
-    public int score(TeamSide whose) {
-        return whose == TeamSide.LEFT ? leftScore : rightScore;
+    public int score(TeamSide teamSide) {
+        return teamSide == TeamSide.LEFT ? leftScore : rightScore;
     }
 
     /** {@return the half that the robot's team defends} */
@@ -218,12 +216,12 @@ public final class SensorState {
         return team;
     }
 
-    /** {@return the number on the shirt; 0 before it is known} */
+    /** {@return the player number; 0 before it is known} */
     public int number() {
         return number;
     }
 
-    /** {@return whether the referee has told team side and number} */
+    /** {@return whether the referee has assigned side and number} */
     public boolean isJoined() {
         return joined;
     }

@@ -3,7 +3,7 @@ package org.robonewbie.agent.cycle;
 import java.io.IOException;
 import java.util.OptionalDouble;
 
-/** One robot in a game: each message is received, sensed and answered exactly once. */
+/** Session of one robot in a game: each message is received, sensed and answered exactly once. */
 public final class Session implements AutoCloseable {
 
     private final RobotRuntime robot;
@@ -13,19 +13,19 @@ public final class Session implements AutoCloseable {
     private final double bornSeconds;
     private boolean sensed = true;
     private boolean answered = true;
-    private boolean senseForgotten;
+    private boolean senseOmitted;
     private boolean broken;
     private boolean left;
     private boolean over;
     private boolean closed;
 
     /**
-     * Begins the session.
+     * Starts the session.
      *
      * @param robot senses and answers
-     * @param port brings the messages
-     * @param lifeSeconds simulated seconds until the robot leaves; empty for a game that the simulator ends
-     * @param watch notified when the robot's program thinks
+     * @param port source of messages
+     * @param lifeSeconds simulated seconds until the robot leaves; empty if the simulator ends the game
+     * @param watch notified when the robot's program runs
      */
     public Session(RobotRuntime robot, MessagePort port, OptionalDouble lifeSeconds, CycleWatch watch) {
         this.robot = robot;
@@ -36,22 +36,22 @@ public final class Session implements AutoCloseable {
     }
 
     /**
-     * Waits for the next message. Before that it does what the program has forgotten to do with the last one, and reports it.
+     * Waits for the next message. First completes and reports what the program has omitted for the last one.
      *
      * @return false if the game is over for this robot
      */
     public boolean next() {
-        doWhatWasForgotten();
+        completeOmittedSteps();
         boolean received = receive();
-        if (received && senseForgotten) {
+        if (received && senseOmitted) {
             sense();
         }
         return received;
     }
 
     /**
-     * Waits for the next message and reads all sensors, for programs that turn the cycle themselves. If the last message has no
-     * answer yet, it is answered first.
+     * Waits for the next message and reads all sensors, for programs that run the cycle themselves. An unanswered message is
+     * answered first.
      *
      * @return false if the game is over for this robot
      */
@@ -67,7 +67,7 @@ public final class Session implements AutoCloseable {
         return received;
     }
 
-    /** Reads all sensors from the message that was received last; a second time it does nothing. */
+    /** Reads all sensors from the last message; has no effect when called again. */
     public void sense() {
         if (!sensed) {
             sensed = true;
@@ -76,7 +76,7 @@ public final class Session implements AutoCloseable {
         }
     }
 
-    /** Answers the message that was received last; a second time it does nothing. */
+    /** Answers the last message; has no effect when called again. */
     public void act() {
         if (answered) {
             return;
@@ -91,25 +91,25 @@ public final class Session implements AutoCloseable {
         watch.thinkResumes();
     }
 
-    /** Answers as {@link #act}, and reports it if there is no message to answer. */
+    /** Answers as {@link #act}; reports it if there is no message to answer. */
     public void actOnce() {
         if (answered && !over && !closed) {
             robot.diagnostics()
                     .report(
                             "act twice",
-                            () -> "act() sends nothing, since the last message is answered already:"
+                            () -> "act() has no effect: the last message has already been answered;"
                                     + " call sense() before each act().");
         }
         act();
     }
 
-    /** Does what is left to do with the last message, after a step of the program has failed. */
+    /** Completes the cycle after a step of the program has failed. */
     public void complete() {
         sense();
         act();
     }
 
-    /** Ends the game for this robot after the current cycle. */
+    /** Leaves the game after the current cycle. */
     public void leave() {
         left = true;
     }
@@ -126,9 +126,9 @@ public final class Session implements AutoCloseable {
         port.close();
     }
 
-    private void doWhatWasForgotten() {
+    private void completeOmittedSteps() {
         if (!sensed) {
-            senseForgotten = true;
+            senseOmitted = true;
             sense();
             robot.diagnostics()
                     .reportAt("", "sense", () -> "sense() did not call super.sense(); the framework does it.");
@@ -163,7 +163,7 @@ public final class Session implements AutoCloseable {
     private void reportBroken(IOException failure) {
         if (!broken) {
             broken = true;
-            System.err.println("The connection to the simulator is lost: " + failure.getMessage());
+            System.err.println("Lost the connection to the simulator: " + failure.getMessage());
         }
     }
 }

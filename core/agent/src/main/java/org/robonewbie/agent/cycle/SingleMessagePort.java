@@ -4,7 +4,7 @@ import java.util.List;
 import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 
-/** Brings one perception at a time and keeps the answer, without any simulator. */
+/** Message port without a simulator: delivers one perception at a time and keeps the answer. */
 public final class SingleMessagePort implements MessagePort {
 
     private PerceptorMessage message = PerceptorMessage.NOTHING;
@@ -15,9 +15,9 @@ public final class SingleMessagePort implements MessagePort {
     public SingleMessagePort() {}
 
     /**
-     * Sets the perception that is received next.
+     * Sets the next perception.
      *
-     * @param newMessage what the robot senses
+     * @param newMessage the perceptors' readings
      */
     public void put(PerceptorMessage newMessage) {
         message = newMessage;

@@ -13,12 +13,12 @@ import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.protocol.telemetry.BelievedThing;
 import org.robonewbie.protocol.telemetry.Drawing;
-import org.robonewbie.protocol.telemetry.NumberWishes;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
+import org.robonewbie.protocol.telemetry.TuningRequests;
 
-/** Publishes what a robot thinks; this costs next to nothing while there is no viewer. */
+/** Publishes a robot's telemetry; nearly free while there is no viewer. */
 public final class TelemetryPublisher {
 
     private static final Landmark[] LANDMARKS = Landmark.values();
@@ -38,7 +38,7 @@ public final class TelemetryPublisher {
     /**
      * Sets the viewer.
      *
-     * @param viewer receives what the robot thinks from now on
+     * @param viewer receives the telemetry from now on
      */
     public void publishTo(TelemetrySink viewer) {
         sink = viewer;
@@ -49,7 +49,6 @@ public final class TelemetryPublisher {
         return sink.isWanted();
     }
 
-    /** Publishes a line of the log at once. */
     void publish(LogLine line) {
         if (isWatched()) {
             publish(line.seconds(), new TelemetryItem.LogEntry(line.level().name(), line.text()));
@@ -57,9 +56,9 @@ public final class TelemetryPublisher {
     }
 
     /**
-     * Adds a value to a curve.
+     * Adds a value to a plot.
      *
-     * @param name the curve's name
+     * @param name name of the curve
      * @param value the value
      */
     public void plot(String name, double value) {
@@ -69,22 +68,13 @@ public final class TelemetryPublisher {
     }
 
     /**
-     * Publishes a number of the robot's program that can be tuned.
+     * Takes the value that a viewer requests for a tunable number.
      *
-     * @param number the number
-     */
-    public void declare(TelemetryItem.DeclaredNumber number) {
-        publish(number);
-    }
-
-    /**
-     * Takes what somebody wants of a number of this robot.
-     *
-     * @param name what the program calls it
-     * @return the wanted value; empty if nobody wants another one
+     * @param name name of the number
+     * @return the requested value; empty if there is no request
      */
     public OptionalDouble wish(String name) {
-        Optional<NumberWishes> wishes = sink.wishes();
+        Optional<TuningRequests> wishes = sink.tuningRequests();
         return wishes.isPresent() ? wishes.get().take(sensors.team(), sensors.number(), name) : OptionalDouble.empty();
     }
 
@@ -100,7 +90,7 @@ public final class TelemetryPublisher {
     }
 
     /**
-     * Sets where the robot believes to be, for the next belief.
+     * Sets the estimated pose for the next belief.
      *
      * @param pose the pose
      */
@@ -108,14 +98,14 @@ public final class TelemetryPublisher {
         self = Optional.of(pose);
     }
 
-    /** Publishes what the robot believes, after it has seen something new. */
+    /** Publishes the belief after a new picture. */
     void publishBelief(LocalFieldView view) {
         if (isWatched()) {
             publish(new TelemetryItem.Belief(things(view), self));
         }
     }
 
-    /** Publishes what the robot does, at the end of a cycle. */
+    /** Publishes drawings and motion progress at the end of a cycle. */
     synchronized void publishActions(WalkController walk) {
         if (!isWatched()) {
             drawings.clear();
@@ -133,7 +123,12 @@ public final class TelemetryPublisher {
         }
     }
 
-    private void publish(TelemetryItem item) {
+    /**
+     * Publishes an item of the current cycle.
+     *
+     * @param item the item
+     */
+    public void publish(TelemetryItem item) {
         publish(sensors.seconds(), item);
     }
 

@@ -10,15 +10,15 @@ import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * Estimates position, attitude and velocity of the torso by inertial navigation: gyroscope and accelerometer predict them, also
- * while the robot falls, lies and gets up; landmarks and the standing foot correct the drift.
+ * Error-state Kalman filter for position, attitude and velocity of the torso. Gyroscope and accelerometer predict the state by
+ * inertial navigation, even while the robot falls, lies and gets up; landmarks and the support foot correct the drift.
  *
- * <p>The error state holds a small rotation instead of angles, so no attitude is singular (J. Solà, <em>Quaternion kinematics for
- * the error-state Kalman filter</em>, 2017).
+ * <p>The error state contains a small rotation vector instead of angles, so there is no singular attitude (J. Solà,
+ * <em>Quaternion kinematics for the error-state Kalman filter</em>, 2017).
  */
 final class ErrorStateKalmanFilter {
 
-    /** Rows of the covariance, three each: metres, metres per second and radians along and about the axes of the pitch. */
+    /** Indices of the covariance, three each: metres, metres per second and radians along and about the axes of the field. */
     private static final int PLACE = 0;
 
     private static final int VELOCITY = 3;
@@ -30,8 +30,8 @@ final class ErrorStateKalmanFilter {
     private static final double FIRST_TILT = PortableMath.toRadians(5);
     private static final double FIRST_SPEED = 0.5;
     private static final double GRAVITY = 9.81;
-    /** No knock is as strong: what is above it is a beam, or a hand that carries the robot. */
-    private static final double STRONGEST = 300;
+    /** Plausibility limit in m/s²; higher readings come from a beam or from moving the robot by hand. */
+    private static final double MAX_ACCELERATION = 300;
 
     private static final double MAX_DEVIATIONS = 5;
 
@@ -73,13 +73,13 @@ final class ErrorStateKalmanFilter {
      * Predicts one cycle. The accelerometer's reading is one cycle old, so it belongs to the attitude before the rotation.
      *
      * @param gyro degrees per second about the axes of the torso
-     * @param felt m/s² along the axes of the torso; at rest it feels the ground push upwards
+     * @param specificForce specific force in m/s² along the axes of the torso
      */
-    void move(Vector3 gyro, Vector3 felt) {
-        if (felt.length() < STRONGEST) {
-            accelerate(attitude.apply(felt));
+    void move(Vector3 gyro, Vector3 specificForce) {
+        if (specificForce.length() < MAX_ACCELERATION) {
+            accelerate(attitude.apply(specificForce));
         } else {
-            stumble();
+            resetVelocity();
         }
         place = place.plus(velocity.times(Cycle.SECONDS));
         attitude = attitude.times(rotation(gyro.times(Cycle.SECONDS)));
@@ -92,9 +92,9 @@ final class ErrorStateKalmanFilter {
     }
 
     /** Couples velocity and attitude: an error of the attitude turns the specific force, which makes the tilt observable. */
-    private void accelerate(Vector3 felt) {
-        velocity = velocity.plus(felt.minus(new Vector3(0, 0, GRAVITY)).times(Cycle.SECONDS));
-        double[] push = components(felt.times(Cycle.SECONDS));
+    private void accelerate(Vector3 specificForce) {
+        velocity = velocity.plus(specificForce.minus(new Vector3(0, 0, GRAVITY)).times(Cycle.SECONDS));
+        double[] push = components(specificForce.times(Cycle.SECONDS));
         for (int i = 0; i < 3; i++) {
             int next = (i + 1) % 3;
             int last = (i + 2) % 3;
@@ -104,7 +104,7 @@ final class ErrorStateKalmanFilter {
     }
 
     /** Resets the velocity after a shock. */
-    private void stumble() {
+    private void resetVelocity() {
         velocity = Vector3.ZERO;
         for (int i = 0; i < 3; i++) {
             covariance.reset(VELOCITY + i, FIRST_SPEED);
@@ -141,13 +141,13 @@ final class ErrorStateKalmanFilter {
     }
 
     /**
-     * Corrects the state by a landmark. The innovation is measured in metres at the landmark: along the line of sight, and to
-     * both sides of it.
+     * Corrects the state by a landmark. The innovation is measured in metres at the landmark, along the line of sight and in
+     * both directions across it.
      *
-     * @param map where it stands
-     * @param seen where the camera sees it
-     * @param camera the camera in the torso's frame
-     * @return whether it passed the gate
+     * @param map position of the landmark on the map
+     * @param seen direction in the camera's frame
+     * @param camera pose of the camera in the torso's frame
+     * @return whether the measurement passed the gate
      */
     boolean see(Vector3 map, Direction seen, Pose camera) {
         double across = SIGHT_DEVIATION + ASIDE_DEVIATION_PER_METRE * seen.distance();
@@ -182,17 +182,17 @@ final class ErrorStateKalmanFilter {
                 .times(attitude);
     }
 
-    /** Where the torso is above the ground, and which way it faces. */
+    /** Pose of the torso on the field. */
     Pose2d pose() {
         return new Pose2d(place.x(), place.y(), attitude.yawDegrees());
     }
 
-    /** Where the torso is, and how it is turned. */
+    /** Pose of the torso in space. */
     Pose torso() {
         return new Pose(place, attitude);
     }
 
-    /** The rotation about an axis by as many degrees as it is long. */
+    /** Rotation vector in degrees as a rotation. */
     private static Rotation rotation(Vector3 degrees) {
         double size = degrees.length();
         return size == 0 ? Rotation.NONE : Rotation.about(degrees, size);

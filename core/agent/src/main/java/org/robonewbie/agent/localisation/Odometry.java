@@ -18,8 +18,8 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * Estimates how far the robot has walked and turned: the support foot does not move, so the torso moves as the joints of that
- * leg show; the gyroscope measures the turns. Feet slip, so the estimate drifts, but over a few seconds it is good.
+ * Odometry of the legs and the gyroscope: the support foot does not move, so the torso moves as the joints of that leg
+ * indicate; the gyroscope measures the rotation. Feet slip, so the estimate drifts, but it is accurate over a few seconds.
  *
  * <pre>{@code
  * odometry.update(nao);                                      // in each cycle
@@ -42,13 +42,13 @@ public final class Odometry {
     private boolean begun;
     private boolean standing;
 
-    /** Creates an odometry that begins at the origin. */
+    /** Creates an odometry at the origin. */
     public Odometry() {
         Arrays.fill(history, pose);
     }
 
     /**
-     * Takes in the movement of one cycle; call it once in each cycle, first of all.
+     * Adds the movement of one cycle. Call it once at the beginning of each cycle.
      *
      * @param nao the robot
      */
@@ -70,30 +70,30 @@ public final class Odometry {
         height = body.foot(support).inverse().position().z() + SOLE_BELOW_FOOT;
     }
 
-    /** {@return whether one foot is known to stand on the ground, so that the last step is true} */
+    /** {@return whether a foot is known to stand on the ground, so that the last step is valid} */
     boolean isStanding() {
         return standing;
     }
 
-    /** {@return how far the torso has moved in the last cycle: metres forward and to the left, seen from the standing foot} */
+    /** {@return the movement of the torso in the last cycle, in metres forward and left in the frame of the support foot} */
     Vector3 step() {
         return step;
     }
 
-    /** {@return height of the torso's centre above the sole of the standing foot, metres} */
+    /** {@return height of the torso's centre above the sole of the support foot, metres} */
     double height() {
         return height;
     }
 
-    /** {@return how far the robot has moved: its pose in the frame of the place where this odometry began} */
+    /** {@return the robot's pose relative to the place where this odometry began} */
     public Pose2d pose() {
         return pose;
     }
 
     /**
-     * Returns where something is now that was seen some time ago and has not moved, for up to a minute.
+     * Returns the current position of a resting object, from a sighting of the last minute.
      *
-     * @param item something that is known
+     * @param item a known object
      * @return metres from the head: x forward, y left, z up
      */
     public Vector3 positionNow(FieldItem item) {
@@ -109,7 +109,7 @@ public final class Odometry {
         return Posture.of(Arrays.stream(JOINTS).mapToDouble(nao::getJointAngle).toArray());
     }
 
-    /** Where the torso is, seen from a foot that stands flat on the ground. */
+    /** Pose of the torso in the frame of a foot that stands flat on the ground. */
     private static Pose2d torsoOn(BodyPoses body, Leg leg) {
         Pose torso = body.foot(leg).inverse();
         Vector3 forward = torso.rotation().apply(new Vector3(1, 0, 0));

@@ -25,13 +25,14 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.RobotType;
 
 /**
- * Estimates where on the pitch the robot is: {@link Odometry} advances the last pose, and each landmark in a picture corrects it
- * by what it shows, together with the height and the tilt of the camera (a Kalman filter). To begin with, the robot needs two
- * landmarks in one picture: they determine the pose, by the best rigid fit of what is seen to the map.
+ * Estimates the robot's pose on the field with a Kalman filter: gyroscope, accelerometer and {@link Odometry} predict it, and
+ * each visible landmark corrects it, together with height and tilt of the camera. The first pose requires two landmarks in one
+ * picture, by the best rigid fit of the sightings to the map.
  *
- * <p>It also finds out which pitch it is: no two of the known pitches have their goal posts and flags at the same distances.
+ * <p>It also identifies the field: the known fields differ in the distances between their goal posts and flags.
  *
- * <p>Coordinates are those of the robot's team: x towards the opponents' goal, y to the left, the origin in the centre spot.
+ * <p>Coordinates are those of the robot's team: x towards the opponents' goal, y to the left, the origin in the centre of the
+ * field.
  *
  * <pre>{@code
  * private final SelfLocalisation self = new SelfLocalisation();
@@ -48,7 +49,7 @@ public final class SelfLocalisation {
     private static final double SET_DEGREES = 0.5;
     private static final int PICTURES_TO_DOUBT = 4;
     private static final double STANDING_DEGREES = 20;
-    private static final double LONGEST_MISS_SECONDS = 10;
+    private static final double MAX_MISSED_SECONDS = 10;
 
     private static final Set<String> LANDMARKS =
             Arrays.stream(Landmark.values()).map(Landmark::name).collect(Collectors.toSet());
@@ -65,18 +66,18 @@ public final class SelfLocalisation {
     private double seenSeconds = Double.NEGATIVE_INFINITY;
     private double nowSeconds = Double.NaN;
 
-    /** A landmark in the picture: where the camera sees it, where that is from the torso, and where it stands. */
+    /** Sighting of a landmark: direction in the camera's frame, position in the torso's frame, and position on the map. */
     private record Sighting(Direction direction, Vector3 seen, Vector3 map) {}
 
-    /** Creates a robot that does not know where it is, nor on which pitch. */
+    /** Creates a localisation with unknown pose and field. */
     public SelfLocalisation() {
         this(SoccerField.BEGINNER, false);
     }
 
     /**
-     * Creates a robot that does not know where it is.
+     * Creates a localisation with unknown pose.
      *
-     * @param field the pitch with its landmarks
+     * @param field the field with its landmarks
      */
     public SelfLocalisation(SoccerField field) {
         this(field, true);
@@ -88,10 +89,10 @@ public final class SelfLocalisation {
     }
 
     /**
-     * Takes in one cycle; call it once in each cycle, first of all, also while the robot lies.
+     * Processes one cycle. Call it once at the beginning of each cycle, even while the robot lies.
      *
      * @param nao the robot
-     * @param view what it sees
+     * @param view the robot's field view
      */
     public void update(Robot nao, LocalFieldView view) {
         double elapsed = nao.getTime() - nowSeconds;
@@ -110,7 +111,7 @@ public final class SelfLocalisation {
 
     private void move(Robot nao, double elapsed) {
         if (elapsed > 1.5 * Cycle.SECONDS) {
-            filter.miss(Math.min(elapsed, LONGEST_MISS_SECONDS));
+            filter.miss(Math.min(elapsed, MAX_MISSED_SECONDS));
         }
         filter.move(nao.getGyro(), nao.getAcceleration());
         if (odometry.isStanding() && tiltDegrees() < STANDING_DEGREES) {
@@ -120,7 +121,7 @@ public final class SelfLocalisation {
     }
 
     /**
-     * Sets where the robot believes to be, after a beam for example.
+     * Sets the estimated pose, for example after a beam.
      *
      * @param newPose in the coordinates of the robot's team
      */
@@ -129,22 +130,25 @@ public final class SelfLocalisation {
         known = true;
     }
 
-    /** {@return the robot's pose in the coordinates of its team; the centre spot until it has seen two landmarks at once} */
+    /**
+     * {@return the robot's pose in the coordinates of its team; the centre of the field until two landmarks were seen in one
+     * picture}
+     */
     public Pose2d pose() {
         return filter.pose();
     }
 
-    /** {@return the pitch; that of the beginners until two landmarks were seen at once} */
+    /** {@return the field; the beginners' field until two landmarks were seen in one picture} */
     public SoccerField field() {
         return field;
     }
 
-    /** {@return whether the pose is more than a guess: two landmarks were seen at once, or it was set} */
+    /** {@return whether the pose is known: two landmarks were seen in one picture, or it was set} */
     public boolean isKnown() {
         return known;
     }
 
-    /** {@return seconds since a landmark has confirmed the pose; infinite if none has} */
+    /** {@return seconds since the last correction by a landmark; infinite if there was none} */
     public double ageSeconds() {
         return nowSeconds - seenSeconds;
     }
@@ -154,13 +158,13 @@ public final class SelfLocalisation {
         return filter.torso().position().z();
     }
 
-    /** {@return how much the torso bows forward, degrees; 90 if it lies on the front} */
+    /** {@return forward tilt of the torso in degrees; 90 if it lies on its front} */
     public double leanDegrees() {
         double down = -filter.torso().rotation().apply(new Vector3(1, 0, 0)).z();
         return PortableMath.toDegrees(PortableMath.asin(Math.max(-1, Math.min(1, down))));
     }
 
-    /** {@return how much the torso leans to the right, degrees} */
+    /** {@return tilt of the torso to the right in degrees} */
     public double rollDegrees() {
         Rotation rotation = filter.torso().rotation();
         double left = rotation.apply(new Vector3(0, 1, 0)).z();
@@ -168,23 +172,23 @@ public final class SelfLocalisation {
         return Angles.atan2(left, up);
     }
 
-    /** {@return how far the torso leans to any side, degrees: 0 upright, 90 lying} */
+    /** {@return tilt of the torso in any direction in degrees: 0 upright, 90 lying} */
     public double tiltDegrees() {
         return BodyState.tiltDegrees(filter.torso().rotation().apply(new Vector3(0, 0, 1)));
     }
 
     /**
-     * Turns what is seen as if the torso were upright: a robot that bows forward sees the ball higher than it lies.
+     * Compensates the tilt of the torso: a robot that tilts forward sees the ball higher than it lies.
      *
-     * @param seen x forward, y left and z up along the torso's own axes, from anywhere in it, in metres
-     * @return x forward, y left on the level ground and z straight up, from the same place
+     * @param seen x forward, y left and z up along the torso's axes, from any point in it, in metres
+     * @return x forward and y left on the horizontal plane and z up, from the same point
      */
     public Vector3 levelled(Vector3 seen) {
         Rotation heading = Rotation.about(new Vector3(0, 0, 1), -pose().degrees());
         return heading.apply(filter.torso().rotation().apply(seen));
     }
 
-    /** {@return the movement alone, kept up to date by this class} */
+    /** {@return the odometry, which this class updates} */
     public Odometry odometry() {
         return odometry;
     }
@@ -202,7 +206,7 @@ public final class SelfLocalisation {
         }
     }
 
-    /** What several pictures contradict is given up, so that a robot that was carried away finds its place again. */
+    /** Discards a pose that several pictures contradict, so that a robot that was moved localises itself again. */
     private void believe(List<Sighting> sightings, Pose camera) {
         long strange = sightings.stream()
                 .filter(sighting -> !filter.see(sighting.map, sighting.direction, camera))
@@ -220,7 +224,7 @@ public final class SelfLocalisation {
         }
     }
 
-    /** How much the distances between the landmarks differ from those on the map, in metres at the most. */
+    /** Maximum difference between the landmarks' distances and those on the map, in metres. */
     private static double distanceError(List<Sighting> sightings) {
         Sighting first = sightings.get(0);
         return sightings.stream()
@@ -242,8 +246,8 @@ public final class SelfLocalisation {
     }
 
     /**
-     * The pose from which all landmarks are seen best, in the sense of least squares; near ones count more, since errors grow
-     * with the distance. In the plane this has a closed form (Procrustes' problem without scaling).
+     * Weighted least-squares fit of the sightings to the map. Near landmarks have more weight, since errors grow with the
+     * distance. In the plane it has a closed form (Procrustes problem without scaling).
      */
     private static Pose2d fit(List<Sighting> sightings) {
         Vector3 seenMiddle = Vector3.ZERO;

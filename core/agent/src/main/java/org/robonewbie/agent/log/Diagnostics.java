@@ -10,8 +10,8 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /**
- * Reports mistakes of the robot's program, each place in it once, so that a mistake in each of 50 cycles per second stays
- * readable. A mistake never stops the robot.
+ * Reports errors of a robot program, each place in it once, so that an error in every cycle stays readable. An error never
+ * stops the robot.
  */
 public final class Diagnostics {
 
@@ -23,9 +23,9 @@ public final class Diagnostics {
     private Consumer<LogLine> listener = line -> {};
 
     /**
-     * Creates a reporter.
+     * Creates diagnostics without reports.
      *
-     * @param out where to, usually {@code System.err}
+     * @param out output of the reports, usually {@code System.err}
      */
     public Diagnostics(PrintStream out) {
         this.out = out;
@@ -41,18 +41,18 @@ public final class Diagnostics {
     }
 
     /**
-     * Sets the listener for mistakes.
+     * Sets the listener for reports.
      *
-     * @param listener called for each mistake that is reported from now on
+     * @param listener called for each report from now on
      */
     public synchronized void setListener(Consumer<LogLine> listener) {
         this.listener = listener;
     }
 
     /**
-     * Reports a mistake of the code that calls the framework just now.
+     * Reports an error at the line of the program that is being executed.
      *
-     * @param kind what tells this mistake from others at the same place, without values that change
+     * @param kind distinguishes this error from others at the same place; contains no changing values
      * @param text what happened, the value, and what to do
      */
     public void report(String kind, Supplier<String> text) {
@@ -60,10 +60,10 @@ public final class Diagnostics {
     }
 
     /**
-     * Reports a mistake at a known place.
+     * Reports an error at a given place.
      *
-     * @param place file and line, or empty if it has no place in the program
-     * @param kind what tells this mistake from others at the same place, without values that change
+     * @param place file and line; empty if the error has no place in the program
+     * @param kind distinguishes this error from others at the same place; contains no changing values
      * @param text what happened, the value, and what to do
      */
     public synchronized void reportAt(String place, String kind, Supplier<String> text) {
@@ -78,9 +78,9 @@ public final class Diagnostics {
     }
 
     /**
-     * Reports a mistake after which the program cannot do what it was written for, such as a motion that does not exist.
+     * Reports an error that makes the run a failure, such as a motion that does not exist.
      *
-     * @param kind what tells this mistake from others at the same place, without values that change
+     * @param kind distinguishes this error from others at the same place; contains no changing values
      * @param text what happened, the value, and what to do
      */
     public synchronized void reportSerious(String kind, Supplier<String> text) {
@@ -89,15 +89,15 @@ public final class Diagnostics {
     }
 
     /**
-     * Forgives mistakes that have been put right while the program runs, such as a file that can be read now.
+     * Clears serious errors that were fixed while the program runs, such as a file that is readable again.
      *
-     * @param kind how the kinds of these mistakes begin
+     * @param kind prefix of their kinds
      */
     public synchronized void forgive(String kind) {
         serious.removeIf(each -> each.startsWith(kind));
     }
 
-    /** {@return whether a mistake was reported, and not put right, that makes the run a failure} */
+    /** {@return whether a serious error was reported and not cleared} */
     public synchronized boolean isSerious() {
         return !serious.isEmpty();
     }

@@ -1,19 +1,18 @@
 package org.robonewbie.agent.log;
 
-/** What has ended a step of a robot's program, or the whole of it. */
+/** Analysis of an exception that ended a step of a robot program, or the whole program. */
 public final class Failure {
 
-    /** What is said about a program that has used all memory, after what it was doing. */
-    public static final String MEMORY = "has used all memory that Java has; the run ends here."
-            + " Does the program keep something in each cycle and never forget it?";
+    /** Message about a program that has exhausted the heap, to follow the name of the failed step. */
+    public static final String MEMORY = "ran out of memory; the run ends here. Does a list or map grow in every cycle?";
 
     private Failure() {}
 
     /**
-     * Finds what went wrong in the first place.
+     * Returns the root cause of a failed class initialisation.
      *
-     * @param thrown what was thrown
-     * @return the exception in the fields of a class that could not be prepared; else what was thrown
+     * @param thrown the exception
+     * @return the exception that a static initialiser has thrown; else {@code thrown}
      */
     public static Throwable rootOf(Throwable thrown) {
         Throwable cause = thrown.getCause();
@@ -21,10 +20,10 @@ public final class Failure {
     }
 
     /**
-     * Finds the line of the program.
+     * Returns the line of the program that failed.
      *
-     * @param thrown what was thrown
-     * @return such as {@code WalkToBall.java:31}; empty if only the framework is at work
+     * @param thrown the exception
+     * @return such as {@code WalkToBall.java:31}; empty if only the framework was running
      */
     public static String place(Throwable thrown) {
         return StudentCode.place(thrown.getStackTrace()).orElse("");

@@ -1,13 +1,13 @@
 package org.robonewbie.agent.log;
 
-/** How important a line of the log is, from the least to the most important. */
+/** Severity of a log line, in ascending order. */
 public enum LogLevel {
     /** Details for debugging. */
     DEBUG,
-    /** What happens. */
+    /** Normal events. */
     INFO,
-    /** Something is odd; the robot continues. */
+    /** Something unexpected; the robot continues. */
     WARNING,
-    /** Something is wrong; the robot continues as well as it can. */
+    /** An error; the robot continues as well as it can. */
     ERROR
 }

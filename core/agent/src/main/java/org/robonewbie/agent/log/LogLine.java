@@ -3,16 +3,16 @@ package org.robonewbie.agent.log;
 import java.util.Locale;
 
 /**
- * One entry of the log.
+ * Log entry.
  *
- * @param seconds simulated time in seconds at which it was written
- * @param level how important it is
- * @param text what it says, possibly several lines
+ * @param seconds simulated time in seconds
+ * @param level severity
+ * @param text message, possibly several lines
  */
 public record LogLine(double seconds, LogLevel level, String text) {
 
     /**
-     * Returns the entry as it is printed; further lines of the text are indented.
+     * Returns the printed form; further lines of the text are indented.
      *
      * @return such as {@code   12.34  INFO     ball at 1.20 m}
      */

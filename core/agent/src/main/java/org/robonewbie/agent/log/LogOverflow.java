@@ -2,11 +2,11 @@ package org.robonewbie.agent.log;
 
 import java.util.List;
 
-/** The place for the oldest lines of a log that has become too long for the memory. */
+/** Storage for the oldest lines of a log that has outgrown its buffer. */
 public interface LogOverflow {
 
     /**
-     * Takes the oldest lines of the log.
+     * Stores the oldest lines of the log.
      *
      * @param oldest the lines, oldest first
      */
@@ -15,7 +15,7 @@ public interface LogOverflow {
     /**
      * Ends the log.
      *
-     * @return a line that says where the lines are; empty if there were none
+     * @return a line that names the place of the stored lines; empty if there are none
      */
     String closingNote();
 }

@@ -3,53 +3,53 @@ package org.robonewbie.agent.log;
 import java.util.List;
 
 /**
- * A robot's log. The lines are collected and printed when the run is over, since printing within a cycle takes time that the
- * robot does not have; the studio shows them at once. Nothing is lost when the program or the server dies. Thread-safe.
+ * A robot's log. Lines are collected and printed when the run is over, since printing within a cycle may delay it; the studio
+ * shows them immediately. No line is lost when the program or the server fails. Thread-safe.
  *
  * <pre>{@code
  * log.info("ball at %.2f m", fieldView.ball().distance());
  * }</pre>
  *
- * <p>A text with values is a pattern as of {@link String#format}; without values it is taken literally.
+ * <p>With values, the text is a pattern as of {@link String#format}; without values it is taken literally.
  */
 public interface Logger {
 
     /**
-     * Sets the least important level that is kept, at first {@link LogLevel#INFO}.
+     * Sets the threshold of the log, initially {@link LogLevel#INFO}.
      *
      * @param level lines below it are dropped
      */
     void setLevel(LogLevel level);
 
     /**
-     * Logs a detail.
+     * Logs a detail for debugging.
      *
      * @param format text or pattern
-     * @param values what the pattern shows
+     * @param values values of the pattern
      */
     void debug(String format, Object... values);
 
     /**
-     * Logs what happens.
+     * Logs a normal event.
      *
      * @param format text or pattern
-     * @param values what the pattern shows
+     * @param values values of the pattern
      */
     void info(String format, Object... values);
 
     /**
-     * Logs something odd.
+     * Logs something unexpected.
      *
      * @param format text or pattern
-     * @param values what the pattern shows
+     * @param values values of the pattern
      */
     void warning(String format, Object... values);
 
     /**
-     * Logs something wrong.
+     * Logs an error.
      *
      * @param format text or pattern
-     * @param values what the pattern shows
+     * @param values values of the pattern
      */
     void error(String format, Object... values);
 

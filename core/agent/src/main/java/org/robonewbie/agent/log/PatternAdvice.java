@@ -3,7 +3,7 @@ package org.robonewbie.agent.log;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** What is wrong with a pattern of {@link String#format} and its values, as a sentence that says what to write instead. */
+/** Diagnosis of a {@link String#format} pattern that does not fit its values, as a sentence that says what to write instead. */
 final class PatternAdvice {
 
     private static final Pattern SPECIFIER = Pattern.compile("%(\\d+\\$|<)?([-#+ 0,(]*)\\d*(\\.\\d+)?([a-zA-Z%])?");
@@ -28,34 +28,34 @@ final class PatternAdvice {
         this.values = values;
     }
 
-    /** Whether some values cannot be shown, since the pattern has fewer per cent signs than there are values. */
+    /** Whether the pattern has fewer per cent signs than there are values, so that some are not shown. */
     static boolean leavesValuesOut(String pattern, Object[] values) {
         return pattern.chars().filter(letter -> letter == '%').count() < values.length;
     }
 
     /**
-     * Finds the first thing that is wrong.
+     * Describes the first error.
      *
-     * @param pattern the pattern, which does not fit its values
+     * @param pattern a pattern that does not fit its values
      * @param values its values
      * @return a sentence
      */
     static String of(String pattern, Object[] values) {
         PatternAdvice advice = new PatternAdvice(pattern, values);
         for (Matcher specifier = SPECIFIER.matcher(pattern); specifier.find(); ) {
-            String wrong = advice.wrongWith(specifier);
-            if (!wrong.isEmpty()) {
-                return wrong + ", in " + quoted(pattern) + ".";
+            String problem = advice.problemOf(specifier);
+            if (!problem.isEmpty()) {
+                return problem + ", in " + quoted(pattern) + ".";
             }
         }
         return leavesValuesOut(pattern, values)
-                ? "Values are missing in the text " + quoted(pattern)
-                        + ": write %.1f or %s where each of them is to be shown."
+                ? "The text " + quoted(pattern)
+                        + " lacks placeholders: write %.1f or %s where each value should appear."
                 : "The values do not fit " + quoted(pattern) + "; " + PER_CENT + ".";
     }
 
-    /** What is wrong with one specifier; empty if it is right. */
-    private String wrongWith(Matcher specifier) {
+    /** Describes the error of one specifier; empty if it is valid. */
+    private String problemOf(Matcher specifier) {
         String conversion = String.valueOf(specifier.group(CONVERSION));
         if (isLone(specifier)) {
             return "A lone % shows nothing; " + PER_CENT;
@@ -91,7 +91,7 @@ final class PatternAdvice {
                     + better + " for " + quotedValue(value);
         }
         if (REAL.contains(conversion) && value != null && !real) {
-            return specifier.group() + " is for numbers with a point; " + better + " for " + quotedValue(value);
+            return specifier.group() + " is for decimal numbers; " + better + " for " + quotedValue(value);
         }
         if (conversion.equalsIgnoreCase("c") && value != null && !(value instanceof Character)) {
             return specifier.group() + " is for one letter; " + better + " for " + quotedValue(value);
@@ -99,7 +99,7 @@ final class PatternAdvice {
         return "";
     }
 
-    /** At the end, before what is no letter, or before the next word, as in {@code 50 % of the way}. */
+    /** Whether a per cent sign begins no specifier, as in {@code 50 % of the way}. */
     private boolean isLone(Matcher specifier) {
         int end = specifier.end();
         boolean blank = specifier.group(FLAGS).contains(" ");

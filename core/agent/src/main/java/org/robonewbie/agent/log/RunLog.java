@@ -9,10 +9,10 @@ import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 
-/** The log of one robot during one run, as the framework handles it. */
+/** The log of one robot in one run, with the methods that only the framework uses. */
 public final class RunLog implements Logger {
 
-    /** The number of lines that are kept in memory, the newest. */
+    /** Maximum number of lines in memory; older lines are moved to the overflow. */
     public static final int CAPACITY = 200_000;
 
     private static final int LINES_TO_MOVE = 1000;
@@ -29,7 +29,7 @@ public final class RunLog implements Logger {
     /**
      * Creates an empty log.
      *
-     * @param owner whose log it is, for the headline
+     * @param owner name of the robot, for the heading
      */
     public RunLog(String owner) {
         this(owner, CAPACITY);
@@ -57,7 +57,7 @@ public final class RunLog implements Logger {
     /**
      * Sets the listener for log lines.
      *
-     * @param listener called at once, in the thread that logs
+     * @param listener called immediately, in the logging thread
      */
     public synchronized void setListener(Consumer<LogLine> listener) {
         this.listener = listener;
@@ -66,14 +66,14 @@ public final class RunLog implements Logger {
     /**
      * Sets the listener for patterns that do not fit their values.
      *
-     * @param listener called in the thread that logs, with what is wrong
+     * @param listener called with a description of the error, in the logging thread
      */
     public void setPatternListener(Consumer<Supplier<String>> listener) {
         patternListener = listener;
     }
 
     /**
-     * Sets the place for lines that no longer fit into memory; at first they are dropped.
+     * Sets the overflow for lines that no longer fit into memory; by default they are dropped.
      *
      * @param overflow takes the oldest lines
      */
@@ -107,9 +107,9 @@ public final class RunLog implements Logger {
     }
 
     /**
-     * Prints what was logged since the last call, and forgets it.
+     * Prints and clears the log.
      *
-     * @param out where to
+     * @param out the output
      */
     public synchronized void print(PrintStream out) {
         if (lines.isEmpty()) {
@@ -145,7 +145,7 @@ public final class RunLog implements Logger {
         }
     }
 
-    /** A wrong pattern must not stop a robot: then pattern and values are written as they are. */
+    /** Formats a line. An invalid pattern must not stop a robot; it is logged unformatted with its values. */
     private String text(String format, Object[] values) {
         if (values.length == 0) {
             return format;
@@ -156,13 +156,12 @@ public final class RunLog implements Logger {
                 return text;
             }
         } catch (IllegalArgumentException wrongPattern) {
-            // below, as a pattern that leaves values out
+            // handled below, like a pattern with surplus values
         }
         patternListener.accept(() -> PatternAdvice.of(format, values));
         return format + " " + Arrays.toString(values);
     }
 
-    /** Counts the lines that are dropped. */
     private static final class DroppedLines implements LogOverflow {
 
         private long count;

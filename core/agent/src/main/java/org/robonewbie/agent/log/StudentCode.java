@@ -4,10 +4,10 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
-/** Finds the line of the robot's own program among those of the framework and of Java. */
+/** Finds the robot program's own lines among the stack frames of the framework and Java. */
 public final class StudentCode {
 
-    private static final List<String> NOT_THEIRS = List.of(
+    private static final List<String> FRAMEWORK_PREFIXES = List.of(
             "org.robonewbie.agent.",
             "org.robonewbie.nao.",
             "org.robonewbie.protocol.",
@@ -25,41 +25,41 @@ public final class StudentCode {
     private StudentCode() {}
 
     /**
-     * Finds the line that is being executed by this thread.
+     * Finds the program line that this thread is executing.
      *
-     * @return such as {@code WalkToBall.java:31}; empty if only the framework is at work
+     * @return such as {@code WalkToBall.java:31}; empty if only the framework is running
      */
     public static Optional<String> place() {
         return place(new Throwable().getStackTrace());
     }
 
     /**
-     * Finds the line in a stack trace.
+     * Finds the program line in a stack trace.
      *
      * @param trace innermost call first
-     * @return such as {@code WalkToBall.java:31}; empty if only the framework is at work
+     * @return such as {@code WalkToBall.java:31}; empty if only the framework was running
      */
     public static Optional<String> place(StackTraceElement[] trace) {
         return Arrays.stream(trace)
-                .filter(frame -> isTheirs(frame.getClassName()))
+                .filter(frame -> isStudentCode(frame.getClassName()))
                 .findFirst()
                 .map(frame -> frame.getFileName() + ":" + frame.getLineNumber());
     }
 
     /**
-     * Keeps the calls of the robot's own program.
+     * Returns the stack frames of the robot's own program.
      *
      * @param trace innermost call first
-     * @return its calls, in the same order
+     * @return its frames, in the same order
      */
     public static List<StackTraceElement> lines(StackTraceElement[] trace) {
         return Arrays.stream(trace)
-                .filter(call -> isTheirs(call.getClassName()))
+                .filter(call -> isStudentCode(call.getClassName()))
                 .toList();
     }
 
-    private static boolean isTheirs(String className) {
-        for (String prefix : NOT_THEIRS) {
+    private static boolean isStudentCode(String className) {
+        for (String prefix : FRAMEWORK_PREFIXES) {
             if (className.startsWith(prefix)) {
                 return false;
             }

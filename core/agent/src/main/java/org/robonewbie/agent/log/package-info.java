@@ -1,5 +1,5 @@
 /**
- * What a robot tells its programmer: the log, and mistakes with the line where they were made. Read {@link
+ * Output of a robot for its programmer: the log, and reports of program errors with their line. Read {@link
  * org.robonewbie.agent.log.Logger} first.
  */
 @org.jspecify.annotations.NullMarked

@@ -6,8 +6,8 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.motion.Motors;
 
 /**
- * Circles the head smoothly from side to side, down on the way out and up on the way back, so that the camera sees from its own
- * feet to the goals and nearly 240° around. It needs only the neck, so the body can play any motion meanwhile.
+ * A smooth, elliptic head scan: down on the way out and up on the way back, so that the camera covers the area from the robot's
+ * feet to the goals and nearly 240° around. It uses only the neck, so the body can play any motion at the same time.
  *
  * <pre>{@code
  * private final LookAround lookAround = new LookAround(motors);
@@ -17,7 +17,7 @@ import org.robonewbie.nao.motion.Motors;
  */
 public final class LookAround {
 
-    /** How long one round of the head takes, in seconds: what was not seen for longer is not where it was. */
+    /** Duration of one scan in seconds. An object that was not seen for longer is no longer at its last position. */
     public static final double ROUND_SECONDS = 2.4;
 
     private static final double YAW_DEGREES = 60;
@@ -29,7 +29,7 @@ public final class LookAround {
     private int cycle;
 
     /**
-     * Creates the movement.
+     * Creates a head scan.
      *
      * @param motors the robot's motors
      */
@@ -37,7 +37,7 @@ public final class LookAround {
         this.motors = motors;
     }
 
-    /** Moves the head on by one cycle; call it in each cycle, and not at all to leave the head alone. */
+    /** Advances the scan by one cycle. Call it in each cycle in which the head should move. */
     public void look() {
         double phase = 2 * Math.PI * cycle * Cycle.SECONDS / ROUND_SECONDS;
         cycle++;

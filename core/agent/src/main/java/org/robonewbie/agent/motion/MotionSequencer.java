@@ -26,13 +26,13 @@ import org.robonewbie.nao.text.FileName;
 import org.robonewbie.nao.text.Spelling;
 
 /**
- * Plays motions in sequence: finds them by name, makes a fallen robot get up first, and inserts a motion that stops or begins a
- * walk before those that could not begin otherwise.
+ * Plays motions in sequence: finds them by name, makes a fallen robot get up first, and inserts transitions such as stopping or
+ * starting to walk where a motion cannot follow directly.
  */
 public final class MotionSequencer implements Motions {
 
-    /** From any state to the stance, and from there to a walk. */
-    private static final int MAX_BRIDGES = 2;
+    /** Longest transition: from any state to the stance, and from there to a walk. */
+    private static final int MAX_TRANSITIONS = 2;
 
     private final Motors motors;
     private final MotionLibrary library;
@@ -45,16 +45,16 @@ public final class MotionSequencer implements Motions {
     private Optional<MotionPlayer> player = Optional.empty();
     private double speed = 1;
     private boolean looping;
-    private boolean gettingUp = true;
+    private boolean automaticGetUp = true;
     private Optional<MotionFile> playing = Optional.empty();
 
     /**
-     * Creates a sequencer without a motion.
+     * Creates an idle sequencer.
      *
-     * @param motors take the speeds
-     * @param library knows the motions
-     * @param diagnostics takes what is wrong with a motion
-     * @param bodyPosition tells whether the robot lies on the ground
+     * @param motors receive the joint speeds
+     * @param library source of motions
+     * @param diagnostics receives reports about invalid motions
+     * @param bodyPosition supplies the orientation of the torso
      */
     public MotionSequencer(
             Motors motors, MotionLibrary library, Diagnostics diagnostics, Supplier<BodyPosition> bodyPosition) {
@@ -66,8 +66,14 @@ public final class MotionSequencer implements Motions {
 
     @Override
     public boolean start(String name) {
+        return start(() -> load(name));
+    }
+
+    private boolean start(Supplier<Optional<MotionFile>> source) {
         looping &= !isFinished();
-        return isFinished() && load(name).filter(this::prepare).isPresent();
+        Optional<MotionFile> file = isFinished() ? source.get() : Optional.empty();
+        file.ifPresent(this::prepare);
+        return file.isPresent();
     }
 
     @Override
@@ -79,25 +85,20 @@ public final class MotionSequencer implements Motions {
 
     @Override
     public boolean startMirrored(String name) {
-        looping &= !isFinished();
-        return isFinished()
-                && load(name)
-                        .map(file -> file.mirrored(name + " mirrored"))
-                        .filter(this::prepare)
-                        .isPresent();
+        return start(() -> load(name).map(file -> file.mirrored(name + " mirrored")));
     }
 
     @Override
     public void setAutomaticGetUp(boolean on) {
-        gettingUp = on;
+        automaticGetUp = on;
     }
 
     @Override
     public boolean startGetUp() {
-        return bodyPosition.get().isFallen() && start(wayUp());
+        return bodyPosition.get().isFallen() && start(getUpMotion());
     }
 
-    private String wayUp() {
+    private String getUpMotion() {
         return switch (bodyPosition.get()) {
             case LYING_ON_FRONT -> "stand-up-from-front";
             case LYING_ON_LEFT_SIDE -> existing("stand-up-from-left-side");
@@ -112,8 +113,7 @@ public final class MotionSequencer implements Motions {
 
     @Override
     public boolean start(Motion motion) {
-        looping &= !isFinished();
-        return isFinished() && prepare(MotionFile.of(motion));
+        return start(() -> Optional.of(MotionFile.of(motion)));
     }
 
     @Override
@@ -139,10 +139,10 @@ public final class MotionSequencer implements Motions {
     }
 
     /**
-     * Returns the motion that turns a joint now.
+     * Returns the motion that currently moves a joint.
      *
      * @param joint the joint
-     * @return its name; empty if no motion turns the joint
+     * @return its name; empty if no motion moves the joint
      */
     public Optional<String> turning(Joint joint) {
         return player.filter(playing -> !isFinished() && playing.turns(joint))
@@ -197,49 +197,49 @@ public final class MotionSequencer implements Motions {
 
     private MotionFile next() {
         MotionFile file = queue.remove();
-        Optional<MotionFile> getUp = hasToGetUpFor(file) ? load(wayUp()) : Optional.empty();
+        Optional<MotionFile> getUp = hasToGetUpFor(file) ? load(getUpMotion()) : Optional.empty();
         getUp.ifPresent(way -> queue.addFirst(file));
         return getUp.orElse(file);
     }
 
     private boolean hasToGetUpFor(MotionFile file) {
-        return gettingUp && bodyPosition.get().isFallen() && MotionStates.needsFeet(file);
+        return automaticGetUp && bodyPosition.get().isFallen() && MotionStates.needsFeet(file);
     }
 
-    private boolean prepare(MotionFile file) {
+    private void prepare(MotionFile file) {
         boolean lying = bodyPosition.get().isFallen();
         if (hasToGetUpFor(file)) {
-            load(wayUp()).ifPresent(states::ended); // it will be played first
+            load(getUpMotion()).ifPresent(states::ended); // played first
             lying = false;
         }
         if (!lying) {
-            bridgeTo(file);
+            addTransitionsTo(file);
         }
-        prepareNow(file);
-        return true;
+        enqueue(file);
     }
 
-    private void prepareNow(MotionFile file) {
+    private void enqueue(MotionFile file) {
         queue.add(file);
         states.ended(file);
     }
 
-    /** Leads to the start of a motion: directly if one bridge does it, otherwise by way of the stance. */
-    private void bridgeTo(MotionFile file) {
-        for (int i = 0; i < MAX_BRIDGES && !states.canStart(file); i++) {
-            List<MotionFile> possible = bridges(file).filter(states::canStart).toList();
+    /** Inserts transitions to the start state of a motion: a single one if possible, else by way of the stance. */
+    private void addTransitionsTo(MotionFile file) {
+        for (int i = 0; i < MAX_TRANSITIONS && !states.canStart(file); i++) {
+            List<MotionFile> possible =
+                    transitions(file).filter(states::canStart).toList();
             possible.stream()
-                    .filter(bridge -> MotionStates.canStartAfter(bridge, file))
+                    .filter(transition -> MotionStates.canStartAfter(transition, file))
                     .findFirst()
                     .or(() -> states.isStance()
                             ? Optional.empty()
                             : possible.stream().findFirst())
-                    .ifPresent(this::prepareNow);
+                    .ifPresent(this::enqueue);
         }
     }
 
-    private Stream<MotionFile> bridges(MotionFile file) {
-        return MotionStates.BRIDGES.stream()
+    private Stream<MotionFile> transitions(MotionFile file) {
+        return MotionStates.TRANSITIONS.stream()
                 .filter(name -> !name.equals(file.motion().name()))
                 .flatMap(name -> load(name).stream());
     }
@@ -255,7 +255,10 @@ public final class MotionSequencer implements Motions {
         playing = Optional.of(file);
     }
 
-    /** What comes with the framework was tried; a kick may well ask for all that a motor can give. */
+    /**
+     * Reports joint speeds that the motors cannot reach. Shipped motions are skipped, since they are tested and a kick may use
+     * the full speed of a motor.
+     */
     private void reportProblems(MotionPlayer next, MotionFile file) {
         int fromKeyframe = file.property("start").isPresent() ? 1 : 0;
         for (String problem : next.problems(motors, fromKeyframe)) {
@@ -280,7 +283,7 @@ public final class MotionSequencer implements Motions {
             boolean known = lastGood.containsKey(name);
             String kind = "motion " + name + ": " + broken.getMessage();
             Supplier<String> text = () -> "The motion " + name + " cannot be played: " + broken.getMessage()
-                    + (known ? ". The robot plays it as it was before." : ". The robot goes on without it.");
+                    + (known ? ". The last valid version is played." : ". The robot continues without it.");
             if (known) {
                 diagnostics.report(kind, text);
             } else {
@@ -290,12 +293,12 @@ public final class MotionSequencer implements Motions {
         }
     }
 
-    /** Reports what the robot cannot do quite as the file says; throws if the file cannot be understood at all. */
+    /** Reports deviations from the file; throws if the file is invalid. */
     private void check(MotionFile file) {
         file.motion();
         for (MotionProblem finding : file.warnings()) {
             String text = file.name() + " " + finding;
-            diagnostics.reportAt("", text, () -> text + "; the robot does what it can.");
+            diagnostics.reportAt("", text, () -> text + "; the robot plays it within its limits.");
         }
     }
 
@@ -326,7 +329,7 @@ public final class MotionSequencer implements Motions {
                 others);
     }
 
-    /** Proposes a name for one that no motion can have. */
+    /** Suggests a valid name for an invalid one. */
     private static String meant(String name, SortedSet<String> names) {
         return Spelling.nearest(name.strip(), names)
                 .or(() -> names.contains(name.strip()) ? Optional.of(name.strip()) : Optional.empty())

@@ -4,45 +4,42 @@ import java.util.List;
 import org.robonewbie.nao.motion.MotionFile;
 
 /**
- * Knows in which state the last motion has left the robot, so that a motion never begins in the middle of a step. Motion files
- * say in comments in which states they can start and in which they end: {@code // start: stance, walking} and
- * {@code // end: stance}. A state is a word of the author's choice; {@code the end of NAME} stands for the end of that very
- * motion.
+ * State of the robot after the last motion, so that no motion begins in the middle of a step. Motion files declare in comments
+ * the states in which they can start and the state in which they end: {@code // start: stance, walking} and {@code // end:
+ * stance}. The names of states are arbitrary; {@code the end of NAME} denotes the end of that particular motion.
  */
 final class MotionStates {
 
     private static final String STANDING = "standing";
     private static final String STANCE = "stance";
     private static final String LYING = "lying";
-    /** Motions that lead from one state to another, the most careful one first. */
-    static final List<String> BRIDGES = List.of("stop-walking", "stand", "start-walking");
+    /** Motions that lead from one state to another, in order of preference. */
+    static final List<String> TRANSITIONS = List.of("stop-walking", "stand", "start-walking");
 
     private String state = STANDING;
     private String lastMotion = "";
 
-    /** The robot's posture is unknown, but no motion is running. */
+    /** Resets the state: the posture is unknown, and no motion is running. */
     void reset() {
         state = STANDING;
         lastMotion = "";
     }
 
-    /** A motion has run to its end. */
     void ended(MotionFile file) {
         state = endOf(file);
         lastMotion = nameOf(file);
     }
 
-    /** Whether the robot will be in the stance. */
     boolean isStance() {
         return state.equals(STANCE);
     }
 
-    /** Whether a motion can start now. Without a comment about it, it starts whenever the robot stands. */
+    /** Whether a motion can start now. A motion without a declaration starts whenever the robot stands. */
     boolean canStart(MotionFile file) {
         return canStart(file, state, lastMotion);
     }
 
-    /** Whether a motion can start as soon as another one has ended. */
+    /** Whether a motion can start after another one. */
     static boolean canStartAfter(MotionFile before, MotionFile file) {
         return canStart(file, endOf(before), nameOf(before));
     }
@@ -60,7 +57,7 @@ final class MotionStates {
         return false;
     }
 
-    /** Whether a motion makes sense only on the feet, by its own comments. */
+    /** Whether a motion declares a start on the feet. */
     static boolean needsFeet(MotionFile file) {
         return file.property("start").filter(start -> !start.startsWith(LYING)).isPresent();
     }

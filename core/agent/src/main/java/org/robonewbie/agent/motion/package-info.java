@@ -1,6 +1,3 @@
-/**
- * How the robot moves: motors with speeds and targets, motions from text files, and the head that looks around. Read
- * {@link org.robonewbie.agent.motion.Motions} first.
- */
+/** Motion control: keyframe motions from text files and the head scan. Read {@link org.robonewbie.agent.motion.Motions} first. */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.agent.motion;

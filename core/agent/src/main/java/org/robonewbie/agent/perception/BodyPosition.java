@@ -1,10 +1,10 @@
 package org.robonewbie.agent.perception;
 
-/** How the robot's torso is turned against the ground. */
+/** Orientation of the robot's torso to the ground. */
 public enum BodyPosition {
-    /** The torso is upright or leans by less than 60 degrees. */
+    /** The torso is upright or tilts by less than 60 degrees. */
     UPRIGHT,
-    /** The robot lies on its back and looks to the sky. */
+    /** The robot lies on its back. */
     LYING_ON_BACK,
     /** The robot lies on its front. */
     LYING_ON_FRONT,
@@ -13,7 +13,7 @@ public enum BodyPosition {
     /** The robot lies on its right side. */
     LYING_ON_RIGHT_SIDE;
 
-    /** {@return whether the robot has to get up: this is anything but upright} */
+    /** {@return whether the robot has to get up: true unless it is upright} */
     public boolean isFallen() {
         return this != UPRIGHT;
     }

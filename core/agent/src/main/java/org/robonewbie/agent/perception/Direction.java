@@ -6,19 +6,19 @@ import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * Where something is, as the robot would see it if it looked straight ahead.
+ * Polar coordinates of an object, as seen by a robot that looks straight ahead.
  *
  * @param distance from the centre of the head, in metres
- * @param bearing angle in degrees against the direction in which the torso faces; positive is left
+ * @param bearing horizontal angle to the torso's forward direction in degrees; positive is left
  * @param elevation angle in degrees above the plane of the torso's forward and left axes; positive is up
  */
 public record Direction(double distance, double bearing, double elevation) {
 
     /**
-     * Turns a point into a direction.
+     * Converts a point to polar coordinates.
      *
-     * @param point x forward, y left, z up, seen from the centre of the head, in metres
-     * @return where it is
+     * @param point x forward, y left, z up, relative to the centre of the head, in metres
+     * @return its direction
      */
     public static Direction of(Vector3 point) {
         return new Direction(
@@ -28,9 +28,9 @@ public record Direction(double distance, double bearing, double elevation) {
     }
 
     /**
-     * Turns the direction into a point.
+     * Converts the direction to a point.
      *
-     * @return x forward, y left, z up, seen from the centre of the head, in metres
+     * @return x forward, y left, z up, relative to the centre of the head, in metres
      */
     public Vector3 toPoint() {
         double b = PortableMath.toRadians(bearing);
@@ -42,7 +42,7 @@ public record Direction(double distance, double bearing, double elevation) {
                 .times(distance);
     }
 
-    /** {@return how far it is on the level, without the height: metres from below the head} */
+    /** {@return the horizontal distance from the head, in metres} */
     public double distanceOnGround() {
         return distance * PortableMath.cos(PortableMath.toRadians(elevation));
     }

@@ -6,11 +6,11 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.perceptor.PolarPosition;
 
 /**
- * An object on the field as the robot remembers it: seen now, some time ago, or never. The instance stays the same and is
- * updated with each picture of the camera, so you can keep it.
+ * An object on the field in the robot's memory: seen now, some time ago, or never. The instance stays the same and is updated
+ * with each camera picture, so programs may keep it.
  *
- * <p>All directions are those of a robot that looks straight ahead; they are as old as the last sighting and do not follow the
- * robot's own movement since then.
+ * <p>All directions are those of a robot that looks straight ahead. They are as old as the last sighting and do not account for
+ * the robot's movement since then.
  *
  * <pre>{@code
  * FieldItem ball = fieldView.ball();
@@ -32,7 +32,7 @@ public class FieldItem {
     private Direction direction = NOWHERE;
     private boolean directionIsOld;
 
-    /** When and how the camera took its last picture, and what time it is. */
+    /** Time and head pose of the last picture, and the current time. */
     static final class Vision {
         double nowSeconds;
         double pictureSeconds = Double.NEGATIVE_INFINITY;
@@ -51,7 +51,7 @@ public class FieldItem {
         this.diagnostics = diagnostics;
     }
 
-    /** Keeps what the camera sees; the direction is calculated on demand, since most directions are never asked for. */
+    /** Stores a sighting. The direction is computed on demand, since most directions are never read. */
     void see(PolarPosition newSighting) {
         sighting = newSighting;
         yawDegrees = vision.yawDegrees;
@@ -89,68 +89,74 @@ public class FieldItem {
         return transformation.toFacingForward(direction, yawDegrees, pitchDegrees);
     }
 
-    /** {@return whether this was seen at least once since the start or the last beam} */
+    /** {@return whether the object was seen at least once since the start or the last beam} */
     public final boolean isKnown() {
         return seenSeconds > Double.NEGATIVE_INFINITY;
     }
 
-    /** {@return whether this was in the last picture; the camera takes one in each third cycle} */
+    /** {@return whether the object is in the last picture; the camera takes one every third cycle} */
     public final boolean isVisible() {
         return isKnown() && seenSeconds == vision.pictureSeconds && ageSeconds() < 0.1;
     }
 
-    /** {@return seconds since this was last seen; infinite if it never was} */
+    /** {@return seconds since the last sighting; infinite if there was none} */
     public final double ageSeconds() {
         return vision.nowSeconds - seenSeconds;
     }
 
-    /** {@return when this was last seen, in simulated seconds as {@code nao.getTime()}; minus infinity if it never was} */
+    /** {@return simulated time of the last sighting in seconds, as {@code nao.getTime()}; minus infinity if there was none} */
     public final double lastSeenSeconds() {
         return seenSeconds;
     }
 
     /**
-     * Returns how far away this is on the pitch, measured from the point between the robot's feet: what the robot has to walk. A
-     * robot that stands or walks has its head above that point.
+     * Returns the distance along the ground from the point between the robot's feet, which is the distance to walk. The head of
+     * an upright robot is above that point.
      *
-     * @return metres along the ground; infinite if this was never seen
+     * @return metres along the ground; infinite if the object was never seen
      */
     public final double distance() {
         return isKnown() ? direction().distanceOnGround() : Double.POSITIVE_INFINITY;
     }
 
     /**
-     * Returns how far away this is from the camera, as it is measured. A ball at the feet is half a metre from the head.
+     * Returns the measured distance from the camera. A ball at the feet is half a metre from the head.
      *
-     * @return metres from the centre of the head; infinite if this was never seen
+     * @return metres from the centre of the head; infinite if the object was never seen
      */
     public final double distanceFromHead() {
         return direction().distance();
     }
 
-    /** {@return degrees that the robot has to turn to face this, positive is left; 0 and a report if it was never seen} */
+    /**
+     * {@return the angle in degrees that the robot has to turn to face the object, positive is left; 0 and a report if it was
+     * never seen}
+     */
     public final double bearing() {
         checkKnown("bearing");
         return direction().bearing();
     }
 
-    /** {@return degrees above the level of the head, negative is below; 0 and a report if this was never seen} */
+    /** {@return degrees above the horizontal plane of the head, negative is below; 0 and a report if the object was never seen} */
     public final double elevation() {
         checkKnown("elevation");
         return direction().elevation();
     }
 
-    /** {@return metres from the centre of the head: x forward, y left, z up; the origin and a report if this was never seen} */
+    /**
+     * {@return metres from the centre of the head: x forward, y left, z up; the origin and a report if the object was never
+     * seen}
+     */
     public final Vector3 position() {
         checkKnown("position");
         return isKnown() ? direction().toPoint() : Vector3.ZERO;
     }
 
-    private void checkKnown(String question) {
+    private void checkKnown(String property) {
         if (!isKnown()) {
             diagnostics.report(
-                    question + " of " + name,
-                    () -> "The " + question + " of the " + name + " is not known, since it has never been seen; ask"
+                    property + " of " + name,
+                    () -> "The " + property + " of the " + name + " is unknown, since it has never been seen; call"
                             + " isKnown() first.");
         }
     }

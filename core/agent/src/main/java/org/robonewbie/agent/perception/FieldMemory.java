@@ -15,7 +15,7 @@ import org.robonewbie.protocol.perceptor.Vision.SeenLandmark;
 import org.robonewbie.protocol.perceptor.Vision.SeenLine;
 import org.robonewbie.protocol.perceptor.Vision.SeenPlayer;
 
-/** The memory behind a {@link LocalFieldView}, which the framework feeds with the pictures of the camera. */
+/** Implementation of {@link LocalFieldView}, updated by the framework with each camera picture. */
 public final class FieldMemory implements LocalFieldView {
 
     private static final double PLAYER_MEMORY_SECONDS = 10;
@@ -24,7 +24,7 @@ public final class FieldMemory implements LocalFieldView {
     private final FieldItem.Vision vision = new FieldItem.Vision();
     private final FieldItem ball;
     private final Map<Landmark, FieldItem> landmarks = new EnumMap<>(Landmark.class);
-    /** All robots that were met since the last beam; each keeps its object, whether it is forgotten meanwhile or not. */
+    /** All robots that were seen since the last beam. Their objects are kept even while they are too old to be listed. */
     private final List<PlayerItem> met = new ArrayList<>();
 
     private List<SeenLine> seenLines = List.of();
@@ -36,7 +36,7 @@ public final class FieldMemory implements LocalFieldView {
     /**
      * Creates an empty memory.
      *
-     * @param diagnostics takes questions that have no answer
+     * @param diagnostics receives reports about reads of unknown objects
      */
     public FieldMemory(Diagnostics diagnostics) {
         this.diagnostics = diagnostics;
@@ -52,7 +52,7 @@ public final class FieldMemory implements LocalFieldView {
     }
 
     /**
-     * Sets whose memory this is, so that the robot does not meet itself.
+     * Sets the identity of the robot, so that its own body parts are ignored.
      *
      * @param ownTeam name of the robot's team
      * @param ownNumber the robot's number
@@ -77,9 +77,9 @@ public final class FieldMemory implements LocalFieldView {
     }
 
     /**
-     * Adds a picture of the camera, after {@link #setTime}.
+     * Adds a camera picture. Call {@link #setTime} before.
      *
-     * @param picture what the camera recognises
+     * @param picture the recognised objects
      * @param neckYawDegrees yaw angle of the neck
      * @param neckPitchDegrees pitch angle of the neck
      */
@@ -98,7 +98,7 @@ public final class FieldMemory implements LocalFieldView {
         seenLines = picture.lines();
     }
 
-    /** Forgets everything, since the robot was put somewhere else. */
+    /** Clears the memory, since the robot was placed elsewhere. */
     public void forget() {
         ball.forget();
         landmarks.values().forEach(FieldItem::forget);
@@ -112,7 +112,7 @@ public final class FieldMemory implements LocalFieldView {
     }
 
     @Override
-    @SuppressWarnings("NullAway") // the map has each landmark
+    @SuppressWarnings("NullAway") // the map contains every landmark
     public FieldItem landmark(Landmark landmark) {
         return landmarks.get(landmark);
     }
@@ -162,7 +162,7 @@ public final class FieldMemory implements LocalFieldView {
     @Override
     public List<LineItem> lines() {
         if (!seenLines.isEmpty()) {
-            lines = facingForward(seenLines); // only now, since few robots ask for the many lines
+            lines = facingForward(seenLines); // computed on demand, since few programs read the many lines
             seenLines = List.of();
         }
         return lines;

@@ -3,11 +3,11 @@ package org.robonewbie.agent.perception;
 import org.robonewbie.nao.Vector3;
 
 /**
- * What the sensors in the sole of one foot feel.
+ * Reading of the force sensor in one sole.
  *
- * @param point where the ground presses on average: x forward, y left, z up from the middle of the foot, in metres
- * @param force how strong it presses: x forward, y left, z up, in newtons; about (0, 0, 22.6) for each foot of a standing
- *     robot, (0, 0, 0) in the air
+ * @param point centre of pressure: x forward, y left, z up from the middle of the foot, in metres
+ * @param force force of the ground: x forward, y left, z up, in newtons; about (0, 0, 22.6) for each foot of a standing robot,
+ *     (0, 0, 0) in the air
  */
 public record FootPressure(Vector3 point, Vector3 force) {
 

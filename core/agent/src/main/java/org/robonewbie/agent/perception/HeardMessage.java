@@ -4,11 +4,11 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * What another robot has said.
+ * A message from another robot.
  *
  * @param text 1 to 20 characters
- * @param team name of the speaker's team; old servers do not tell it
- * @param directionDegrees where the speaker stands, in the pitch's frame and not relative to the robot: 0 is towards the opponents'
- *     goal, positive is left
+ * @param team name of the speaker's team; absent on old servers
+ * @param directionDegrees direction of the speaker in the frame of the field, not relative to the robot: 0 is towards the
+ *     opponents' goal, positive is left
  */
 public record HeardMessage(String text, Optional<String> team, OptionalDouble directionDegrees) {}

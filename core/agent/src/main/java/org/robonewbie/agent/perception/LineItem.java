@@ -1,9 +1,9 @@
 package org.robonewbie.agent.perception;
 
 /**
- * A piece of a line of the field in the last picture of the camera. Lines have no names, so they are not remembered.
+ * A segment of a field line in the last camera picture. Segments have no identity, so they are not remembered.
  *
- * @param start where one end is seen
- * @param end where the other end is seen; which one is the start has no meaning
+ * @param start direction of one end
+ * @param end direction of the other end; the order of the ends has no meaning
  */
 public record LineItem(Direction start, Direction end) {}

@@ -4,18 +4,18 @@ import java.util.List;
 import org.robonewbie.nao.Landmark;
 
 /**
- * What the robot remembers of the field around it. The camera sees 120° in each third cycle; here everything stays where it
- * was last seen, as a robot that looks straight ahead would see it.
+ * The robot's memory of the field around it. The camera sees 120° in every third cycle; each object keeps the position of its
+ * last sighting, converted to the view of a robot that looks straight ahead.
  *
- * <p>The turns of the head are taken into account, by {@link CameraTransformation#SUM_OF_ANGLES} unless another one is chosen.
- * Other movements of the robot since the last sighting are not: the older a sighting ({@link FieldItem#ageSeconds}), the less it is
- * worth.
+ * <p>Head rotations are compensated, by {@link CameraTransformation#SUM_OF_ANGLES} unless another transformation is set. Other
+ * movements of the robot since the last sighting are not: the higher {@link FieldItem#ageSeconds}, the less reliable the
+ * position.
  *
  * <pre>{@code
  * if (fieldView.ball().isVisible() && fieldView.ball().distance() < 0.5) { ... }
  * }</pre>
  *
- * <p>Left and right posts are those that a player sees who looks at that goal from the field.
+ * <p>Left and right posts are those of a player that faces the goal from the field.
  */
 public interface LocalFieldView {
 
@@ -23,9 +23,9 @@ public interface LocalFieldView {
     FieldItem ball();
 
     /**
-     * Returns a goal post or flag by its name on the pitch.
+     * Returns a goal post or flag.
      *
-     * @param landmark which one
+     * @param landmark name of the landmark
      * @return the landmark, known or not
      */
     FieldItem landmark(Landmark landmark);
@@ -42,7 +42,7 @@ public interface LocalFieldView {
     /** {@return the top of the right post of the goal that the robot's team defends, known or not} */
     FieldItem ownGoalRightPost();
 
-    /** {@return all other robots that were seen within the last 10 seconds, in the order in which they were first seen} */
+    /** {@return all other robots that were seen within the last 10 seconds, in the order of their first sighting} */
     List<PlayerItem> players();
 
     /** {@return the robots of the same team that were seen within the last 10 seconds, without this robot} */
@@ -51,11 +51,11 @@ public interface LocalFieldView {
     /** {@return the robots of the other team that were seen within the last 10 seconds} */
     List<PlayerItem> opponents();
 
-    /** {@return the pieces of field lines in the last picture; empty if the camera has not seen anything for 0.1 s} */
+    /** {@return the segments of field lines in the last picture; empty if it is older than 0.1 s} */
     List<LineItem> lines();
 
     /**
-     * Sets how the turned head is taken into account.
+     * Sets how head rotations are compensated.
      *
      * @param transformation such as {@link CameraTransformation#KINEMATICS}
      */

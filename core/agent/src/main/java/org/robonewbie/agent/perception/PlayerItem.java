@@ -6,9 +6,7 @@ import org.robonewbie.agent.log.Diagnostics;
 import org.robonewbie.nao.BodyPart;
 import org.robonewbie.nao.Vector3;
 
-/**
- * Another robot as this robot remembers it. It is where the middle of its visible parts was; each part can be asked as well.
- */
+/** Another robot in the robot's memory. Its position is the mean of its visible parts, which are available separately as well. */
 public final class PlayerItem extends FieldItem {
 
     private final String team;
@@ -28,20 +26,17 @@ public final class PlayerItem extends FieldItem {
 
     @Override
     Direction calculatedDirection() {
-        double x = 0;
-        double y = 0;
-        double z = 0;
+        Vector3 sum = Vector3.ZERO;
         int count = 0;
         for (FieldItem part : parts.values()) {
             if (part.lastSeenSeconds() == lastSeenSeconds()) {
-                Vector3 place = part.position();
-                x += place.x();
-                y += place.y();
-                z += place.z();
+                sum = sum.plus(part.position());
                 count++;
             }
         }
-        return count == 0 ? super.calculatedDirection() : Direction.of(new Vector3(x / count, y / count, z / count));
+        return count == 0
+                ? super.calculatedDirection()
+                : Direction.of(new Vector3(sum.x() / count, sum.y() / count, sum.z() / count));
     }
 
     /** {@return the name of the robot's team} */
@@ -49,7 +44,7 @@ public final class PlayerItem extends FieldItem {
         return team;
     }
 
-    /** {@return the number on the robot's shirt, 1 to 11; 0 if it has none yet} */
+    /** {@return the robot's player number, 1 to 11; 0 if it has none yet} */
     public int number() {
         return number;
     }
@@ -60,12 +55,12 @@ public final class PlayerItem extends FieldItem {
     }
 
     /**
-     * Returns one part of the robot's body.
+     * Returns a part of the robot's body.
      *
-     * @param part which part
+     * @param part the part
      * @return the part, known or not
      */
-    @SuppressWarnings("NullAway") // the map has each part
+    @SuppressWarnings("NullAway") // the map contains every part
     public FieldItem part(BodyPart part) {
         return parts.get(part);
     }

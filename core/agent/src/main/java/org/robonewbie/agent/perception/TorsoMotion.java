@@ -3,19 +3,19 @@ package org.robonewbie.agent.perception;
 import org.robonewbie.nao.Vector3;
 
 /**
- * The readings of gyroscope and accelerometer in the torso; x is forward, y to the left and z up.
+ * Readings of gyroscope and accelerometer in the torso; x is forward, y left and z up.
  *
- * @param gyro angular velocity in degrees per second: x is positive while the right side goes down, y while the torso bends
+ * @param gyro angular velocity in degrees per second: x is positive while the torso tilts to its right, y while it tilts
  *     forward, z while it turns left
  * @param acceleration specific force in m/s²: (0, 0, 9.81) at rest
  */
 public record TorsoMotion(Vector3 gyro, Vector3 acceleration) {
 
-    /** The readings of a robot at rest. */
+    /** Readings of a robot at rest. */
     public static final TorsoMotion AT_REST = new TorsoMotion(Vector3.ZERO, new Vector3(0, 0, 9.81));
 
     /**
-     * Replaces the reading of the gyroscope.
+     * Returns a copy with another gyroscope reading.
      *
      * @param newGyro degrees per second
      * @return the new readings
@@ -25,7 +25,7 @@ public record TorsoMotion(Vector3 gyro, Vector3 acceleration) {
     }
 
     /**
-     * Replaces the reading of the accelerometer.
+     * Returns a copy with another accelerometer reading.
      *
      * @param newAcceleration m/s²
      * @return the new readings

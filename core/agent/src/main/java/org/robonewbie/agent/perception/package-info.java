@@ -1,5 +1,5 @@
 /**
- * What the robot makes of its perceptors: what it remembers of the field, and whether it stands. Read {@link
+ * Processed perception: the memory of the field, and the detection of falls. Read {@link
  * org.robonewbie.agent.perception.LocalFieldView} first.
  */
 @org.jspecify.annotations.NullMarked

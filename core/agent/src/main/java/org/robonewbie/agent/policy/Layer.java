@@ -4,12 +4,12 @@ import java.util.Arrays;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * A fully connected layer of a neural network: each output is the activation of a weighted sum of all inputs and a bias.
+ * Fully connected layer of a neural network: each output is the activation of a weighted sum of all inputs and a bias.
  *
- * @param inputs how many numbers go in
- * @param outputs how many numbers come out
+ * @param inputs number of inputs
+ * @param outputs number of outputs
  * @param activation applied to each sum
- * @param numbers for each output its bias and then the weight of each input
+ * @param numbers for each output its bias, then the weight of each input
  */
 @SuppressWarnings("ArrayRecordComponent")
 record Layer(int inputs, int outputs, Activation activation, double[] numbers) {
@@ -34,7 +34,6 @@ record Layer(int inputs, int outputs, Activation activation, double[] numbers) {
         abstract double of(double sum);
     }
 
-    /** Copies the numbers and counts them. */
     Layer {
         numbers = numbers.clone();
         if (numbers.length != size(inputs, outputs)) {
@@ -43,7 +42,6 @@ record Layer(int inputs, int outputs, Activation activation, double[] numbers) {
         }
     }
 
-    /** How many numbers a layer needs. */
     static int size(int inputs, int outputs) {
         return outputs * (inputs + 1);
     }
@@ -61,7 +59,6 @@ record Layer(int inputs, int outputs, Activation activation, double[] numbers) {
         return output;
     }
 
-    /** The bias and the weights of one output. */
     double[] row(int output) {
         return Arrays.copyOfRange(numbers, output * (inputs + 1), (output + 1) * (inputs + 1));
     }

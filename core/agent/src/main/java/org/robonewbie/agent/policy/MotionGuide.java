@@ -13,8 +13,8 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * A motion that a policy corrects while it plays: where it wants the joints in each cycle, and how far it has got, in numbers that a
- * network can take.
+ * A keyframe motion that a policy corrects: the reference posture in each cycle, and the progress of the motion as inputs of a
+ * network.
  *
  * <pre>{@code
  * MotionGuide guide = new MotionGuide(motion, postureNow);
@@ -23,24 +23,24 @@ import org.robonewbie.nao.motion.Posture;
  */
 public final class MotionGuide {
 
-    /** The name of a policy's numbers that are a motion: for each keyframe its milliseconds and the degrees of all joints. */
+    /** Name of the policy's numbers for the motion: for each keyframe its milliseconds and the degrees of all joints. */
     public static final String MOTION = "motion";
 
     private static final int WAVES = 3;
     private static final int NUMBERS_PER_KEYFRAME = 1 + Joint.COUNT;
     private static final double MILLIS_PER_CYCLE = 1000 * Cycle.SECONDS;
 
-    /** How far the motion has got: sines and cosines of growing multiples of half a turn, which is the whole motion. */
+    /** Inputs for the progress of the motion: sines and cosines of multiples of half a turn, which is the whole motion. */
     public static final List<Quantity> PROGRESS = progress();
 
     private final Motion motion;
     private final Posture start;
 
     /**
-     * Prepares a motion.
+     * Creates a guide.
      *
      * @param motion the motion
-     * @param start the posture in which it begins
+     * @param start posture at the beginning
      */
     public MotionGuide(Motion motion, Posture start) {
         this.motion = motion;
@@ -48,7 +48,7 @@ public final class MotionGuide {
     }
 
     /**
-     * Writes a motion as a policy carries it.
+     * Encodes a motion as numbers of a policy.
      *
      * @param motion the motion
      * @return for each keyframe its milliseconds and the degrees of all joints
@@ -63,17 +63,17 @@ public final class MotionGuide {
     }
 
     /**
-     * Reads the motion of a policy.
+     * Decodes the motion of a policy.
      *
-     * @param name what the motion is called
-     * @param numbers as {@link #numbers} writes them
+     * @param name name of the motion
+     * @param numbers as returned by {@link #numbers}
      * @return the motion
-     * @throws IllegalArgumentException if a keyframe is not complete
+     * @throws IllegalArgumentException if a keyframe is incomplete
      */
     public static Motion motion(String name, double... numbers) {
         if (numbers.length % NUMBERS_PER_KEYFRAME != 0) {
             throw new IllegalArgumentException("A motion of " + numbers.length
-                    + " numbers has no whole keyframes; each has " + NUMBERS_PER_KEYFRAME + " numbers.");
+                    + " numbers contains an incomplete keyframe; each has " + NUMBERS_PER_KEYFRAME + " numbers.");
         }
         List<Keyframe> keyframes = new ArrayList<>();
         for (int i = 0; i < numbers.length; i += NUMBERS_PER_KEYFRAME) {
@@ -93,9 +93,9 @@ public final class MotionGuide {
     }
 
     /**
-     * Returns where the motion wants the joints.
+     * Returns the reference posture.
      *
-     * @param cycles how many cycles of 20 ms after its beginning
+     * @param cycles cycles of 20 ms since the beginning
      * @return the posture; the last one after the end
      */
     public Posture posture(int cycles) {
@@ -119,10 +119,10 @@ public final class MotionGuide {
     }
 
     /**
-     * Returns how far the motion has got.
+     * Returns the progress of the motion.
      *
-     * @param cycles how many cycles of 20 ms after its beginning
-     * @return the {@link #PROGRESS}; a new array
+     * @param cycles cycles of 20 ms since the beginning
+     * @return the {@link #PROGRESS}, as a new array
      */
     public double[] progress(int cycles) {
         double angle = Math.PI * Math.min(1, cycles * MILLIS_PER_CYCLE / Math.max(1, motion.durationMillis()));
@@ -137,7 +137,7 @@ public final class MotionGuide {
     /**
      * Returns whether the motion is over.
      *
-     * @param cycles how many cycles of 20 ms after its beginning
+     * @param cycles cycles of 20 ms since the beginning
      * @return whether it has reached its last posture
      */
     public boolean isOver(int cycles) {

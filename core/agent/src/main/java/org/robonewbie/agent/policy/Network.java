@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.stream.DoubleStream;
 
 /**
- * A small neural network: {@link Layer layers} one after the other. The same numbers give the same answer on each platform.
+ * Small feed-forward neural network. The same numbers yield the same output on every platform.
  *
  * <pre>{@code
  * Network network = Network.of(new int[] {2, 8, 1}, numbers);
@@ -17,25 +17,25 @@ public final class Network {
 
     private final List<Layer> layers;
 
-    /** Joins layers of which each takes what the one before gives. */
+    /** Joins layers; the inputs of each must match the outputs of the previous one. */
     Network(List<Layer> layers) {
         this.layers = List.copyOf(layers);
         for (int i = 1; i < layers.size(); i++) {
             if (layers.get(i).inputs() != layers.get(i - 1).outputs()) {
-                throw new IllegalArgumentException("Layer " + (i + 1) + " takes "
-                        + layers.get(i).inputs() + " numbers, but the one before gives "
-                        + layers.get(i - 1).outputs() + ".");
+                throw new IllegalArgumentException("Layer " + (i + 1) + " has "
+                        + layers.get(i).inputs() + " inputs, but the previous layer has "
+                        + layers.get(i - 1).outputs() + " outputs.");
             }
         }
     }
 
     /**
-     * Creates a network whose layers all press their sums by the hyperbolic tangent.
+     * Creates a network with the activation function tanh in all layers.
      *
-     * @param sizes how many numbers go in and how many come out of each layer
-     * @param numbers layer by layer, for each output its bias and then the weight of each input; {@link #size} of them
+     * @param sizes number of inputs, then number of outputs of each layer
+     * @param numbers layer by layer, for each output its bias, then the weight of each input; {@link #size} numbers
      * @return the network
-     * @throws IllegalArgumentException if the number of numbers is wrong
+     * @throws IllegalArgumentException if there are too few or too many numbers
      */
     public static Network of(int[] sizes, double... numbers) {
         if (numbers.length != size(sizes)) {
@@ -53,10 +53,10 @@ public final class Network {
     }
 
     /**
-     * Counts the numbers of a network.
+     * Counts the parameters of a network.
      *
-     * @param sizes how many numbers go in and how many come out of each layer
-     * @return how many weights and biases there are
+     * @param sizes number of inputs, then number of outputs of each layer
+     * @return number of weights and biases
      */
     public static int size(int... sizes) {
         int size = 0;
@@ -70,17 +70,17 @@ public final class Network {
         return layers;
     }
 
-    /** {@return how many numbers go in} */
+    /** {@return the number of inputs} */
     public int inputs() {
         return layers.get(0).inputs();
     }
 
-    /** {@return how many numbers come out} */
+    /** {@return the number of outputs} */
     public int outputs() {
         return layers.get(layers.size() - 1).outputs();
     }
 
-    /** {@return the numbers of all layers, as for {@link #of}; a new array} */
+    /** {@return the numbers of all layers as for {@link #of}, as a new array} */
     public double[] numbers() {
         return layers.stream()
                 .flatMapToDouble(layer -> DoubleStream.of(layer.numbers()))
@@ -88,10 +88,10 @@ public final class Network {
     }
 
     /**
-     * Calculates the answer.
+     * Evaluates the network.
      *
-     * @param input as many numbers as the first layer takes
-     * @return the last layer's outputs, each from -1 to 1
+     * @param input values of the inputs
+     * @return the outputs, each from -1 to 1
      */
     public double[] apply(double... input) {
         double[] values = input;

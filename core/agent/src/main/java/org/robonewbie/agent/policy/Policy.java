@@ -6,8 +6,8 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * What a robot has learned: a network, what its inputs and outputs mean, and the numbers of what it corrects, such as those of a
- * gait. {@link PolicyText} writes it as a text that people can read.
+ * A learned policy: a network, the names and units of its inputs and outputs, and numbers of the behaviour that it corrects,
+ * such as those of a gait. {@link PolicyText} is its text format.
  *
  * <pre>{@code
  * Policy policy = PolicyFile.shipped("walk");
@@ -15,11 +15,11 @@ import java.util.TreeMap;
  * walk.towards(0.8, 0, 0);
  * }</pre>
  *
- * @param task what was learned, such as {@code walk}
- * @param about how it was learned: lines for people
+ * @param task name of the task, such as {@code walk}
+ * @param about remarks about the training
  * @param numbers other numbers by name
- * @param inputs what the network takes
- * @param outputs what the network gives
+ * @param inputs inputs of the network
+ * @param outputs outputs of the network
  * @param network the network
  */
 public record Policy(
@@ -30,13 +30,13 @@ public record Policy(
         List<Quantity> outputs,
         Network network) {
 
-    /** The name of the number that says how many cycles an action lasts, if it lasts more than one. */
+    /** Name of the number of cycles for which an action is held; 1 if absent. */
     public static final String CYCLES_PER_ACTION = "cycles-per-action";
 
     /**
-     * Copies the lists and counts inputs and outputs.
+     * Copies the collections and checks the numbers of inputs and outputs.
      *
-     * @throws IllegalArgumentException if the network takes or gives another number of numbers
+     * @throws IllegalArgumentException if they do not match the network
      */
     public Policy {
         about = List.copyOf(about);
@@ -44,19 +44,19 @@ public record Policy(
         inputs = List.copyOf(inputs);
         outputs = List.copyOf(outputs);
         if (network.inputs() != inputs.size() || network.outputs() != outputs.size()) {
-            throw new IllegalArgumentException("The network takes " + network.inputs() + " numbers and gives "
-                    + network.outputs() + ", but " + inputs.size() + " inputs and " + outputs.size()
-                    + " outputs have a name.");
+            throw new IllegalArgumentException("The network has " + network.inputs() + " inputs and "
+                    + network.outputs() + " outputs, but " + inputs.size() + " inputs and " + outputs.size()
+                    + " outputs are named.");
         }
     }
 
     /**
-     * Looks numbers up.
+     * Looks up numbers.
      *
-     * @param name what they are called
-     * @param count how many they have to be
+     * @param name name of the numbers
+     * @param count expected count
      * @return the numbers
-     * @throws IllegalArgumentException if there are none of this name, or not so many
+     * @throws IllegalArgumentException if there are none of this name, or another count
      */
     public double[] numbers(String name, int count) {
         List<Double> found = numbers.getOrDefault(name, List.of());
@@ -67,17 +67,17 @@ public record Policy(
         return found.stream().mapToDouble(Double::doubleValue).toArray();
     }
 
-    /** {@return for how many cycles of 20 ms the robot keeps what the network gives, 1 unless it was learned in another way} */
+    /** {@return the number of cycles of 20 ms for which an action is held, at least 1} */
     public int cyclesPerAction() {
         return numbers.containsKey(CYCLES_PER_ACTION) ? Math.max(1, (int) numbers(CYCLES_PER_ACTION, 1)[0]) : 1;
     }
 
     /**
-     * Checks that the network was learned for these inputs and outputs.
+     * Checks that the network has given inputs and outputs.
      *
-     * @param wantedInputs what it will be given
-     * @param wantedOutputs what it is expected to give
-     * @throws IllegalArgumentException if it was not; the text names the first one that differs
+     * @param wantedInputs the expected inputs
+     * @param wantedOutputs the expected outputs
+     * @throws IllegalArgumentException if it has others; the message names the first difference
      */
     public void require(List<Quantity> wantedInputs, List<Quantity> wantedOutputs) {
         require("input", inputs, wantedInputs);

@@ -9,7 +9,7 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 
 /**
- * Policies as text: one statement in each line, words with blanks between. Lines that begin with # are for people.
+ * Text format of policies: one statement per line, words separated by blanks. Lines that begin with # are remarks.
  *
  * <pre>
  * policy 1 walk
@@ -21,15 +21,15 @@ import java.util.stream.Collectors;
  * 0.01 -0.3
  * </pre>
  *
- * <p>After a layer with its numbers of inputs and outputs there is a line for each output: its bias and the weights of all inputs.
- * What a layer gives is pressed between -1 and 1, by {@code tanh} or by {@code cut}, which cuts off what is beyond.
+ * <p>A layer with its numbers of inputs and outputs is followed by a line for each output: its bias and the weights of all
+ * inputs. The activation function is {@code tanh} or {@code cut}, which clips to -1 and 1.
  */
 public final class PolicyText {
 
     private static final String HEAD = "policy 1 ";
     private static final String REMARK = "#";
     private static final int WORDS = 3;
-    private static final int WIDEST_LAYER = 1024;
+    private static final int MAX_LAYER_WIDTH = 1024;
 
     private String task = "";
     private final List<String> about = new ArrayList<>();
@@ -43,11 +43,11 @@ public final class PolicyText {
     private PolicyText() {}
 
     /**
-     * Reads a policy.
+     * Parses a policy.
      *
      * @param text the text
      * @return the policy
-     * @throws IllegalArgumentException if the text is none; the message names the line
+     * @throws IllegalArgumentException if the text is invalid; the message names the line
      */
     public static Policy parse(String text) {
         PolicyText reader = new PolicyText();
@@ -82,9 +82,8 @@ public final class PolicyText {
 
     private void readStatement(String... words) {
         if (words.length < WORDS) {
-            throw new IllegalArgumentException(
-                    "Something is missing. Examples of whole lines: \"input tilt.pitch 10 degrees\","
-                            + " \"numbers range 20\", \"layer 1 1 tanh\".");
+            throw new IllegalArgumentException("The line is incomplete. Examples: \"input tilt.pitch 10 degrees\","
+                    + " \"numbers range 20\", \"layer 1 1 tanh\".");
         }
         switch (words[0]) {
             case "numbers" ->
@@ -94,15 +93,15 @@ public final class PolicyText {
             case "input" -> inputs.add(new Quantity(words[1], words[2]));
             case "output" -> outputs.add(new Quantity(words[1], words[2]));
             case "layer" -> beginLayer(Integer.parseInt(words[1]), words[2].split("\\s+"));
-            default -> throw new IllegalArgumentException("There are: numbers, input, output, layer.");
+            default -> throw new IllegalArgumentException("Known statements: numbers, input, output, layer.");
         }
     }
 
     private void beginLayer(int from, String... rest) {
         int to = Integer.parseInt(rest[0]);
-        if (rest.length < 2 || from < 1 || from > WIDEST_LAYER || to < 1 || to > WIDEST_LAYER) {
-            throw new IllegalArgumentException(
-                    "A layer has 1 to " + WIDEST_LAYER + " inputs and outputs, and tanh or cut: \"layer 12 6 tanh\".");
+        if (rest.length < 2 || from < 1 || from > MAX_LAYER_WIDTH || to < 1 || to > MAX_LAYER_WIDTH) {
+            throw new IllegalArgumentException("A layer has 1 to " + MAX_LAYER_WIDTH
+                    + " inputs and outputs, and tanh or cut: \"layer 12 6 tanh\".");
         }
         layers.add(new Layer(
                 from,
@@ -131,23 +130,23 @@ public final class PolicyText {
     private static double[] numbers(String... words) {
         double[] numbers = Arrays.stream(words).mapToDouble(Double::parseDouble).toArray();
         if (!Double.isFinite(Arrays.stream(numbers).sum())) {
-            throw new IllegalArgumentException("All numbers have to be finite.");
+            throw new IllegalArgumentException("All numbers must be finite.");
         }
         return numbers;
     }
 
     private Policy policy() {
         if (layers.isEmpty() || missing > 0) {
-            throw new IllegalArgumentException("The policy \"" + task + "\" is not complete.");
+            throw new IllegalArgumentException("The policy \"" + task + "\" is incomplete.");
         }
         return new Policy(task, about, numbers, inputs, outputs, new Network(layers));
     }
 
     /**
-     * Writes a policy.
+     * Formats a policy.
      *
      * @param policy the policy
-     * @return a text that {@link #parse} reads, with six digits of each weight
+     * @return a text that {@link #parse} reads, with six significant digits for each number
      */
     public static String format(Policy policy) {
         List<String> lines = new ArrayList<>();
@@ -157,8 +156,8 @@ public final class PolicyText {
         policy.inputs().forEach(input -> lines.add("input " + input.name() + " " + input.unit()));
         policy.outputs().forEach(output -> lines.add("output " + output.name() + " " + output.unit()));
         for (Layer layer : policy.network().layers()) {
-            String bend = layer.activation().name().toLowerCase(Locale.ROOT);
-            lines.add("layer " + layer.inputs() + " " + layer.outputs() + " " + bend);
+            String activation = layer.activation().name().toLowerCase(Locale.ROOT);
+            lines.add("layer " + layer.inputs() + " " + layer.outputs() + " " + activation);
             for (int i = 0; i < layer.outputs(); i++) {
                 lines.add(words(Arrays.stream(layer.row(i)).boxed().toList()));
             }

@@ -1,9 +1,9 @@
 package org.robonewbie.agent.policy;
 
 /**
- * A number that a policy takes or gives.
+ * An input or output of a policy.
  *
  * @param name such as {@code gyro.forward}
- * @param unit such as {@code degrees/s}, or {@code 10 degrees} if the number is the multiple of that; {@code 1} for a mere number
+ * @param unit such as {@code degrees/s}, or {@code 10 degrees} for a multiple of that; {@code 1} if dimensionless
  */
 public record Quantity(String name, String unit) {}

@@ -6,7 +6,7 @@ import org.robonewbie.agent.Options;
 import org.robonewbie.agent.StartUpException;
 import org.robonewbie.protocol.frame.AgentLink;
 
-/** A robot that runs its own cycle in a thread and is steered by hand. */
+/** A manually controlled robot that runs its cycle in a thread. */
 final class RobotPuppet extends SteeredRobot {
 
     private final AgentLink link;
@@ -19,13 +19,13 @@ final class RobotPuppet extends SteeredRobot {
 
     static RobotPuppet start(AgentLink link, Options options) {
         RobotPuppet puppet = new RobotPuppet(link, options);
-        Thread thread = new Thread(puppet::live, "puppet");
+        Thread thread = new Thread(puppet::run, "puppet");
         thread.setDaemon(true);
         thread.start();
         return puppet;
     }
 
-    private void live() {
+    private void run() {
         try (Nao nao = AgentDriver.connect(link, options)) {
             begin(nao);
             while (nao.sense()) {

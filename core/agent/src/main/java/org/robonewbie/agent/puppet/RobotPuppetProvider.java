@@ -4,7 +4,7 @@ import org.robonewbie.protocol.embedded.Puppet;
 import org.robonewbie.protocol.embedded.PuppetProvider;
 import org.robonewbie.protocol.frame.AgentLink;
 
-/** Creates puppets that walk and move as all robots of this framework do; found by {@link java.util.ServiceLoader}. */
+/** Provider of puppets that use the walk and the motions of this framework; found by {@link java.util.ServiceLoader}. */
 public final class RobotPuppetProvider implements PuppetProvider {
 
     /** Creates the provider. */

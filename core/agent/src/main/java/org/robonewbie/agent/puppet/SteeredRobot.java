@@ -11,25 +11,25 @@ import org.robonewbie.agent.walk.Walk;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.protocol.embedded.Puppet;
 
-/** A robot that is steered by hand, whoever turns its cycle. It gets up by itself after a fall. */
+/** A manually controlled robot, independent of the owner of its cycle. It gets up automatically after a fall. */
 public abstract class SteeredRobot implements Puppet {
 
     private static final double HAND_DEGREES_PER_SECOND = 180;
     private static final double HEAD_DEGREES_PER_SECOND = 120;
 
-    private final List<Consumer<Nao>> wishes = new ArrayList<>();
+    private final List<Consumer<Nao>> commands = new ArrayList<>();
     private final Map<Joint, Double> held = new EnumMap<>(Joint.class);
 
-    /** Creates a robot of which nobody wants anything yet. */
+    /** Creates a robot without pending commands. */
     protected SteeredRobot() {}
 
     /**
-     * Says who a robot is.
+     * Returns the options of a puppet.
      *
      * @param team name of its team
      * @param number its number; 0 takes any free one
      * @param type its robot type, 0 to 4
-     * @return how it enters the game
+     * @return its options
      */
     public static Options options(String team, int number, int type) {
         return Options.none()
@@ -39,7 +39,7 @@ public abstract class SteeredRobot implements Puppet {
     }
 
     /**
-     * Prepares a robot that has just entered.
+     * Prepares a robot that has just joined.
      *
      * @param nao the robot
      */
@@ -48,44 +48,47 @@ public abstract class SteeredRobot implements Puppet {
     }
 
     /**
-     * Sets what the robot does in this cycle, after it has sensed and before it acts.
+     * Sets the commands of this cycle; call it after sensing and before acting.
      *
      * @param nao the robot
      */
     protected final void move(Nao nao) {
-        wishes().forEach(wish -> wish.accept(nao));
+        takeCommands().forEach(command -> command.accept(nao));
         if (held.isEmpty() && nao.isFallen() && nao.motions().isFinished()) {
             nao.motions().startGetUp();
         }
         held.forEach((joint, degrees) -> nao.setJointAngle(joint, degrees, HAND_DEGREES_PER_SECOND));
     }
 
-    private List<Consumer<Nao>> wishes() {
-        synchronized (wishes) {
-            List<Consumer<Nao>> all = List.copyOf(wishes);
-            wishes.clear();
+    private List<Consumer<Nao>> takeCommands() {
+        synchronized (commands) {
+            List<Consumer<Nao>> all = List.copyOf(commands);
+            commands.clear();
             return all;
         }
     }
 
-    private void wish(Consumer<Nao> wish) {
-        synchronized (wishes) {
-            wishes.add(wish);
+    private void enqueue(Consumer<Nao> command) {
+        synchronized (commands) {
+            commands.add(command);
         }
     }
 
     @Override
     public final void walk(double forward, double left, double turn) {
-        wish(nao -> {
+        enqueue(nao -> {
             held.clear();
             nao.walk()
-                    .towards(part(forward) * Walk.MAX_FORWARD, part(left) * Walk.MAX_LEFT, part(turn) * Walk.MAX_TURN);
+                    .towards(
+                            clamp(forward) * Walk.MAX_FORWARD,
+                            clamp(left) * Walk.MAX_LEFT,
+                            clamp(turn) * Walk.MAX_TURN);
         });
     }
 
     @Override
     public final void perform(String motion) {
-        wish(nao -> {
+        enqueue(nao -> {
             held.clear();
             nao.motions().start(motion);
         });
@@ -93,7 +96,7 @@ public abstract class SteeredRobot implements Puppet {
 
     @Override
     public final void look(double yawDegrees, double pitchDegrees) {
-        wish(nao -> {
+        enqueue(nao -> {
             nao.setJointAngle(Joint.NECK_YAW, yawDegrees, HEAD_DEGREES_PER_SECOND);
             nao.setJointAngle(Joint.NECK_PITCH, pitchDegrees, HEAD_DEGREES_PER_SECOND);
         });
@@ -101,7 +104,7 @@ public abstract class SteeredRobot implements Puppet {
 
     @Override
     public final void hold(Joint joint, double degrees) {
-        wish(nao -> {
+        enqueue(nao -> {
             nao.walk().stop();
             nao.motions().stop();
             held.put(joint, degrees);
@@ -113,7 +116,7 @@ public abstract class SteeredRobot implements Puppet {
         perform("stand");
     }
 
-    private static double part(double value) {
+    private static double clamp(double value) {
         return Double.isFinite(value) ? Math.max(-1, Math.min(1, value)) : 0;
     }
 }

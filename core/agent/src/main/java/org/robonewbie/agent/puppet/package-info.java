@@ -1,7 +1,7 @@
 /**
- * Robots that people move by hand from the studio. In the studio each turns its cycle in a thread of its own.
+ * Robots that are moved by hand from the studio, where each runs its cycle in a separate thread.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.agent.puppet;

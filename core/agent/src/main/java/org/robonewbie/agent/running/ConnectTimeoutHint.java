@@ -6,8 +6,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Advice that is printed when the server does not answer: another program may use its port, or the simulator is paused or
- * waits for more players. The robot continues to wait.
+ * Hint that is printed when the server does not answer: another program may use its port, or the simulator is paused or waits
+ * for more players. The robot continues to wait.
  */
 public final class ConnectTimeoutHint implements AutoCloseable {
 
@@ -20,9 +20,9 @@ public final class ConnectTimeoutHint implements AutoCloseable {
     }
 
     /**
-     * Prints the hint on {@code System.err} unless it is closed within five seconds.
+     * Schedules the hint on {@code System.err} in five seconds, unless it is closed before.
      *
-     * @param place where it listens, such as {@code localhost:3100}
+     * @param place address of the server, such as {@code localhost:3100}
      * @return the hint; close it when the server has answered
      */
     public static ConnectTimeoutHint of(String place) {
@@ -31,8 +31,8 @@ public final class ConnectTimeoutHint implements AutoCloseable {
 
     static ConnectTimeoutHint after(Duration timeout, String place, PrintStream err) {
         Runnable print = () -> err.println("No answer from " + place + " for " + timeout.toSeconds()
-                + " s; the robot goes on waiting. Is the simulator there paused, or does it wait for more players? If another program uses"
-                + " the port (\"robonewbie doctor\" looks), --seed 1 starts a simulator of its own.");
+                + " s; still waiting. Is that simulator paused, or does it wait for more players? If another program uses"
+                + " the port (\"robonewbie doctor\" looks), --seed 1 starts an embedded simulator.");
         return new ConnectTimeoutHint(CompletableFuture.runAsync(
                 print, CompletableFuture.delayedExecutor(timeout.toMillis(), TimeUnit.MILLISECONDS)));
     }

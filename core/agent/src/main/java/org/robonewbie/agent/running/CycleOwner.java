@@ -2,14 +2,14 @@ package org.robonewbie.agent.running;
 
 import java.util.Locale;
 
-/** Who turns the cycle of a robot, which decides what a slow program is told. */
+/** Owner of the cycle, which decides the wording of reports about slow programs. */
 public enum CycleOwner {
 
     /** The framework, which calls {@code think()}. */
     FRAMEWORK("think()", "think() has not returned", "it is called"),
 
     /** The program itself, by {@code sense()} and {@code act()}. */
-    PROGRAM("The program", "The program has not called sense()", "sense() is to be called");
+    PROGRAM("The program", "The program has not called sense()", "sense() must be called");
 
     private final String subject;
     private final String stall;
@@ -21,16 +21,16 @@ public enum CycleOwner {
         this.rhythm = rhythm;
     }
 
-    /** What is wrong with a program that does not go on. */
+    /** Describes a program that has stalled. */
     String stall(String howLong) {
         return stall + " for " + howLong + ". Is this an endless loop, or does it wait for something?";
     }
 
     /**
-     * Returns what a slow program does.
+     * Describes a slow program.
      *
      * @param slowness what makes it slow
-     * @param place the line, such as {@code " at Walker.java:9"}; empty if it is said elsewhere
+     * @param place the line, such as {@code " at Walker.java:9"}; empty if it is reported elsewhere
      * @return a sentence
      */
     public String finding(Slowness slowness, String place) {

@@ -13,8 +13,8 @@ import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 
 /**
- * Reports cycles that miss the simulator's deadline. A robot that falls behind catches up: it senses the messages that have arrived
- * meanwhile without thinking about each of them.
+ * Message port that reports cycles which miss the simulator's deadline. A robot that falls behind catches up: it senses the
+ * pending messages without thinking about each of them.
  */
 public final class DeadlineMonitor implements MessagePort {
 
@@ -36,10 +36,10 @@ public final class DeadlineMonitor implements MessagePort {
     /**
      * Creates a monitor of a port.
      *
-     * @param port the port
+     * @param port the monitored port
      * @param robot receives the reports
      * @param slowPlace file and line where the robot's program spent its time; may be empty
-     * @param nanoseconds the clock, as {@link System#nanoTime}
+     * @param nanoseconds the clock, such as {@link System#nanoTime}
      */
     public DeadlineMonitor(LinkPort port, RobotRuntime robot, Supplier<String> slowPlace, LongSupplier nanoseconds) {
         this.port = port;
@@ -61,7 +61,7 @@ public final class DeadlineMonitor implements MessagePort {
         return received;
     }
 
-    /** How much older the message is than the newest could be; 0 if no other is waiting. */
+    /** Delay of the message in seconds, relative to the last message that was not late. */
     private double secondsBehind(OptionalDouble messageSeconds) throws IOException {
         if (messageSeconds.isEmpty()) {
             return 0;
@@ -73,7 +73,7 @@ public final class DeadlineMonitor implements MessagePort {
         return clockAhead - clockAheadSeconds;
     }
 
-    /** Senses all messages but the newest one. */
+    /** Senses all pending messages but the newest. */
     private boolean catchUp(double behind) throws IOException {
         int skipped = 0;
         boolean received = true;
@@ -82,26 +82,14 @@ public final class DeadlineMonitor implements MessagePort {
             skipped++;
             received = port.receive();
         }
-        reportPast(behind, skipped);
-        return received;
-    }
-
-    private void reportPast(double behind, int skipped) {
         robot.log().warning("was %.1f s behind the simulator; skipped %d cycles", behind, skipped);
-        robot.diagnostics()
-                .reportAt(
-                        slowPlace.get(),
-                        "behind in period " + period(),
-                        () -> String.format(
-                                Locale.ROOT,
-                                "The robot lived %.1f s in the past, since its cycles take longer than 20 ms: it skips %d of them to"
-                                        + " be in the present again. Compute less in a cycle.",
-                                behind,
-                                skipped));
-    }
-
-    private long period() {
-        return (long) (robot.sensors().seconds() / SECONDS_BETWEEN_REPORTS);
+        report(
+                "behind",
+                "The robot was %.1f s behind the simulator, since its cycles take longer than 20 ms; it skipped %d cycles."
+                        + " Compute less in a cycle.",
+                behind,
+                skipped);
+        return received;
     }
 
     @Override
@@ -116,7 +104,13 @@ public final class DeadlineMonitor implements MessagePort {
             lateCycles++;
             robot.log().warning("cycle %d came late: it took %.0f ms", cycles, milliseconds);
             if (robot.sensors().seconds() - bornSeconds > WARM_UP_SECONDS) {
-                report(milliseconds);
+                report(
+                        "late",
+                        "Cycle %d took %.0f ms, but the simulator advances after 20 ms; compute less in a cycle, and log"
+                                + " instead of printing. Late cycles so far: %d.",
+                        cycles,
+                        milliseconds,
+                        lateCycles);
             }
         }
         port.send(commands);
@@ -127,19 +121,13 @@ public final class DeadlineMonitor implements MessagePort {
         port.close();
     }
 
-    /** Reports a late cycle, at most once in ten seconds for the same line of the program. */
-    private void report(double milliseconds) {
-        long period = period();
+    /** Reports a problem, at most once in ten seconds for each line of the program. */
+    private void report(String kind, String pattern, Object... values) {
+        long period = (long) (robot.sensors().seconds() / SECONDS_BETWEEN_REPORTS);
         robot.diagnostics()
                 .reportAt(
                         slowPlace.get(),
-                        "late in period " + period,
-                        () -> String.format(
-                                Locale.ROOT,
-                                "Cycle %d took %.0f ms, but the simulator waits only 20 ms and has gone on; compute less"
-                                        + " in a cycle, and log instead of printing. Late cycles so far: %d.",
-                                cycles,
-                                milliseconds,
-                                lateCycles));
+                        kind + " in period " + period,
+                        () -> String.format(Locale.ROOT, pattern, values));
     }
 }

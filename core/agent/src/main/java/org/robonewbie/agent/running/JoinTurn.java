@@ -5,8 +5,8 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
 /**
- * The turn of one robot to join a server, which the next robot of the same program awaits. rcssserver3d puts all robots that join in the
- * same moment into the same place, and the contacts of eleven of them keep it busy for minutes.
+ * The turn of one robot to join a server; the next robot of the same program waits for its end. rcssserver3d puts robots that
+ * join simultaneously into the same place, and the contacts of eleven of them keep it busy for minutes.
  */
 public final class JoinTurn {
 
@@ -16,7 +16,7 @@ public final class JoinTurn {
     private final CountDownLatch answered = new CountDownLatch(1);
     private final CountDownLatch ended = new CountDownLatch(1);
 
-    /** Begins a turn. */
+    /** Starts a turn. */
     public JoinTurn() {
         this(SILENCE);
     }
@@ -25,7 +25,7 @@ public final class JoinTurn {
         this.silence = silence;
     }
 
-    /** Notes that the server has answered the robot. */
+    /** Marks that the server has answered the robot. */
     public void answered() {
         answered.countDown();
     }
@@ -37,9 +37,9 @@ public final class JoinTurn {
     }
 
     /**
-     * Waits until the turn is over, or until the server has not answered for a second.
+     * Waits until the turn is over, or for a second until the server answers.
      *
-     * @return whether the server answers; one that does not holds its first cycle until more robots have come
+     * @return whether the server answers; one that does not is holding its first cycle until more robots have joined
      */
     public boolean await() {
         try {

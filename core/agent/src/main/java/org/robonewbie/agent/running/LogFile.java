@@ -12,13 +12,13 @@ import org.robonewbie.agent.log.LogLine;
 import org.robonewbie.agent.log.LogOverflow;
 import org.robonewbie.nao.file.TemporaryFiles;
 
-/** Moves the oldest lines of a very long log into a temporary file, a few at a time so that no cycle is late because of it. */
+/** Temporary file for the oldest lines of a very long log. Lines are moved in small batches so that no cycle is late. */
 public final class LogFile implements LogOverflow {
 
     private Optional<Path> file = Optional.empty();
     private long lines;
 
-    /** Creates an overflow that makes its file when it is needed. */
+    /** Creates an overflow whose file is created on demand. */
     public LogFile() {}
 
     @Override
@@ -33,7 +33,7 @@ public final class LogFile implements LogOverflow {
             }
             lines += oldest.size();
         } catch (IOException diskFull) {
-            throw new UncheckedIOException("The log is too long for the memory and for the disk", diskFull);
+            throw new UncheckedIOException("The log fits neither into memory nor onto the disk", diskFull);
         }
     }
 

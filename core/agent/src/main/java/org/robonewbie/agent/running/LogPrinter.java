@@ -3,7 +3,7 @@ package org.robonewbie.agent.running;
 import java.io.PrintStream;
 import org.robonewbie.agent.log.RunLog;
 
-/** Prints a robot's log when its run is over, however it ends: normally, by Ctrl-C, or because the program gives up. */
+/** Prints a robot's log at the end of its run, even after Ctrl-C or an exit of the program. */
 public final class LogPrinter implements AutoCloseable {
 
     private final RunLog log;
@@ -12,11 +12,11 @@ public final class LogPrinter implements AutoCloseable {
     private final Thread hook = new Thread(this::printAtShutdown, "log-printer");
 
     /**
-     * Waits for the end of the run.
+     * Registers the log for printing.
      *
-     * @param log the robot's log; what does not fit into memory goes to a file
-     * @param out where to print
-     * @param atInterrupt what else to do if the program is interrupted
+     * @param log the robot's log; lines that do not fit into memory go to a file
+     * @param out the output
+     * @param atInterrupt called in addition if the program is interrupted
      */
     public LogPrinter(RunLog log, PrintStream out, Runnable atInterrupt) {
         this.log = log;
@@ -32,7 +32,7 @@ public final class LogPrinter implements AutoCloseable {
             Runtime.getRuntime().removeShutdownHook(hook);
             log.print(out);
         } catch (IllegalStateException shuttingDown) {
-            // the hook is at work
+            // the shutdown hook prints the log
         }
     }
 

@@ -3,18 +3,18 @@ package org.robonewbie.agent.running;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The robots of one program that play at the same time, each in its thread. */
+/** The threads of the robots that one program runs concurrently. */
 public final class RobotThreads {
 
     private final List<Thread> threads = new ArrayList<>();
 
-    /** Starts without a robot. */
+    /** Creates an empty set. */
     public RobotThreads() {}
 
     /**
-     * Starts a robot.
+     * Starts a thread.
      *
-     * @param life what it does until it leaves the game
+     * @param life runs the robot until it leaves the game
      */
     public void start(Runnable life) {
         Thread thread = new Thread(life);

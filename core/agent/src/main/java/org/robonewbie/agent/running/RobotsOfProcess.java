@@ -5,7 +5,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.robonewbie.agent.log.Diagnostics;
 
-/** The robots of programs that turn the cycle themselves, whose {@code main} may return without a word about what went wrong. */
+/** Registry of robots whose programs run the cycle themselves, since such a {@code main} may return normally after errors. */
 public final class RobotsOfProcess {
 
     private static final Set<Diagnostics> PRESENT = ConcurrentHashMap.newKeySet();
@@ -14,18 +14,18 @@ public final class RobotsOfProcess {
     private RobotsOfProcess() {}
 
     /**
-     * Notes a robot that has entered a game.
+     * Registers a robot that has joined a game.
      *
-     * @param diagnostics its mistakes
+     * @param diagnostics its diagnostics
      */
     public static void enter(Diagnostics diagnostics) {
         PRESENT.add(diagnostics);
     }
 
     /**
-     * Notes that a robot has left its game.
+     * Unregisters a robot that has left its game.
      *
-     * @param diagnostics its mistakes
+     * @param diagnostics its diagnostics
      */
     public static void leave(Diagnostics diagnostics) {
         if (PRESENT.remove(diagnostics) && diagnostics.isSerious()) {
@@ -33,7 +33,7 @@ public final class RobotsOfProcess {
         }
     }
 
-    /** {@return how many robots could not do what their programs asked for, such as a motion that does not exist} */
+    /** {@return the number of robots with serious errors, such as a motion that does not exist} */
     public static int failures() {
         return FAILED_AND_GONE.get()
                 + (int) PRESENT.stream().filter(Diagnostics::isSerious).count();

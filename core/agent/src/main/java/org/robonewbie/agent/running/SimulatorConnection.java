@@ -2,6 +2,9 @@ package org.robonewbie.agent.running;
 
 import java.io.IOException;
 import java.nio.file.InvalidPathException;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
 import java.util.Optional;
 import java.util.ServiceLoader;
 import org.robonewbie.nao.file.PathEncoding;
@@ -13,13 +16,42 @@ import org.robonewbie.protocol.tcp.TelemetryClient;
 import org.robonewbie.protocol.tcp.TelemetryServer;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 
-/** A connection to the simulator in which robots live: one of this process, or a server that they join. */
-public abstract sealed class SimulatorConnection implements AutoCloseable {
+/** Connection to the simulator in which the robots live: an embedded one, or a server that they join. */
+public final class SimulatorConnection implements AutoCloseable {
 
-    private SimulatorConnection() {}
+    private static final String ALREADY_RUNNING =
+            ", which is already running. Watch it in the studio at the address in the"
+                    + " terminal where it was started. For a fresh start stop it first, or add --seed 1.";
+
+    private final boolean server;
+    private final String place;
+    private final String description;
+    private final TelemetrySink telemetry;
+    private final Connector connector;
+    private final Runnable onClose;
+
+    @FunctionalInterface
+    private interface Connector {
+        AgentLink connect() throws IOException;
+    }
+
+    private SimulatorConnection(
+            boolean server,
+            String place,
+            String description,
+            TelemetrySink telemetry,
+            Connector connector,
+            Runnable onClose) {
+        this.server = server;
+        this.place = place;
+        this.description = description;
+        this.telemetry = telemetry;
+        this.connector = connector;
+        this.onClose = onClose;
+    }
 
     /**
-     * Connects to the named server, starts a simulator, or prefers the server on this computer to a simulator of its own.
+     * Connects to the named server, starts an embedded simulator, or prefers the server on this computer to an embedded one.
      *
      * @param wanted which simulator
      * @return the connection
@@ -31,20 +63,75 @@ public abstract sealed class SimulatorConnection implements AutoCloseable {
             throw new IOException(unreadable.get());
         }
         return switch (wanted.kind()) {
-            case SERVER -> Server.join(wanted.host(), wanted.port(), "");
-            case OWN -> startOwn(wanted);
+            case SERVER -> join(wanted, "");
+            case OWN -> start(wanted);
             case ANY -> joinOrStart(wanted);
         };
     }
 
     /**
-     * Uses a connection that is already open, for one robot.
+     * Wraps an open connection of a single robot.
      *
      * @param link the robot's end of the connection
      * @return the connection
      */
     public static SimulatorConnection of(AgentLink link) {
-        return new Given(link);
+        return new SimulatorConnection(
+                false, "the simulator", "Plays over an open connection", TelemetrySink.NONE, () -> link, link::close);
+    }
+
+    private static SimulatorConnection joinOrStart(WantedSimulator wanted) throws IOException {
+        try {
+            return join(wanted, ALREADY_RUNNING);
+        } catch (IOException noServer) {
+            return start(wanted);
+        }
+    }
+
+    private static SimulatorConnection join(WantedSimulator wanted, String advice) throws IOException {
+        String host = wanted.host();
+        int port = wanted.port();
+        Deque<AgentLink> first = new ArrayDeque<>(List.of(TcpAgentLink.connect(host, port)));
+        TelemetryClient telemetry = TelemetryClient.open(TelemetryServer.portFor(port));
+        String place = host + ":" + port;
+        return new SimulatorConnection(
+                true,
+                place,
+                "Joins the server at " + place + advice,
+                telemetry,
+                () -> first.isEmpty() ? TcpAgentLink.connect(host, port) : first.remove(),
+                () -> {
+                    first.forEach(AgentLink::close);
+                    telemetry.close();
+                });
+    }
+
+    private static SimulatorConnection start(WantedSimulator wanted) throws IOException {
+        Optional<SimulatorProvider> provider =
+                ServiceLoader.load(SimulatorProvider.class).findFirst();
+        if (provider.isEmpty()) {
+            throw new IOException("No simulator answers at " + wanted.host() + ":" + wanted.port()
+                    + ", and this program has no embedded one: start one with \"robonewbie simulator\", or add"
+                    + " robonewbie-simulator to the class path.");
+        }
+        try {
+            EmbeddedSimulator simulator = provider.get().start(wanted.own());
+            String studio = simulator
+                    .studioAddress()
+                    .map(address -> ". Watch it at " + address)
+                    .orElse("");
+            return new SimulatorConnection(
+                    false,
+                    "the simulator",
+                    "Own simulator, agent port " + simulator.agentPort() + studio,
+                    simulator.telemetry(),
+                    simulator::connect,
+                    simulator::close);
+        } catch (IOException impossible) {
+            throw new IOException("The simulator cannot start: " + impossible.getMessage(), impossible);
+        } catch (InvalidPathException refused) {
+            throw new IOException(PathEncoding.explain(refused), refused);
+        }
     }
 
     /**
@@ -53,192 +140,33 @@ public abstract sealed class SimulatorConnection implements AutoCloseable {
      * @return the robot's end of the connection
      * @throws IOException if the simulator does not answer
      */
-    public abstract AgentLink connect() throws IOException;
+    public AgentLink connect() throws IOException {
+        return connector.connect();
+    }
 
-    /** {@return the receiver of what the robots think} */
-    public abstract TelemetrySink telemetry();
+    /** {@return the receiver of the robots' telemetry} */
+    public TelemetrySink telemetry() {
+        return telemetry;
+    }
 
-    /** {@return one sentence that says where this is} */
-    public abstract String description();
+    /** {@return a sentence that names the simulator, for users} */
+    public String description() {
+        return description;
+    }
 
-    /** {@return where it listens, in a few words} */
+    /** {@return the address of the simulator, for messages} */
     public String place() {
-        return "the simulator";
+        return place;
     }
 
-    /** {@return whether the simulator itself ends the run after the wanted time} */
-    public abstract boolean endsByItself();
-
-    /** {@return whether the robots of a program should join one after another} */
-    public boolean admitsOneByOne() {
-        return false;
+    /** {@return whether this is a server, which does not end the run by itself and admits robots one after another} */
+    public boolean isServer() {
+        return server;
     }
 
-    /** Ends the connection, and the simulator if it is one of this process. */
+    /** Closes the connection, and stops the simulator if it is embedded. */
     @Override
-    public abstract void close();
-
-    /** For a user who does not expect another simulator. */
-    private static final String RUNS_ALREADY =
-            ", which runs already. Watch it in the studio whose address stands in the"
-                    + " terminal where it was started; for a fresh start end it there first, or add --seed 1.";
-
-    private static SimulatorConnection joinOrStart(WantedSimulator wanted) throws IOException {
-        try {
-            return Server.join(wanted.host(), wanted.port(), RUNS_ALREADY);
-        } catch (IOException noServer) {
-            return startOwn(wanted);
-        }
-    }
-
-    private static SimulatorConnection startOwn(WantedSimulator wanted) throws IOException {
-        Optional<SimulatorProvider> provider =
-                ServiceLoader.load(SimulatorProvider.class).findFirst();
-        if (provider.isEmpty()) {
-            throw new IOException("No simulator answers at " + wanted.host() + ":" + wanted.port()
-                    + ", and this program has none of its own: start one with \"robonewbie simulator\", or add"
-                    + " robonewbie-simulator to the class path.");
-        }
-        try {
-            return new Own(provider.get().start(wanted.own()));
-        } catch (IOException impossible) {
-            throw new IOException("The simulator cannot start: " + impossible.getMessage(), impossible);
-        } catch (InvalidPathException refused) {
-            throw new IOException(PathEncoding.explain(refused), refused);
-        }
-    }
-
-    /** A simulator of this process. */
-    static final class Own extends SimulatorConnection {
-
-        private final EmbeddedSimulator simulator;
-
-        Own(EmbeddedSimulator simulator) {
-            this.simulator = simulator;
-        }
-
-        @Override
-        public AgentLink connect() {
-            return simulator.connect();
-        }
-
-        @Override
-        public TelemetrySink telemetry() {
-            return simulator.telemetry();
-        }
-
-        @Override
-        public String description() {
-            return "Own simulator, agent port " + simulator.agentPort()
-                    + simulator
-                            .studioAddress()
-                            .map(address -> ". Watch it at " + address)
-                            .orElse("");
-        }
-
-        @Override
-        public boolean endsByItself() {
-            return true;
-        }
-
-        @Override
-        public void close() {
-            simulator.close();
-        }
-    }
-
-    /** A server somewhere else. */
-    static final class Server extends SimulatorConnection {
-
-        private final String host;
-        private final int port;
-        private final String advice;
-        private final TelemetryClient telemetry;
-        private Optional<AgentLink> firstLink;
-
-        private Server(String host, int port, String advice, AgentLink firstLink) {
-            this.advice = advice;
-            this.host = host;
-            this.port = port;
-            this.firstLink = Optional.of(firstLink);
-            this.telemetry = TelemetryClient.open(TelemetryServer.portFor(port));
-        }
-
-        static Server join(String host, int port, String advice) throws IOException {
-            return new Server(host, port, advice, TcpAgentLink.connect(host, port));
-        }
-
-        @Override
-        public AgentLink connect() throws IOException {
-            Optional<AgentLink> link = firstLink;
-            firstLink = Optional.empty();
-            return link.isPresent() ? link.get() : TcpAgentLink.connect(host, port);
-        }
-
-        @Override
-        public TelemetrySink telemetry() {
-            return telemetry;
-        }
-
-        @Override
-        public String description() {
-            return "Joins the server at " + place() + advice;
-        }
-
-        @Override
-        public String place() {
-            return host + ":" + port;
-        }
-
-        @Override
-        public boolean endsByItself() {
-            return false;
-        }
-
-        @Override
-        public boolean admitsOneByOne() {
-            return true;
-        }
-
-        @Override
-        public void close() {
-            firstLink.ifPresent(AgentLink::close);
-            telemetry.close();
-        }
-    }
-
-    /** A connection that was opened elsewhere, for one robot. */
-    static final class Given extends SimulatorConnection {
-
-        private final AgentLink link;
-
-        Given(AgentLink link) {
-            this.link = link;
-        }
-
-        @Override
-        public AgentLink connect() {
-            return link;
-        }
-
-        @Override
-        public TelemetrySink telemetry() {
-            return TelemetrySink.NONE;
-        }
-
-        @Override
-        public String description() {
-            return "Plays where it was connected";
-        }
-
-        @Override
-        public boolean endsByItself() {
-            return true;
-        }
-
-        @Override
-        public void close() {
-            link.close();
-        }
+    public void close() {
+        onClose.run();
     }
 }

@@ -8,50 +8,50 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Notices that many cycles of a robot's program take long, and what takes the time: a few samples of its stack in each of them. A single
- * pause, such as one in a debugger, the first cycle of Java or a collection of garbage, does not count.
+ * Detects programs that are slow in many cycles, and the cause, from a few stack samples in each of them. A single pause, such
+ * as a breakpoint, class loading in the first cycle or garbage collection, does not count.
  */
 final class SlowCycles {
 
-    /** Slow thoughts count together if they are among this many that follow each other. */
-    private static final int THOUGHTS = 50;
+    /** Window, in cycles, within which slow cycles are counted together. */
+    private static final int WINDOW_CYCLES = 50;
 
     private static final int WAITING_TO_REPORT = 3;
     private static final int COMPUTING_TO_REPORT = 5;
     private static final double COMPUTING_MILLISECONDS = 50;
 
-    private final Deque<SlowThought> slow = new ArrayDeque<>();
+    private final Deque<SlowCycle> slow = new ArrayDeque<>();
     private final Map<StackSample, Integer> samples = new HashMap<>();
-    private long thought;
+    private long cycle;
     private double computedMilliseconds;
 
-    private record SlowThought(long number, double milliseconds, StackSample cause) {
+    private record SlowCycle(long number, double milliseconds, StackSample cause) {
 
-        /** Time that is computed is spent in many lines, which belong together. */
-        boolean isLike(SlowThought other) {
+        /** Computation is spread over many lines, so all computing cycles are alike. */
+        boolean isLike(SlowCycle other) {
             boolean computes = cause.kind() == StackSample.Kind.COMPUTES;
             return computes ? other.cause.kind() == cause.kind() : other.cause.equals(cause);
         }
     }
 
-    /** Notes what the program does at this moment, and how long a processor has worked for it since the last sample. */
+    /** Adds a sample with the processor time since the previous one. */
     synchronized void sample(StackSample sample, double workedMilliseconds) {
         samples.merge(sample, 1, Integer::sum);
         computedMilliseconds += workedMilliseconds;
     }
 
     /**
-     * Ends a thought.
+     * Ends a cycle.
      *
-     * @param milliseconds how long it has taken
-     * @return what makes the program slow, if thoughts like this one have become many
+     * @param milliseconds its duration
+     * @return what makes the program slow, once there are many such cycles
      */
-    synchronized Optional<Slowness> thoughtEnds(double milliseconds) {
-        thought++;
+    synchronized Optional<Slowness> cycleEnds(double milliseconds) {
+        cycle++;
         if (samples.isEmpty()) {
             return Optional.empty();
         }
-        SlowThought last = new SlowThought(thought, milliseconds, mainCause());
+        SlowCycle last = new SlowCycle(cycle, milliseconds, mainCause());
         boolean counts =
                 last.cause().kind() != StackSample.Kind.COMPUTES || computedMilliseconds >= COMPUTING_MILLISECONDS;
         samples.clear();
@@ -59,7 +59,7 @@ final class SlowCycles {
         return counts && !last.cause().place().isEmpty() ? judge(last) : Optional.empty();
     }
 
-    /** The kind with most samples, and of these the line with most. */
+    /** The most frequent sample of the most frequent kind. */
     private StackSample mainCause() {
         long waiting = samples.entrySet().stream()
                 .filter(each -> each.getKey().kind() != StackSample.Kind.COMPUTES)
@@ -78,10 +78,10 @@ final class SlowCycles {
                 .getKey();
     }
 
-    private Optional<Slowness> judge(SlowThought last) {
-        slow.removeIf(each -> each.number() <= thought - THOUGHTS);
+    private Optional<Slowness> judge(SlowCycle last) {
+        slow.removeIf(each -> each.number() <= cycle - WINDOW_CYCLES);
         slow.addLast(last);
-        List<SlowThought> alike = slow.stream().filter(last::isLike).toList();
+        List<SlowCycle> alike = slow.stream().filter(last::isLike).toList();
         boolean computes = last.cause().kind() == StackSample.Kind.COMPUTES;
         if (alike.size() < (computes ? COMPUTING_TO_REPORT : WAITING_TO_REPORT)) {
             return Optional.empty();
@@ -92,11 +92,11 @@ final class SlowCycles {
         return Optional.of(new Slowness(mostFrequent(causes, !computes), median(alike)));
     }
 
-    private static double median(List<SlowThought> thoughts) {
-        return thoughts.stream()
-                .mapToDouble(SlowThought::milliseconds)
+    private static double median(List<SlowCycle> cycles) {
+        return cycles.stream()
+                .mapToDouble(SlowCycle::milliseconds)
                 .sorted()
-                .skip(thoughts.size() / 2)
+                .skip(cycles.size() / 2)
                 .findFirst()
                 .orElseThrow();
     }

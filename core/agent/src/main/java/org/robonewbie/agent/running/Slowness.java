@@ -1,23 +1,23 @@
 package org.robonewbie.agent.running;
 
 /**
- * What makes a program slow, cycle after cycle.
+ * Cause of a program's slow cycles.
  *
- * @param cause what it does meanwhile, with the line
- * @param milliseconds how long such a cycle takes, the median
+ * @param cause what it does in these cycles, with the line
+ * @param milliseconds median duration of such a cycle
  */
 public record Slowness(StackSample cause, double milliseconds) {
 
-    /** {@return whether the program lets time pass without using it} */
+    /** {@return whether the program sleeps or waits instead of computing} */
     public boolean isIdle() {
         return cause.kind() != StackSample.Kind.COMPUTES;
     }
 
-    /** {@return what to do instead, as a sentence} */
+    /** {@return advice, as a sentence} */
     public String advice() {
         return switch (cause.kind()) {
             case SLEEPS -> "Count cycles or compare nao.getTime() instead.";
-            case WAITS -> "Let a thread of its own wait, and look only at what it has found.";
+            case WAITS -> "Wait in a separate thread, and read only its result.";
             case COMPUTES -> "Compute less in a cycle, or spread the work over several cycles.";
         };
     }

@@ -5,24 +5,24 @@ import java.util.List;
 import org.robonewbie.agent.log.StudentCode;
 
 /**
- * What a thread was doing at one moment, as its stack shows.
+ * Activity of a thread at one moment, as its stack shows.
  *
- * @param kind whether it computes, sleeps, or waits for something else
- * @param call the method of Java that the program has called to wait, such as {@code Scanner.nextLine()}; empty if it computes
- * @param place the line of the robot's own program; empty if only the framework is at work
+ * @param kind whether it computes, sleeps or waits
+ * @param call the Java method in which the program sleeps or waits, such as {@code Scanner.nextLine()}; empty if it computes
+ * @param place the line of the robot's own program; empty if only the framework is running
  */
 public record StackSample(Kind kind, String call, String place) {
 
-    /** What takes the time. */
+    /** Kind of activity. */
     public enum Kind {
 
-        /** It works. */
+        /** The thread computes. */
         COMPUTES,
 
-        /** It lets time pass. */
+        /** The thread sleeps. */
         SLEEPS,
 
-        /** It waits for input, a lock, or another thread. */
+        /** The thread waits for input, a lock or another thread. */
         WAITS
     }
 
@@ -31,11 +31,11 @@ public record StackSample(Kind kind, String call, String place) {
     private static final List<String> SLEEPING = List.of("sleep", "parkNanos", "parkUntil");
 
     /**
-     * Looks at a thread.
+     * Classifies a thread.
      *
      * @param state its state
      * @param trace its stack, innermost call first
-     * @return what it does; a framework that waits for the simulator computes
+     * @return its activity; the framework counts as computing while it waits for the simulator
      */
     static StackSample of(Thread.State state, StackTraceElement[] trace) {
         List<StackTraceElement> above = Arrays.stream(trace)
@@ -58,7 +58,7 @@ public record StackSample(Kind kind, String call, String place) {
                 place);
     }
 
-    /** Java calls a thread that waits in the operating system for input or output runnable. */
+    /** Java reports RUNNABLE for a thread that waits for input or output in the operating system. */
     private static boolean isWaiting(Thread.State state, StackTraceElement innermost) {
         return switch (state) {
             case WAITING, TIMED_WAITING, BLOCKED -> true;

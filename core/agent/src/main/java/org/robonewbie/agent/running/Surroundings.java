@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import org.robonewbie.nao.file.PropertiesFile;
 
-/** What a program finds around itself: environment variables, and properties in files of the working directory. */
+/** Environment of a program: environment variables, and property files of the working directory. */
 public final class Surroundings {
 
     private Surroundings() {}
@@ -17,11 +17,11 @@ public final class Surroundings {
     }
 
     /**
-     * Reads a file of properties, see {@link PropertiesFile}.
+     * Reads a property file, see {@link PropertiesFile}.
      *
      * @param file its name
      * @return value by name; empty if there is no such file
-     * @throws IOException if the file cannot be read or is not clear; the message is for users
+     * @throws IOException if the file is unreadable or ambiguous; the message is for users
      */
     public static Map<String, String> properties(String file) throws IOException {
         Path path = Path.of(file);

@@ -11,7 +11,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import org.robonewbie.nao.text.Spelling;
 
-/** Looks whether a robot's program has a {@code think()}: one that is misspelt compiles, and is never called. */
+/** Detects a missing {@code think()}: a misspelt one compiles and is never called. */
 public final class ThinkSpelling {
 
     private static final String THINK = "think";
@@ -20,14 +20,14 @@ public final class ThinkSpelling {
     private ThinkSpelling() {}
 
     /**
-     * Looks at a program.
+     * Checks a program.
      *
      * @param program its class
-     * @param framework the class of the framework that it extends
-     * @param name what the class is called
-     * @return what is wrong, as a sentence; empty if it overrides a step of the cycle
+     * @param framework the framework class that it extends
+     * @param name displayed name of the class
+     * @return what is wrong, as a sentence; empty if the class overrides a step of the cycle
      */
-    public static Optional<String> wrongIn(Class<?> program, Class<?> framework, String name) {
+    public static Optional<String> problemIn(Class<?> program, Class<?> framework, String name) {
         List<String> methods = new ArrayList<>();
         for (Class<?> type = program; type != null && type != framework; type = type.getSuperclass()) {
             Arrays.stream(type.getDeclaredMethods())
@@ -35,17 +35,17 @@ public final class ThinkSpelling {
                     .map(ThinkSpelling::heading)
                     .forEach(methods::add);
         }
-        return wrongAmong(methods, name);
+        return problemAmong(methods, name);
     }
 
     /**
-     * Looks at the methods of a program.
+     * Checks the methods of a program.
      *
-     * @param methods such as {@code thnik()} or {@code think(double)}, those of its class and of all above it but the framework's
-     * @param name what the class is called
-     * @return what is wrong, as a sentence; empty if it overrides a step of the cycle
+     * @param methods such as {@code thnik()} or {@code think(double)}, of its class and all superclasses below the framework
+     * @param name displayed name of the class
+     * @return what is wrong, as a sentence; empty if the class overrides a step of the cycle
      */
-    public static Optional<String> wrongAmong(Collection<String> methods, String name) {
+    public static Optional<String> problemAmong(Collection<String> methods, String name) {
         if (methods.stream().anyMatch(STEPS::contains)) {
             return Optional.empty();
         }
@@ -53,8 +53,7 @@ public final class ThinkSpelling {
         methods.forEach(method -> byName.putIfAbsent(method.substring(0, method.indexOf('(')), method));
         byName.remove("main");
         String meant = Optional.ofNullable(byName.get(THINK))
-                .map(method ->
-                        method + " is never called, since think() takes nothing: leave out what is between ( and ).")
+                .map(method -> method + " is never called, since think() has no parameters: remove them.")
                 .or(() ->
                         Spelling.nearest(THINK, byName.keySet()).map(near -> "did you mean " + byName.get(near) + "?"))
                 .orElse("the robot does nothing. Write what it does into: protected void think() { ... }");

@@ -5,20 +5,20 @@ import org.robonewbie.protocol.embedded.SimulatorRequest;
 /**
  * The simulator to connect to.
  *
- * @param kind whether to join a server or to start a simulator
+ * @param kind whether to join a server or to start an embedded simulator
  * @param host name or address of the server's computer
  * @param port TCP port of the server
- * @param own how to start a simulator of this process
+ * @param own how to start an embedded simulator
  */
 public record WantedSimulator(Kind kind, String host, int port, SimulatorRequest own) {
 
-    /** Whether to join a server or to start a simulator. */
+    /** Whether to join a server or to start an embedded simulator. */
     public enum Kind {
-        /** The server, if it answers; else a simulator of this process. */
+        /** The server if it answers, else an embedded simulator. */
         ANY,
-        /** The server and nothing else. */
+        /** The server only. */
         SERVER,
-        /** A simulator of this process. */
+        /** An embedded simulator. */
         OWN
     }
 }

@@ -9,9 +9,9 @@ import org.robonewbie.agent.cycle.CycleWatch;
 import org.robonewbie.agent.log.Diagnostics;
 
 /**
- * Detects that a robot's program does not come to the end of a cycle and reports its present line, again after ten seconds if that
- * happens again; and that many cycles are slow. It counts its own ticks instead of looking at a clock: while a debugger holds the whole
- * program, no time passes.
+ * Watchdog thread of a robot program. It reports a cycle that does not end, with the current line, at most once in ten seconds
+ * for each line, and a program that is slow in many cycles. It counts its own ticks instead of reading a clock, so no time
+ * passes while a debugger suspends the program.
  */
 public final class Watchdog implements CycleWatch, AutoCloseable {
 
@@ -28,20 +28,20 @@ public final class Watchdog implements CycleWatch, AutoCloseable {
     private final Consumer<Slowness> listener;
     private final LongSupplier nanoseconds;
     private final Thread thread = new Thread(this::watch, "watchdog");
-    private final SlowCycles slowThoughts = new SlowCycles();
-    private final AtomicLong thought = new AtomicLong();
+    private final SlowCycles slowCycles = new SlowCycles();
+    private final AtomicLong cycle = new AtomicLong();
     private volatile Thread watched = Thread.currentThread();
     private volatile boolean thinking;
     private volatile boolean closed;
     private volatile String slowPlace = "";
     private long begunNanoseconds;
-    private long thoughtNanoseconds;
+    private long cycleNanoseconds;
     private long workedNanoseconds;
     private long slowNanoseconds;
     private long same = -1;
     private int ticks;
     private int allTicks;
-    private boolean told;
+    private boolean reported;
 
     Watchdog(
             CycleOwner owner,
@@ -58,13 +58,13 @@ public final class Watchdog implements CycleWatch, AutoCloseable {
     }
 
     /**
-     * Starts a watchdog for the thread that turns the cycle.
+     * Starts a watchdog for the thread that runs the cycle.
      *
-     * @param owner who turns the cycle
-     * @param diagnostics where it barks
-     * @param giveUp what to do after five seconds of thinking; empty waits for ever
+     * @param owner owner of the cycle
+     * @param diagnostics receives the reports
+     * @param giveUp called after a stall of five seconds; empty to wait indefinitely
      * @param listener called in the thread of the program when many cycles have been slow
-     * @return the watchdog, which watches until it is closed
+     * @return the watchdog; close it to stop watching
      */
     public static Watchdog start(
             CycleOwner owner, Diagnostics diagnostics, Optional<Runnable> giveUp, Consumer<Slowness> listener) {
@@ -75,13 +75,11 @@ public final class Watchdog implements CycleWatch, AutoCloseable {
 
     @Override
     public void thinkBegins() {
-        slowThoughts
-                .thoughtEnds(thoughtNanoseconds / NANOSECONDS_PER_MILLISECOND)
-                .ifPresent(this::report);
-        thoughtNanoseconds = 0;
+        slowCycles.cycleEnds(cycleNanoseconds / NANOSECONDS_PER_MILLISECOND).ifPresent(this::report);
+        cycleNanoseconds = 0;
         slowPlace = "";
         watched = Thread.currentThread();
-        thought.incrementAndGet();
+        cycle.incrementAndGet();
         thinkResumes();
     }
 
@@ -95,7 +93,7 @@ public final class Watchdog implements CycleWatch, AutoCloseable {
     public void thinkEnds() {
         if (thinking) {
             thinking = false;
-            thoughtNanoseconds += nanoseconds.getAsLong() - begunNanoseconds;
+            cycleNanoseconds += nanoseconds.getAsLong() - begunNanoseconds;
         }
     }
 
@@ -121,28 +119,28 @@ public final class Watchdog implements CycleWatch, AutoCloseable {
         }
     }
 
-    /** Looks once whether the program still thinks the same thought. */
+    /** Checks once whether the program is still in the same cycle. */
     void tick() {
-        ticks = thinking && thought.get() == same ? ticks + 1 : 0;
-        same = thought.get();
+        ticks = thinking && cycle.get() == same ? ticks + 1 : 0;
+        same = cycle.get();
         allTicks++;
-        told &= ticks > 0;
+        reported &= ticks > 0;
         if (ticks > 0) {
-            lookAtProgram();
+            sampleProgram();
         }
     }
 
-    private void lookAtProgram() {
+    private void sampleProgram() {
         StackSample now = StackSample.of(watched.getState(), watched.getStackTrace());
         long worked = processorNanoseconds();
-        slowThoughts.sample(now, ticks == 1 ? 0 : (worked - workedNanoseconds) / NANOSECONDS_PER_MILLISECOND);
+        slowCycles.sample(now, ticks == 1 ? 0 : (worked - workedNanoseconds) / NANOSECONDS_PER_MILLISECOND);
         workedNanoseconds = worked;
         if (ticks == TICKS_TO_BE_SLOW) {
             slowPlace = now.place();
             slowNanoseconds = worked;
         }
-        if (!told && isStalled(TICKS_TO_REPORT, now)) {
-            told = true;
+        if (!reported && isStalled(TICKS_TO_REPORT, now)) {
+            reported = true;
             report("1 s; the robot waits for it", now);
         }
         if (giveUp.isPresent() && isStalled(TICKS_TO_GIVE_UP, now)) {
@@ -153,8 +151,9 @@ public final class Watchdog implements CycleWatch, AutoCloseable {
     }
 
     /**
-     * Whether the program itself is to blame: it waits for something, or it has really computed. On a busy computer a short
-     * thought may take long as well; it gets six times as much time. A program that turns the cycle itself may wait for its user.
+     * Whether the program itself has stalled: it waits for something, or it has really computed. On a busy computer a short
+     * cycle may take long as well, so it gets six times as much time. A program that runs the cycle itself may wait for its
+     * user.
      */
     private boolean isStalled(int patience, StackSample now) {
         if (ticks < patience) {
@@ -170,13 +169,13 @@ public final class Watchdog implements CycleWatch, AutoCloseable {
         return ManagementFactory.getThreadMXBean().getThreadCpuTime(watched.getId());
     }
 
-    /** Reports a stall; of the same line in the program only one in ten seconds. */
+    /** Reports a stall, at most once in ten seconds for each line. */
     private void report(String howLong, StackSample now) {
         String text = owner.stall(howLong);
         diagnostics.reportAt(now.place(), text + allTicks / TICKS_BETWEEN_REPORTS, () -> text);
     }
 
-    /** Reports what makes many cycles slow, once for each line. */
+    /** Reports the cause of slow cycles, once for each line. */
     private void report(Slowness slowness) {
         StackSample cause = slowness.cause();
         diagnostics.reportAt(

@@ -1,8 +1,8 @@
 /**
- * What a running program needs around its robots: a simulator to connect to, threads, clocks, files and the environment. The rest of
- * the module does without. Read {@link org.robonewbie.agent.running.SimulatorConnection} first.
+ * The runtime environment of robot programs: connection to a simulator, threads, clocks, files and environment variables. The
+ * rest of the module needs none of these. Read {@link org.robonewbie.agent.running.SimulatorConnection} first.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.agent.running;

@@ -6,16 +6,15 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Angles;
 
 /**
- * The sense of balance: how the torso leans, from gyro and accelerometer. The gyro's turning is added up cycle by cycle; since
- * its errors add up too, the sum is slowly drawn towards the direction of gravity that the accelerometer feels (a
- * complementary filter). Knocks of the feet are cut off.
+ * Complementary filter for the tilt of the torso: the gyroscope's rates are integrated, and the drift of the sum is corrected
+ * slowly towards the direction of gravity that the accelerometer measures. Readings during shocks of the feet are ignored.
  */
 final class Balance {
 
     private static final double TRUST_SECONDS = 0.8;
     private static final double RATE_SMOOTHING = 0.4;
-    private static final double WEAKEST = 5;
-    private static final double STRONGEST = 20;
+    private static final double MIN_ACCELERATION = 5;
+    private static final double MAX_ACCELERATION = 20;
 
     private double pitchDegrees;
     private double rollDegrees;
@@ -23,7 +22,7 @@ final class Balance {
     private double rollRate;
     private double turnRate;
 
-    /** Takes in the readings of a cycle. */
+    /** Adds the readings of a cycle. */
     void update(TorsoMotion torso) {
         pitchDegrees += torso.gyro().y() * Cycle.SECONDS;
         rollDegrees += torso.gyro().x() * Cycle.SECONDS;
@@ -32,14 +31,13 @@ final class Balance {
         turnRate += RATE_SMOOTHING * (torso.gyro().z() - turnRate);
         Vector3 up = torso.acceleration();
         double strength = up.length();
-        if (strength > WEAKEST && strength < STRONGEST) {
+        if (strength > MIN_ACCELERATION && strength < MAX_ACCELERATION) {
             double trust = Cycle.SECONDS / TRUST_SECONDS;
             pitchDegrees += trust * (degrees(-up.x(), up.z()) - pitchDegrees);
             rollDegrees += trust * (degrees(up.y(), up.z()) - rollDegrees);
         }
     }
 
-    /** Forgets everything, as after a fall. */
     void reset() {
         pitchDegrees = 0;
         rollDegrees = 0;
@@ -48,27 +46,27 @@ final class Balance {
         turnRate = 0;
     }
 
-    /** How far the torso bows forward, degrees. */
+    /** Forward tilt of the torso, degrees. */
     double pitchDegrees() {
         return pitchDegrees;
     }
 
-    /** How far the torso leans to the right, degrees. */
+    /** Tilt of the torso to the right, degrees. */
     double rollDegrees() {
         return rollDegrees;
     }
 
-    /** How fast the torso bows forward, degrees per second. */
+    /** Rate of the forward tilt, degrees per second. */
     double pitchRate() {
         return pitchRate;
     }
 
-    /** How fast the torso leans to the right, degrees per second. */
+    /** Rate of the tilt to the right, degrees per second. */
     double rollRate() {
         return rollRate;
     }
 
-    /** How fast the torso turns to the left, degrees per second. */
+    /** Turn rate to the left, degrees per second. */
     double turnRate() {
         return turnRate;
     }

@@ -1,46 +1,47 @@
 package org.robonewbie.agent.walk;
 
 /**
- * How strongly a walk answers when the torso leans otherwise than planned: six proportional-derivative controllers. Each gives
+ * Gains of the balance control: six proportional-derivative controllers, which react to a deviation of the torso's tilt from
+ * the plan. Each computes
  *
  * <pre>
  * correction = perDegree · (tilt − planned tilt) + perDegreePerSecond · rate of tilting
  * </pre>
  *
- * <p>Ankle and hip turn the torso back (the <em>ankle strategy</em> and the <em>hip strategy</em> of human balance); the step
- * puts the swing foot down further to the side to which the robot falls. Angles answer in degrees, steps in metres.
+ * <p>Ankle and hip rotate the torso back (the <em>ankle strategy</em> and the <em>hip strategy</em> of human balance); the step
+ * controllers move the target of the swing foot towards the side to which the robot falls. Outputs are degrees for joints and
+ * metres for steps.
  *
- * @param anklePitch ankle against bending forward
- * @param hipPitch hip against bending forward
- * @param ankleRoll ankle against leaning to the right
- * @param hipRoll hip against leaning to the right
- * @param stepForward step against bending forward
- * @param stepRight step against leaning to the right
+ * @param anklePitch ankle against forward tilt
+ * @param hipPitch hip against forward tilt
+ * @param ankleRoll ankle against tilt to the right
+ * @param hipRoll hip against tilt to the right
+ * @param stepForward step against forward tilt
+ * @param stepRight step against tilt to the right
  */
 public record BalanceGains(
         Gain anklePitch, Gain hipPitch, Gain ankleRoll, Gain hipRoll, Gain stepForward, Gain stepRight) {
 
     /**
-     * One proportional-derivative controller.
+     * A proportional-derivative controller.
      *
-     * @param perDegree answer to each degree of tilt beyond the plan
-     * @param perDegreePerSecond answer to each degree per second of tilting
+     * @param perDegree output per degree of tilt beyond the plan
+     * @param perDegreePerSecond output per degree per second of tilt rate
      */
     public record Gain(double perDegree, double perDegreePerSecond) {
 
-        double answer(double errorDegrees, double degreesPerSecond) {
+        double output(double errorDegrees, double degreesPerSecond) {
             return perDegree * errorDegrees + perDegreePerSecond * degreesPerSecond;
         }
     }
 
-    /** The corrections against a tilt forward and to the right. */
-    Correction correction(double pitchError, double pitchRate, double rollError, double rollRate) {
+    Correction correction(WalkMoment moment) {
         return new Correction(
-                anklePitch.answer(pitchError, pitchRate),
-                hipPitch.answer(pitchError, pitchRate),
-                ankleRoll.answer(rollError, rollRate),
-                hipRoll.answer(rollError, rollRate),
-                stepForward.answer(pitchError, pitchRate),
-                -stepRight.answer(rollError, rollRate));
+                anklePitch.output(moment.pitchError(), moment.pitchRate()),
+                hipPitch.output(moment.pitchError(), moment.pitchRate()),
+                ankleRoll.output(moment.rollError(), moment.rollRate()),
+                hipRoll.output(moment.rollError(), moment.rollRate()),
+                stepForward.output(moment.pitchError(), moment.pitchRate()),
+                -stepRight.output(moment.rollError(), moment.rollRate()));
     }
 }

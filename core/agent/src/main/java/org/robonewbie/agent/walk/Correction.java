@@ -3,14 +3,14 @@ package org.robonewbie.agent.walk;
 import org.robonewbie.nao.Joint;
 
 /**
- * What the sense of balance changes in one cycle of a step, see {@link BalanceGains}.
+ * Output of the balance control in one cycle of a step, see {@link BalanceGains}.
  *
  * @param anklePitchDegrees added to both ankles; positive raises the toes
- * @param hipPitchDegrees added to both hips; positive bends the torso forward
+ * @param hipPitchDegrees added to both hips; positive tilts the torso forward
  * @param ankleRollDegrees added to both ankles
  * @param hipRollDegrees added to both hips
- * @param swingForward how much further ahead the swing foot comes down, in metres
- * @param swingLeft how much further to the left the swing foot comes down, in metres
+ * @param swingForward shift of the swing foot's target forward, in metres
+ * @param swingLeft shift of the swing foot's target to the left, in metres
  */
 public record Correction(
         double anklePitchDegrees,
@@ -20,14 +20,11 @@ public record Correction(
         double swingForward,
         double swingLeft) {
 
-    /** Changes nothing. */
-    public static final Correction NONE = new Correction(0, 0, 0, 0, 0, 0);
-
     private static final Joint[] JOINTS = Joint.values();
     private static final double MAX_DEGREES = 15;
     private static final double MAX_METRES = 0.05;
 
-    /** Limits angles to 15° and ways to 5 cm. */
+    /** Limits angles to 15° and shifts to 5 cm. */
     public Correction {
         anklePitchDegrees = limit(anklePitchDegrees, MAX_DEGREES);
         hipPitchDegrees = limit(hipPitchDegrees, MAX_DEGREES);
@@ -37,7 +34,7 @@ public record Correction(
         swingLeft = limit(swingLeft, MAX_METRES);
     }
 
-    /** Adds the corrections to the angles of both legs, in the order of {@link Joint}, within the joints' ranges. */
+    /** Adds the corrections to the joint angles, which are in the order of {@link Joint}, and clamps these to their ranges. */
     void addTo(double[] degrees) {
         degrees[Joint.LEFT_FOOT_PITCH.ordinal()] += anklePitchDegrees;
         degrees[Joint.RIGHT_FOOT_PITCH.ordinal()] += anklePitchDegrees;

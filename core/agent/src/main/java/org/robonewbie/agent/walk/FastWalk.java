@@ -3,15 +3,15 @@ package org.robonewbie.agent.walk;
 import java.util.Arrays;
 
 /**
- * The numbers of {@link WalkStyle#FAST}: those of {@link WalkParameter} and eight more, the largest speeds among them.
- * CMA-ES has found them on 23 November 2026, in 280 generations with seed 2 and 81 with seed 3.
+ * Parameters of {@link WalkStyle#FAST}: those of {@link WalkParameter} and eight more, among them the maximum speeds. They were
+ * found by CMA-ES on 23 November 2026, in 280 generations with seed 2 and 81 with seed 3.
  */
 public final class FastWalk {
 
-    /** How many numbers {@link #style} takes. */
+    /** Number of coordinates that {@link #style} takes. */
     public static final int PARAMETERS = WalkParameter.values().length + 8;
 
-    /** Time of one step in milliseconds. */
+    /** Duration of a step in milliseconds. */
     private static final int STEP_MILLIS = 200;
 
     private static final double MAX_BACKWARD = 0.36;
@@ -25,13 +25,13 @@ public final class FastWalk {
 
     private FastWalk() {}
 
-    /** {@return the coordinates of the fast walk, a new array} */
+    /** {@return the coordinates of the fast walk, as a new array} */
     public static double[] coordinates() {
         return FOUND.clone();
     }
 
     /**
-     * Makes a style from the coordinates of a search.
+     * Creates a style from the coordinates of a search.
      *
      * @param x {@link #PARAMETERS} coordinates
      * @return the style
@@ -41,9 +41,9 @@ public final class FastWalk {
     }
 
     /**
-     * Makes a style with another time of a step.
+     * Creates a style with another step duration.
      *
-     * @param stepMillis time of one step in milliseconds, a multiple of 20
+     * @param stepMillis duration of a step in milliseconds, a multiple of 20
      * @param x {@link #PARAMETERS} coordinates
      * @return the style
      */
@@ -55,7 +55,7 @@ public final class FastWalk {
         double turnChange = Math.max(10, 25 + 3 * more[5]);
         double easing = Math.max(0, Math.min(1, 0.3 + 0.1 * more[6]));
         return new WalkStyle(
-                style.gait().withSwingEasing(easing).withArmSwing(180 + 30 * more[7]),
+                Gait.of(stepMillis, x, 180 + 30 * more[7], easing),
                 style.gains(),
                 most,
                 MAX_BACKWARD,

@@ -7,8 +7,8 @@ import org.robonewbie.agent.policy.Network;
 import org.robonewbie.agent.policy.Policy;
 
 /**
- * A walk that was learned: the {@link WalkEngine} with other numbers, and a reflex that corrects what it does. It needs joint
- * angles, gyroscope, accelerometer and the soles' pressure, so it walks on any SimSpark server.
+ * A learned walk: a {@link WalkStyle} for the {@link WalkEngine}, and a reflex that corrects its postures. It uses joint
+ * angles, gyroscope, accelerometer and foot pressure only, so it works on any SimSpark server.
  *
  * <pre>{@code
  * public class Fast extends Agent {
@@ -22,22 +22,22 @@ import org.robonewbie.agent.policy.Policy;
  * }
  * }</pre>
  *
- * @param style the numbers of the engine
- * @param reflex what corrects it
+ * @param style parameters of the engine
+ * @param reflex corrects the engine's postures
  */
 public record PolicyWalk(WalkStyle style, WalkReflex reflex) {
 
-    /** Name of a policy's numbers for {@link FastWalk#style}. */
+    /** Name of the policy's numbers for {@link FastWalk#style}. */
     public static final String GAIT = "gait";
 
     private static final String STEP = "step-millis";
     private static final String MAX = "most-forward-left-turn-backward";
 
     /**
-     * Takes a policy.
+     * Creates a walk from a policy.
      *
-     * @param policy a policy for walking, such as {@code PolicyFile.shipped("walk")}
-     * @throws IllegalArgumentException if it was learned for something else
+     * @param policy a walking policy, such as {@code PolicyFile.shipped("walk")}
+     * @throws IllegalArgumentException if the policy belongs to another task
      */
     public PolicyWalk(Policy policy) {
         this(style(policy), reflex(policy));
@@ -50,20 +50,20 @@ public record PolicyWalk(WalkStyle style, WalkReflex reflex) {
 
     private static WalkStyle style(Policy policy) {
         double[] most = policy.numbers(MAX, 4);
-        return FastWalk.style((int) policy.numbers(STEP, 1)[0], policy.numbers(GAIT, FastWalk.PARAMETERS))
-                .withMost(new WalkVelocity(most[0], most[1], most[2]), most[3]);
+        WalkStyle style = FastWalk.style((int) policy.numbers(STEP, 1)[0], policy.numbers(GAIT, FastWalk.PARAMETERS));
+        return style.withLimits(new WalkVelocity(most[0], most[1], most[2]), most[3], style.change());
     }
 
     /**
-     * Makes a policy of what was learned.
+     * Creates a policy from the results of a training.
      *
-     * @param task what was learned
-     * @param about how it was learned
-     * @param stepMillis time of one step, a multiple of 20
-     * @param most the largest speeds
-     * @param backward the largest speed backward, metres per second
-     * @param gait the coordinates of {@link FastWalk#style}
-     * @param network takes {@link ResidualPolicy#INPUTS} and gives {@link ResidualPolicy#OUTPUTS}
+     * @param task name of the task
+     * @param about remarks about the training
+     * @param stepMillis duration of a step in milliseconds, a multiple of 20
+     * @param most maximum speeds
+     * @param backward maximum speed backward in metres per second
+     * @param gait coordinates of {@link FastWalk#style}
+     * @param network maps {@link ResidualPolicy#INPUTS} to {@link ResidualPolicy#OUTPUTS}
      * @return the policy
      */
     public static Policy policy(

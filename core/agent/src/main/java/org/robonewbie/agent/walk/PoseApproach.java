@@ -4,9 +4,9 @@ import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * Steers a walk to a place and a heading. Far away the robot faces the place and walks forward, its fastest direction; near the
- * place it turns to the wanted heading and steps into any direction. It brakes in time: with the deceleration a, the speed at the
- * distance d is √(2 a d).
+ * Controller that walks to a target pose. Far away the robot faces the target and walks forward, its fastest direction; close
+ * to the target it turns to the final heading and steps in any direction. It brakes in time: with the deceleration a, the speed
+ * at distance d is √(2 a d).
  *
  * <pre>{@code
  * PoseApproach approach = new PoseApproach(WalkStyle.STANDARD);
@@ -15,7 +15,7 @@ import org.robonewbie.nao.math.PortableMath;
  * walk.towards(velocity.forward(), velocity.left(), velocity.turn());
  * }</pre>
  *
- * @param style how the robot walks; set it by {@link Walk#setStyle} too
+ * @param style style of the walk; set it by {@link Walk#setStyle} too
  */
 public record PoseApproach(WalkStyle style) {
 
@@ -27,17 +27,17 @@ public record PoseApproach(WalkStyle style) {
     private static final double MAX_ASIDE_DEGREES = 60;
 
     /**
-     * Calculates how to walk now.
+     * Computes the walking velocity.
      *
      * @param ahead metres from the torso to the target, forward
      * @param left metres from the torso to the target, to the left
-     * @param turnDegrees from the torso's heading to the wanted one, positive to the left, -180 to 180
-     * @return the velocity for this cycle, within what the style allows
+     * @param turnDegrees target heading relative to the torso, positive to the left, -180 to 180
+     * @return the velocity for this cycle, within the limits of the style
      */
     public WalkVelocity velocity(double ahead, double left, double turnDegrees) {
         double distance = PortableMath.hypot(ahead, left);
         double bearing = Angles.atan2(left, ahead);
-        double far = share(distance);
+        double far = facingWeight(distance);
         double turn = TURN_PER_SECOND * (far * bearing + (1 - far) * turnDegrees);
         if (distance > FACES_PLACE_METRES && Math.abs(bearing) > MAX_ASIDE_DEGREES) {
             return new WalkVelocity(0, 0, turn).within(style.most(), style.backward());
@@ -48,8 +48,8 @@ public record PoseApproach(WalkStyle style) {
                 .within(style.most(), style.backward());
     }
 
-    /** 1 far away, where the robot faces the place, 0 where it faces the wanted heading. */
-    private static double share(double distance) {
+    /** Weight of facing the target: 1 far away, 0 at the target, where the final heading counts. */
+    private static double facingWeight(double distance) {
         double share = (distance - FACES_HEADING_METRES) / (FACES_PLACE_METRES - FACES_HEADING_METRES);
         return Math.max(0, Math.min(1, share));
     }

@@ -12,15 +12,15 @@ import org.robonewbie.nao.motion.Mirror;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * A reflex that was learned: a network that moves the joints of both legs by up to {@link #RANGE_DEGREES} from where the engine
- * wants them. It knows the swing leg and the support leg, not left and right: while the right leg swings, all that it feels and
- * does is mirrored.
+ * A learned reflex: a network that moves the joints of both legs by up to {@link #RANGE_DEGREES} from the engine's posture. It
+ * distinguishes swing leg and support leg instead of left and right: while the right leg swings, inputs and outputs are
+ * mirrored.
  *
- * @param network takes the {@link #INPUTS} and gives the {@link #OUTPUTS}
+ * @param network maps {@link #INPUTS} to {@link #OUTPUTS}
  */
 public record ResidualPolicy(Network network) implements WalkReflex {
 
-    /** What an output of 1 means. */
+    /** Joint offset in degrees for an output of 1. */
     public static final double RANGE_DEGREES = 20;
 
     private static final double TILT = 10;
@@ -29,10 +29,10 @@ public record ResidualPolicy(Network network) implements WalkReflex {
     private static final double FORCE = 50;
     private static final double SOLE = 0.05;
 
-    /** Knocks are cut off at this multiple of a quantity's unit, so that no input is larger. */
+    /** Inputs are clipped to this multiple of their unit, for example during shocks. */
     public static final double MAX_INPUT = 3;
 
-    /** What the network takes: where in its step the robot is, how it tilts, and what its soles feel. */
+    /** Inputs of the network: phase of the step, tilt, velocities, and forces on the soles. */
     public static final List<Quantity> INPUTS = List.of(
             new Quantity("step.sine-of-2-pi-phase", "1"),
             new Quantity("step.cosine-of-2-pi-phase", "1"),
@@ -54,7 +54,7 @@ public record ResidualPolicy(Network network) implements WalkReflex {
             new Quantity("support-foot.point.forward", "0.05 m"),
             new Quantity("support-foot.point.to-swing", "0.05 m"));
 
-    /** What the network gives: by how much each joint of a leg is moved, mirrored while the right leg swings. */
+    /** Outputs of the network: offset of each leg joint, mirrored while the right leg swings. */
     public static final List<Quantity> OUTPUTS = Stream.of("swing", "support")
             .flatMap(leg -> Leg.LEFT.joints().stream()
                     .map(joint -> joint.name().replace("LEFT", leg))
@@ -69,12 +69,12 @@ public record ResidualPolicy(Network network) implements WalkReflex {
     }
 
     /**
-     * Moves the joints as a network wants it.
+     * Adds the outputs of a network to a posture.
      *
      * @param planned the engine's posture
-     * @param moment where in its step the robot is
+     * @param moment the robot's state in the step
      * @param outputs the {@link #OUTPUTS}, each from -1 to 1
-     * @return where the joints go instead
+     * @return the corrected posture
      */
     public static Posture corrected(Posture planned, WalkMoment moment, double... outputs) {
         double[] degrees = planned.toArray();
@@ -84,7 +84,7 @@ public record ResidualPolicy(Network network) implements WalkReflex {
         return Posture.of(degrees);
     }
 
-    /** Moves the joints of one leg; all is mirrored unless the left leg swings. */
+    /** Moves the joints of one leg, mirrored unless the left leg swings. */
     private static void move(double[] degrees, Leg leg, Leg swing, double scale, double[] outputs, int first) {
         for (int i = 0; i < JOINTS_OF_A_LEG; i++) {
             Joint joint = leg.joints().get(i);
@@ -95,10 +95,10 @@ public record ResidualPolicy(Network network) implements WalkReflex {
     }
 
     /**
-     * Calculates what a network takes.
+     * Computes the inputs of the network.
      *
-     * @param moment where in its step the robot is and what it feels
-     * @return the {@link #INPUTS}; a new array
+     * @param moment the robot's state in the step
+     * @return the {@link #INPUTS}, as a new array
      */
     public static double[] inputs(WalkMoment moment) {
         double side = moment.swing() == Leg.LEFT ? 1 : -1;

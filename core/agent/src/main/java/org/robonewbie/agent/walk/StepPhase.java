@@ -1,72 +1,90 @@
 package org.robonewbie.agent.walk;
 
+import org.robonewbie.nao.kinematics.CoordinateFrame;
+import org.robonewbie.nao.kinematics.InverseKinematics;
 import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.math.PortableMath;
+import org.robonewbie.nao.motion.Posture;
 
 /**
- * One moment of a step: the curves that swing foot and torso follow. With the step phase φ from 0 to 1, the double support ratio
- * d and the amplitude a, the swing phase is
+ * Phase of a step, with the trajectories of swing foot and torso. With the step phase φ from 0 to 1, the double support ratio d
+ * and the amplitude a, the swing phase is
  *
  * <pre>
  * σ = clamp((φ − d/2) / (1 − d), 0, 1)
  * </pre>
  *
- * <p>so both feet are on the ground during the first and the last part d/2 of the step. The curves are sums of sines, as in the
- * open-loop gait of Behnke (2006): they need no model of the robot's mass, only amplitudes and phases that a search has found.
+ * <p>so both feet are on the ground during the first and the last part d/2 of the step. The trajectories are sums of sines, as
+ * in the open-loop gait of Behnke (2006): they need no model of the robot's mass, only amplitudes and phases that were found by
+ * a search.
  *
- * @param gait its amplitudes and phases
- * @param swing which leg swings
- * @param phase which part of the step is over, 0 to 1
- * @param torso how the torso is carried, with the amplitude a
+ * @param gait amplitudes and phases
+ * @param swing the swing leg
+ * @param phase step phase, 0 to 1
+ * @param torso posture of the torso, with the amplitude a
  */
 record StepPhase(Gait gait, Leg swing, double phase, TorsoPosture torso) {
 
-    /** Which part of its way the swing foot has made: σ − e sin(2πσ) / 2π with the easing e. */
+    private static final double HIPS_BELOW_TORSO = 0.115;
+
+    /** Fraction of the swing foot's path that is completed: σ − e sin(2πσ) / 2π with the easing e. */
     double travelled() {
         double part = swingPhase();
         return part - gait.swingEasing() * PortableMath.sin(2 * Math.PI * part) / (2 * Math.PI);
     }
 
-    /** How high the swing foot is, in metres: h a sin(πs)^1.2, where s = σ^exp(−skew) moves the highest point. */
+    /** Height of the swing foot in metres: h a sin(πs)^1.2, where s = σ^exp(−skew) shifts the peak. */
     double lift() {
         double skewed = PortableMath.pow(swingPhase(), PortableMath.exp(-gait.liftSkew()));
         return gait.liftHeight() * torso.amplitude() * PortableMath.pow(PortableMath.sin(Math.PI * skewed), 1.2);
     }
 
-    /** How far the torso is to the left, in metres: it sways over the support foot. */
+    /** Lateral displacement of the torso over the support foot in metres, positive to the left. */
     double sway() {
         return sideways() * gait.swayAmplitude();
     }
 
-    /** How much the torso leans to the right, in degrees. */
+    /** Tilt of the torso to the right, in degrees. */
     double rollDegrees() {
         return -sideways() * gait.rollDegrees();
     }
 
-    /** How far the torso is above its usual height, in metres: it rises and sinks once in each step. */
+    /** Vertical oscillation of the torso in metres, one period in each step. */
     double bounce() {
         return gait.bounceAmplitude()
                 * torso.amplitude()
                 * PortableMath.cos(2 * Math.PI * (phase + gait.bouncePhase()));
     }
 
-    /** How the torso is held above the ground. */
-    TorsoPose torsoPose() {
-        return new TorsoPose(gait.torsoHeight() + bounce(), torso.leanDegrees(), rollDegrees());
+    /** Solves the inverse kinematics of both legs for feet below the tilted torso, starting from a posture. */
+    Posture legs(InverseKinematics kinematics, Posture posture, FootPose left, FootPose right) {
+        CoordinateFrame ground = ground();
+        Posture withLeftLeg =
+                kinematics.solve(Leg.LEFT, left.on(ground), posture).applyTo(posture);
+        return kinematics.solve(Leg.RIGHT, right.on(ground), withLeftLeg).applyTo(withLeftLeg);
     }
 
-    /** How much the toes of the swing foot are raised, in degrees. */
+    /** Horizontal frame on the ground below the torso, which tilts about the middle between the hips. */
+    private CoordinateFrame ground() {
+        return CoordinateFrame.ORIGIN
+                .moved(0, 0, -HIPS_BELOW_TORSO)
+                .turnedAboutX(-rollDegrees())
+                .turnedAboutY(-torso.leanDegrees())
+                .moved(0, 0, HIPS_BELOW_TORSO - (gait.torsoHeight() + bounce()));
+    }
+
+    /** Pitch of the swing foot's toes, in degrees. */
     double toeDegrees() {
         return gait.toeDegrees() * torso.amplitude() * PortableMath.sin(2 * Math.PI * swingPhase());
     }
 
-    /** How far the swing leg is lifted to the side, against the sinking of the pelvis, in degrees of hip roll. */
+    /** Hip roll that lifts the swing leg sideways against the sinking of the pelvis, in degrees. */
     double hipRollDegrees() {
         double outward = gait.swingHipDegrees() * torso.amplitude() * PortableMath.sin(Math.PI * swingPhase());
         return swing == Leg.LEFT ? outward : -outward;
     }
 
-    /** The sideways oscillation a sin(π(φ + phase)), from 1 on the left to −1 on the right. */
+    /** Lateral oscillation a sin(π(φ + phase)), from 1 on the left to −1 on the right. */
     private double sideways() {
         double side = swing == Leg.LEFT ? -1 : 1;
         return side * torso.amplitude() * PortableMath.sin(Math.PI * (phase + gait.swayPhase()));

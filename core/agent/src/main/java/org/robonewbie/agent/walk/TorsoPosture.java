@@ -1,31 +1,31 @@
 package org.robonewbie.agent.walk;
 
 /**
- * How the torso is carried: what changes slowly, from one step to the next.
+ * Posture of the torso: the quantities that change from step to step.
  *
- * @param amplitude 1 sways, bounces and lifts the feet as the gait says, 0 not at all
- * @param leanDegrees how much the torso bends forward
- * @param ankleOffset how far the ankles stand ahead of the hips, in metres
+ * @param amplitude 1 for the sway, bounce and lift of the gait, 0 for none
+ * @param leanDegrees forward tilt of the torso
+ * @param ankleOffset distance of the ankles ahead of the hips, in metres
  */
 public record TorsoPosture(double amplitude, double leanDegrees, double ankleOffset) {
 
     /**
-     * Carries the torso as a gait does.
+     * Returns the posture of a gait.
      *
      * @param gait the gait
-     * @param amplitude 1 sways, bounces and lifts the feet as the gait says, 0 not at all
-     * @return the torso's posture
+     * @param amplitude 1 for the sway, bounce and lift of the gait, 0 for none
+     * @return the posture
      */
     public static TorsoPosture of(Gait gait, double amplitude) {
         return new TorsoPosture(amplitude, gait.leanDegrees(), gait.ankleOffset());
     }
 
     /**
-     * Goes a part of the way to another posture.
+     * Interpolates linearly to another posture.
      *
      * @param end the other posture
      * @param fraction 0 for this posture, 1 for the other
-     * @return the posture on the way
+     * @return the posture in between
      */
     TorsoPosture towards(TorsoPosture end, double fraction) {
         return new TorsoPosture(

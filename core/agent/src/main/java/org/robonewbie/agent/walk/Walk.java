@@ -1,7 +1,7 @@
 package org.robonewbie.agent.walk;
 
 /**
- * Walks into any direction, faster and more nimbly than a motion of keyframes: forward, aside and turning at the same time.
+ * An omnidirectional walk, faster and more agile than keyframe motions: forward, sideways and turning at the same time.
  *
  * <pre>{@code
  * walk.towards(0.4, 0, ballBearing);    // turns to the ball while it walks
@@ -10,25 +10,25 @@ package org.robonewbie.agent.walk;
  * }
  * }</pre>
  *
- * <p>A velocity holds until another one is given, {@link #stop} is called or a motion is started; while a motion is running the
- * robot does not walk. The robot changes its velocity from step to step, and no step can be broken off, so an answer takes
- * about half a second. A robot that lies on the ground does not walk: {@code motions.startGetUp()} brings it to its feet.
+ * <p>A velocity holds until another one is set, {@link #stop} is called or a motion is started; the robot does not walk while a
+ * motion is running. The velocity changes from step to step, and no step can be interrupted, so a reaction takes about half a
+ * second. A robot that lies on the ground does not walk: {@code motions.startGetUp()} makes it get up.
  *
- * <p>How it works: {@link WalkEngine}.
+ * <p>Implemented by {@link WalkEngine}, which explains the method.
  */
 public interface Walk {
 
-    /** The largest speed forward in metres per second; backward it is less. */
+    /** Maximum speed forward in metres per second; the maximum backward is lower. */
     double MAX_FORWARD = WalkStyle.STANDARD.most().forward();
 
-    /** The largest speed aside in metres per second. */
+    /** Maximum speed sideways in metres per second. */
     double MAX_LEFT = WalkStyle.STANDARD.most().left();
 
-    /** The largest speed of turning in degrees per second. */
+    /** Maximum turn rate in degrees per second. */
     double MAX_TURN = WalkStyle.STANDARD.most().turn();
 
     /**
-     * Sets the walking velocity. Values beyond the limits are scaled down; the direction is preserved.
+     * Sets the walking velocity. Velocities beyond the limits are scaled down; the direction is preserved.
      *
      * @param forwardMetresPerSecond up to {@link #MAX_FORWARD}; negative is backward
      * @param leftMetresPerSecond up to {@link #MAX_LEFT}; negative is to the right
@@ -36,12 +36,12 @@ public interface Walk {
      */
     void towards(double forwardMetresPerSecond, double leftMetresPerSecond, double turnDegreesPerSecond);
 
-    /** Stops with both feet side by side; that takes up to a second. */
+    /** Stops with the feet side by side, within a second. */
     void stop();
 
     /**
-     * Sets the numbers of the walk: how high the feet are lifted, how fast the steps follow each other, how the robot keeps its
-     * balance. They hold from the next time on that the robot begins to walk.
+     * Sets the parameters of the walk, such as the height of the feet, the step duration and the balance gains. They take
+     * effect the next time the robot starts to walk.
      *
      * <pre>{@code
      * double[] x = WalkStyle.coordinates();
@@ -49,24 +49,24 @@ public interface Walk {
      * walk.setStyle(WalkStyle.of(180, new WalkVelocity(1.1, 1.2, 1.2), new WalkVelocity(0.7, 0.2, 60), x));
      * }</pre>
      *
-     * @param style the numbers; {@link WalkStyle#STANDARD} at first
+     * @param style the parameters; initially {@link WalkStyle#STANDARD}
      */
     void setStyle(WalkStyle style);
 
     /**
-     * Walks as a robot has learned it, from the next time on that the robot begins to walk; {@link #setStyle} ends it.
+     * Sets a learned walk, from the next time the robot starts to walk; {@link #setStyle} ends it.
      *
      * <pre>{@code
      * walk.setPolicy(new PolicyWalk(PolicyFile.shipped("walk")));
      * walk.towards(0.8, 0, 0);
      * }</pre>
      *
-     * @param policy what was learned
+     * @param policy the learned walk
      */
     default void setPolicy(PolicyWalk policy) {
-        setStyle(policy.style()); // walks of your own may know no reflex
+        setStyle(policy.style()); // custom walks may not support reflexes
     }
 
-    /** {@return whether the robot walks or has not yet come to a stand} */
+    /** {@return whether the robot is walking, including the steps until it has stopped} */
     boolean isWalking();
 }

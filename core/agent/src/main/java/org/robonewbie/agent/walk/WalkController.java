@@ -12,7 +12,7 @@ import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.motion.PostureFollower;
 
-/** Drives the joints: the walk engine while the robot walks, its motions otherwise. */
+/** Controls the joints: by the walk engine while the robot walks, else by motions. */
 public final class WalkController implements Walk {
 
     private static final double NEAR_DEGREES = 8;
@@ -23,8 +23,8 @@ public final class WalkController implements Walk {
     private final Diagnostics diagnostics;
     private final Supplier<BodyPosition> bodyPosition;
     private WalkEngine engine = new WalkEngine(WalkStyle.STANDARD);
-    private PolicyWalk manner = STANDARD;
-    private PolicyWalk walked = STANDARD;
+    private PolicyWalk selected = STANDARD;
+    private PolicyWalk active = STANDARD;
     private final PostureFollower follower;
     private WalkVelocity wanted = WalkVelocity.ZERO;
     private boolean walking;
@@ -33,10 +33,10 @@ public final class WalkController implements Walk {
     /**
      * Creates a walk at rest.
      *
-     * @param motors receive the speeds
-     * @param motions have precedence over walking
-     * @param diagnostics reports what is wrong with a velocity
-     * @param bodyPosition whether the robot lies on the ground
+     * @param motors receive the joint targets
+     * @param motions take precedence over walking
+     * @param diagnostics reports invalid velocities
+     * @param bodyPosition supplies the orientation of the torso
      */
     public WalkController(
             Motors motors, MotionSequencer motions, Diagnostics diagnostics, Supplier<BodyPosition> bodyPosition) {
@@ -66,12 +66,12 @@ public final class WalkController implements Walk {
 
     @Override
     public void setStyle(WalkStyle style) {
-        manner = new PolicyWalk(style, WalkReflex.NONE);
+        selected = new PolicyWalk(style, WalkReflex.NONE);
     }
 
     @Override
     public void setPolicy(PolicyWalk policy) {
-        manner = policy;
+        selected = policy;
     }
 
     @Override
@@ -79,17 +79,17 @@ public final class WalkController implements Walk {
         return walking;
     }
 
-    /** {@return {@code walk} while the feet are moving, or the name of the running motion; empty if there is neither} */
+    /** {@return {@code walk} while the robot walks, else the name of the running motion, if any} */
     public Optional<String> current() {
         return walking ? Optional.of("walk") : motions.current();
     }
 
-    /** {@return the number of the running motion's keyframe, from 1; 0 if the robot walks or no motion is running} */
+    /** {@return the current keyframe of the running motion, from 1; 0 if the robot walks or no motion is running} */
     public int keyframe() {
         return walking ? 0 : motions.keyframe();
     }
 
-    /** Forgets all steps, since the robot was put somewhere else and stands there. */
+    /** Resets the walk after the robot was placed elsewhere and stands there. */
     public void reset() {
         wanted = WalkVelocity.ZERO;
         walking = false;
@@ -98,20 +98,11 @@ public final class WalkController implements Walk {
     }
 
     /**
-     * Plays one cycle of walking, or of a motion, without feeling the soles.
+     * Plays one cycle of walking or of a motion.
      *
-     * @param torso what gyroscope and accelerometer feel
-     */
-    public void update(TorsoMotion torso) {
-        update(torso, FootPressure.NONE, FootPressure.NONE);
-    }
-
-    /**
-     * Plays one cycle of walking, or of a motion.
-     *
-     * @param torso what gyroscope and accelerometer feel
-     * @param leftFoot what the left sole feels
-     * @param rightFoot what the right sole feels
+     * @param torso readings of gyroscope and accelerometer
+     * @param leftFoot force on the left sole
+     * @param rightFoot force on the right sole
      */
     public void update(TorsoMotion torso, FootPressure leftFoot, FootPressure rightFoot) {
         engine.update(torso);
@@ -132,21 +123,21 @@ public final class WalkController implements Walk {
         }
     }
 
-    /** Begins in the stance; from elsewhere the robot goes there first. */
+    /** Starts to walk from the stance; from another posture the robot first plays the motion {@code stand}. */
     private void start() {
         preparing = !preparing && !isNearStance() && motions.start("stand");
         if (!preparing) {
             walking = true;
-            changeManner();
+            updateEngine();
             follower.begin();
         }
     }
 
-    /** A new engine has felt nothing yet, so the old one stays while the manner is the same. */
-    private void changeManner() {
-        if (!manner.equals(walked)) {
-            engine = new WalkEngine(manner.style(), manner.reflex());
-            walked = manner;
+    /** Replaces the engine if the style has changed; otherwise it is kept with its tilt estimate. */
+    private void updateEngine() {
+        if (!selected.equals(active)) {
+            engine = new WalkEngine(selected.style(), selected.reflex());
+            active = selected;
         }
     }
 

@@ -9,14 +9,14 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * Turns a wanted velocity into one posture for each cycle. Pure calculation, without a connection.
+ * Walk engine: converts a velocity into one posture for each cycle. A pure computation without a connection.
  *
- * <p><img src="doc-files/step.svg" alt="A step seen from above: support foot, swing foot and the path of the torso between them;
- * below it the curves of lift, travel and sway over the step phase">
+ * <p><img src="doc-files/step.svg" alt="A step seen from above: support foot, swing foot and the path of the torso between
+ * them; below it the curves of lift, travel and sway over the step phase">
  *
- * <p><b>Planning.</b> It plans one step at a time. At the beginning of a step the velocity v = (vx, vy,
- * ω) comes nearer to the wanted one, by a limited change. With the step time T and half the width between the feet w, the
- * swing foot comes down, as seen from the support foot, at
+ * <p><b>Planning.</b> Steps are planned one at a time. At the beginning of a step the velocity v = (vx, vy, ω) approaches the
+ * requested one with limited acceleration. With the step duration T and half the distance between the feet w, the target of the
+ * swing foot, relative to the support foot, is
  *
  * <pre>
  * ahead  = slip · vx · T
@@ -24,30 +24,30 @@ import org.robonewbie.nao.motion.Posture;
  * turned = max(0, ± 2 slip · ω · T)
  * </pre>
  *
- * <p>so that the middle between the feet moves with v. For a step aside or a turn the leg on that side opens in one step, twice
- * as far since it opens only every other step, and the other leg follows in the next.
+ * <p>so that the middle between the feet moves with v. In a sideways step or a turn, the leg on that side opens in one step,
+ * twice as far since it opens only in every other step, and the other leg follows in the next.
  *
- * <p><b>Moving.</b> In each cycle the step phase φ = t / T says where feet and torso are: {@link Step}, with the curves of
- * {@link StepPhase}. Inverse kinematics finds the angles of the legs. This is an open-loop gait: the plan is a fixed function
- * of the phase, and nothing is calculated from the robot's mass.
+ * <p><b>Motion.</b> In each cycle the step phase φ = t / T determines the positions of feet and torso: {@link Step}, with the
+ * trajectories of {@link StepPhase}. Inverse kinematics yields the joint angles of the legs. This is an open-loop gait: the
+ * plan is a fixed function of the phase, and the robot's mass plays no role.
  *
- * <p><b>Balance.</b> {@link Balance} estimates how the torso leans; {@link BalanceGains} turns the difference from the plan
- * into corrections of ankles, hips and the place where the swing foot comes down.
+ * <p><b>Balance.</b> {@link Balance} estimates the tilt of the torso; {@link BalanceGains} converts its deviation from the plan
+ * into corrections of ankles, hips and the target of the swing foot.
  *
- * <p>The walk begins and ends with a step on the spot whose amplitude a grows from 0 to 1 or back; the posture is (1 − s) ·
- * {@link Stance} + s · step with s = a²(3 − 2a).
+ * <p>The walk begins and ends with a step in place whose amplitude a grows from 0 to 1 or back; the posture is (1 − s) · {@link
+ * Stance} + s · step with s = a²(3 − 2a).
  *
  * <p>Sources: S. Behnke, <em>Online trajectory generation for omnidirectional biped walking</em>, ICRA 2006 (sway, lift and
- * swing as functions of a gait phase; velocities that set the length of a step); F. Faber and S. Behnke, <em>Stochastic
- * optimization of bipedal walking using gyro feedback and phase resetting</em>, Humanoids 2007 (feedback from a gyroscope,
- * parameters found by search). There is no zero moment point here; for walks that plan it, see S. Kajita et al., <em>Biped
- * walking pattern generation by using preview control of zero-moment point</em>, ICRA 2003.
+ * swing as functions of a gait phase; step lengths from velocities); F. Faber and S. Behnke, <em>Stochastic optimization of
+ * bipedal walking using gyro feedback and phase resetting</em>, Humanoids 2007 (feedback from a gyroscope, parameters found by
+ * a search). This engine does not plan the zero moment point; for walks that do, see S. Kajita et al., <em>Biped walking
+ * pattern generation by using preview control of zero-moment point</em>, ICRA 2003.
  */
 public final class WalkEngine {
 
     private static final int CYCLE_MILLIS = 20;
 
-    /** A runner, too, takes this time for the step with which it comes to rest. */
+    /** Minimum duration of the last step, for styles with very short steps. */
     private static final int MIN_CYCLES_OF_LAST_STEP = 10;
 
     private final WalkStyle style;
@@ -70,19 +70,19 @@ public final class WalkEngine {
     private FootPressure rightSole = FootPressure.NONE;
 
     /**
-     * Prepares a walk.
+     * Creates an engine without a reflex.
      *
-     * @param style its numbers
+     * @param style parameters of the walk
      */
     public WalkEngine(WalkStyle style) {
         this(style, WalkReflex.NONE);
     }
 
     /**
-     * Prepares a walk whose postures are changed by what the robot feels.
+     * Creates an engine with a reflex.
      *
-     * @param style its numbers
-     * @param reflex changes each posture
+     * @param style parameters of the walk
+     * @param reflex corrects each posture
      */
     public WalkEngine(WalkStyle style, WalkReflex reflex) {
         this.style = style;
@@ -92,20 +92,20 @@ public final class WalkEngine {
     }
 
     /**
-     * Sets the walking velocity from now on.
+     * Sets the requested velocity.
      *
-     * @param newVelocity the wanted velocity; it is scaled down to what the robot can do
+     * @param newVelocity the velocity; it is scaled down to the limits of the style
      */
     public void towards(WalkVelocity newVelocity) {
         wanted = newVelocity.within(style.most(), style.backward());
     }
 
-    /** {@return whether the robot stands in the stance and does not want to walk} */
+    /** {@return whether the robot stands in the stance and the requested velocity is zero} */
     public boolean isStanding() {
         return standing && wanted.isZero();
     }
 
-    /** Begins again: the robot stands in the stance, wherever it was before. */
+    /** Resets the engine to the stance. */
     public void reset() {
         standing = true;
         feetSideBySide = true;
@@ -118,19 +118,19 @@ public final class WalkEngine {
     }
 
     /**
-     * Takes in how the torso moves; to be called in each cycle before {@link #next}.
+     * Updates the tilt estimate. Call it in each cycle before {@link #next}.
      *
-     * @param motion the readings of gyroscope and accelerometer
+     * @param motion readings of gyroscope and accelerometer
      */
     public void update(TorsoMotion motion) {
         balance.update(motion);
     }
 
     /**
-     * Takes in what the feet feel; only a reflex needs it.
+     * Sets the forces on the soles, which only a reflex uses.
      *
-     * @param left what the left sole feels
-     * @param right what the right sole feels
+     * @param left force on the left sole
+     * @param right force on the right sole
      */
     public void update(FootPressure left, FootPressure right) {
         leftSole = left;
@@ -138,7 +138,7 @@ public final class WalkEngine {
     }
 
     /**
-     * Goes on by one cycle of 20 ms.
+     * Advances by one cycle of 20 ms.
      *
      * @return the posture at the end of the cycle
      */
@@ -151,17 +151,17 @@ public final class WalkEngine {
         }
         cycle++;
         StepPhase moment = step.at((double) cycle / cyclesPerStep);
-        Correction correction = correction(moment);
+        WalkMoment state = state(moment);
+        Correction correction = style.gains().correction(state);
         walking = step.posture(kinematics, walking, moment, correction);
-        WalkMoment felt = felt(moment);
         if (cycle == cyclesPerStep) {
             setDown(step.swingFoot(moment, correction));
         }
         return reflex.corrected(
-                Stance.POSTURE.towards(walking, smooth(moment.torso().amplitude())), felt);
+                Stance.POSTURE.towards(walking, smooth(moment.torso().amplitude())), state);
     }
 
-    private WalkMoment felt(StepPhase moment) {
+    private WalkMoment state(StepPhase moment) {
         return new WalkMoment(
                 swing,
                 moment.phase(),
@@ -177,7 +177,6 @@ public final class WalkEngine {
                 rightSole);
     }
 
-    /** Plans the next step. */
     private Step plan() {
         if (standing) {
             walking = Stance.POSTURE;
@@ -192,8 +191,8 @@ public final class WalkEngine {
     }
 
     private int cyclesOfStep(boolean stopping) {
-        int usual = style.gait().stepMillis() / CYCLE_MILLIS;
-        return stopping ? Math.max(usual, MIN_CYCLES_OF_LAST_STEP) : usual;
+        int normal = style.gait().stepMillis() / CYCLE_MILLIS;
+        return stopping ? Math.max(normal, MIN_CYCLES_OF_LAST_STEP) : normal;
     }
 
     private Step stepTo(Pose2d target, TorsoPosture after) {
@@ -207,7 +206,7 @@ public final class WalkEngine {
         return new TorsoPosture(stopping ? 0 : 1, lean, ankleOffset);
     }
 
-    /** Where the swing foot comes down: first below the torso's middle line, then on to its own side. */
+    /** Target of the swing foot: composed of the way to the torso's path and from there to the swing foot's side. */
     private Pose2d target() {
         double seconds = style.gait().stepMillis() / 1000.0;
         WalkVelocity slip = style.slip();
@@ -226,7 +225,7 @@ public final class WalkEngine {
         return leg == Leg.LEFT ? left : right;
     }
 
-    /** Ends the step: the swing foot becomes the support foot. */
+    /** Ends the step; the swing foot becomes the support foot. */
     private void setDown(Pose2d place) {
         if (swing == Leg.LEFT) {
             left = place;
@@ -245,15 +244,6 @@ public final class WalkEngine {
     private void putFeetSideBySide() {
         left = Stance.LEFT_FOOT;
         right = Stance.RIGHT_FOOT;
-    }
-
-    private Correction correction(StepPhase moment) {
-        return style.gains()
-                .correction(
-                        balance.pitchDegrees() - moment.torso().leanDegrees(),
-                        balance.pitchRate(),
-                        balance.rollDegrees() - moment.rollDegrees(),
-                        balance.rollRate());
     }
 
     private static double smooth(double amplitude) {

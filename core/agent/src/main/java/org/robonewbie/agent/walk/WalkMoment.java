@@ -4,20 +4,20 @@ import org.robonewbie.agent.perception.FootPressure;
 import org.robonewbie.nao.kinematics.Leg;
 
 /**
- * A moment of walking: where in its step the robot is and what it feels.
+ * State of the walk in one cycle, as input of a reflex.
  *
- * @param swing which leg swings
- * @param phase which part of the step is over, 0 to 1
+ * @param swing the swing leg
+ * @param phase step phase, 0 to 1
  * @param amplitude 1 while the robot walks, less in the first and the last step
- * @param wanted the velocity that the walk is asked for
- * @param velocity the velocity for which the present step was planned
- * @param pitchError how much further than planned the torso bows forward, degrees
- * @param pitchRate how fast it bows, degrees per second
- * @param rollError how much further than planned the torso leans to the right, degrees
- * @param rollRate how fast it leans to the right, degrees per second
- * @param turnRate how fast the torso turns to the left, degrees per second
- * @param left what the left sole feels
- * @param right what the right sole feels
+ * @param wanted requested velocity
+ * @param velocity velocity for which the current step was planned
+ * @param pitchError forward tilt of the torso beyond the plan, degrees
+ * @param pitchRate rate of the forward tilt, degrees per second
+ * @param rollError tilt of the torso to the right beyond the plan, degrees
+ * @param rollRate rate of the tilt to the right, degrees per second
+ * @param turnRate turn rate of the torso to the left, degrees per second
+ * @param left force on the left sole
+ * @param right force on the right sole
  */
 public record WalkMoment(
         Leg swing,

@@ -2,19 +2,19 @@ package org.robonewbie.agent.walk;
 
 import org.robonewbie.nao.motion.Posture;
 
-/** Changes the postures of the {@link WalkEngine}, cycle by cycle, by what the robot feels. */
+/** Correction of the {@link WalkEngine}'s postures in each cycle, based on the robot's sensors. */
 @FunctionalInterface
 public interface WalkReflex {
 
-    /** Walks as planned. */
+    /** No correction. */
     WalkReflex NONE = (planned, moment) -> planned;
 
     /**
-     * Changes one posture.
+     * Corrects a posture.
      *
-     * @param planned the engine's
-     * @param moment where in its step the robot is and what it feels
-     * @return where the joints go instead
+     * @param planned the engine's posture
+     * @param moment the robot's state in the step
+     * @return the corrected posture
      */
     Posture corrected(Posture planned, WalkMoment moment);
 }

@@ -19,15 +19,15 @@ import org.robonewbie.nao.model.RobotType;
 /**
  * Parameters of the walk engine. Most were tuned in the simulator; {@code robonewbie optimise walk-engine} tunes them further.
  *
- * @param gait how the robot steps
- * @param gains how it keeps its balance
- * @param most the largest speeds
- * @param backward the largest speed backward, metres per second
- * @param change how much each speed changes from one step to the next
- * @param leanPerSpeed degrees that the torso bends forward for each metre per second
- * @param ankleOffsetPerSpeed metres that the ankles stand further ahead for each metre per second
- * @param leanPerChange degrees that the torso bends forward for each metre per second that the walk becomes faster in a step
- * @param slip by which factors the steps are planned longer than the robot is meant to get, since its feet slip
+ * @param gait parameters of a step
+ * @param gains gains of the balance control
+ * @param most maximum speeds
+ * @param backward maximum speed backward, metres per second
+ * @param change maximum change of each speed from one step to the next
+ * @param leanPerSpeed forward tilt of the torso per metre per second, degrees
+ * @param ankleOffsetPerSpeed shift of the ankles forward per metre per second, metres
+ * @param leanPerChange forward tilt of the torso per metre per second of speed increase in a step, degrees
+ * @param slip factors by which planned steps are longer than the resulting motion, since the feet slip
  */
 public record WalkStyle(
         Gait gait,
@@ -40,16 +40,17 @@ public record WalkStyle(
         double leanPerChange,
         WalkVelocity slip) {
 
-    /** How many numbers {@link #of} takes. */
+    /** Number of coordinates that {@link #of} takes. */
     public static final int PARAMETERS = WalkParameter.values().length;
 
     private static final double ARM_DEGREES_PER_METRE = 180;
+    private static final double SWING_EASING = 0.7;
 
-    /** The walk of {@link Walk}. */
+    /** The default style of {@link Walk}. */
     public static final WalkStyle STANDARD = standard(coordinates());
 
     /**
-     * A walk that is faster forward and turns twice as fast, for players who know what they do: it is less steady.
+     * A faster but less stable walk with twice the turn rate, for advanced players.
      *
      * <pre>{@code
      * walk.setStyle(WalkStyle.FAST);
@@ -58,24 +59,26 @@ public record WalkStyle(
      */
     public static final WalkStyle FAST = FastWalk.style(FastWalk.coordinates());
 
-    /** With more a robot of type 3 falls within a few metres; its steps are longer, and it gets 0.65 m/s. */
+    /** Limit for robots of type 3 in metres per second, which fall at higher speeds; their longer steps yield 0.65 m/s. */
     private static final double MAX_FORWARD_OF_LONGEST_LEGS = 0.5;
 
     /**
-     * Returns the fast walk for a robot of some build.
+     * Returns the fast walk for a robot type.
      *
-     * @param type how it is built, {@code nao.getType()}
-     * @return {@link #FAST}, for robots of type 3 with less speed forward
+     * @param type the robot type, {@code nao.getType()}
+     * @return {@link #FAST}, with a lower forward speed for robots of type 3
      */
     public static WalkStyle fast(RobotType type) {
         WalkVelocity most = FAST.most();
         return type == RobotType.TYPE_3
-                ? FAST.withMost(
-                        new WalkVelocity(MAX_FORWARD_OF_LONGEST_LEGS, most.left(), most.turn()), FAST.backward())
+                ? FAST.withLimits(
+                        new WalkVelocity(MAX_FORWARD_OF_LONGEST_LEGS, most.left(), most.turn()),
+                        FAST.backward(),
+                        FAST.change())
                 : FAST;
     }
 
-    /** {@return the coordinates that {@link #of} takes for the standard walk, a new array} */
+    /** {@return the coordinates of the standard walk for {@link #of}, as a new array} */
     public static double[] coordinates() {
         return WalkParameter.standardCoordinates();
     }
@@ -84,38 +87,18 @@ public record WalkStyle(
      * Creates the standard walk with other coordinates.
      *
      * @param x coordinates as for {@link #of}
-     * @return a walk with the same step time and the same largest speeds
+     * @return a style with the step duration and the maximum speeds of the standard walk
      */
     public static WalkStyle standard(double[] x) {
         return of(200, new WalkVelocity(1.12, 1.25, 1.2), new WalkVelocity(0.6, 0.22, 70), x);
     }
 
     /**
-     * Returns the same walk with other limits, for a player that wants to be steadier than fast.
+     * Creates a style from the coordinates of a search, see {@link WalkParameter}.
      *
-     * @param newMost the largest speeds
-     * @param newChange how much each speed changes from one step to the next
-     * @return the changed walk
-     */
-    public WalkStyle within(WalkVelocity newMost, WalkVelocity newChange) {
-        return new WalkStyle(
-                gait,
-                gains,
-                newMost,
-                Math.min(backward, newMost.forward()),
-                newChange,
-                leanPerSpeed,
-                ankleOffsetPerSpeed,
-                leanPerChange,
-                slip);
-    }
-
-    /**
-     * Makes a style from the coordinates of a search, see {@link WalkParameter}.
-     *
-     * @param stepMillis time of one step in milliseconds
-     * @param slip by which factors the steps are planned longer than the robot is meant to get
-     * @param most the largest speeds
+     * @param stepMillis duration of a step in milliseconds
+     * @param slip factors by which planned steps are longer than the resulting motion
+     * @param most maximum speeds
      * @param x at least {@link #PARAMETERS} coordinates
      * @return the style
      */
@@ -128,7 +111,7 @@ public record WalkStyle(
                 new Gain(STEP_FORWARD.value(x), STEP_FORWARD_RATE.value(x)),
                 new Gain(STEP_RIGHT.value(x), STEP_RIGHT_RATE.value(x)));
         return new WalkStyle(
-                Gait.of(stepMillis, 1, x).withArmSwing(ARM_DEGREES_PER_METRE),
+                Gait.of(stepMillis, x, ARM_DEGREES_PER_METRE, SWING_EASING),
                 gains,
                 most,
                 0.6 * most.forward(),
@@ -140,14 +123,15 @@ public record WalkStyle(
     }
 
     /**
-     * Changes the largest speeds.
+     * Returns this style with other limits.
      *
-     * @param newMost the largest speeds
-     * @param newBackward the largest speed backward, metres per second
-     * @return the same walk with other limits
+     * @param newMost maximum speeds
+     * @param newBackward maximum speed backward, metres per second
+     * @param newChange maximum change of each speed from one step to the next
+     * @return the changed style
      */
-    public WalkStyle withMost(WalkVelocity newMost, double newBackward) {
+    public WalkStyle withLimits(WalkVelocity newMost, double newBackward, WalkVelocity newChange) {
         return new WalkStyle(
-                gait, gains, newMost, newBackward, change, leanPerSpeed, ankleOffsetPerSpeed, leanPerChange, slip);
+                gait, gains, newMost, newBackward, newChange, leanPerSpeed, ankleOffsetPerSpeed, leanPerChange, slip);
     }
 }

@@ -1,7 +1,7 @@
 package org.robonewbie.agent.walk;
 
 /**
- * How fast and into which direction a robot walks.
+ * Walking velocity in the robot's frame.
  *
  * @param forward metres per second; negative is backward
  * @param left metres per second to the left; negative is to the right
@@ -9,20 +9,20 @@ package org.robonewbie.agent.walk;
  */
 public record WalkVelocity(double forward, double left, double turn) {
 
-    /** Standing still. */
+    /** Zero velocity. */
     public static final WalkVelocity ZERO = new WalkVelocity(0, 0, 0);
 
-    /** {@return whether all three speeds are 0} */
+    /** {@return whether all components are 0} */
     public boolean isZero() {
         return forward == 0 && left == 0 && turn == 0;
     }
 
     /**
-     * Scales the velocity down to what a robot can do; its direction is preserved. The limits form an octahedron: a robot that
-     * uses half of one speed has half of the others left.
+     * Scales the velocity down to given limits; its direction is preserved. The limits form an octahedron: a robot that uses
+     * half of one speed has half of the others left.
      *
-     * @param most the largest speeds
-     * @param backward the largest speed backward, metres per second
+     * @param most maximum speeds
+     * @param backward maximum speed backward, metres per second
      * @return this velocity or a slower one
      */
     public WalkVelocity within(WalkVelocity most, double backward) {
@@ -32,10 +32,10 @@ public record WalkVelocity(double forward, double left, double turn) {
     }
 
     /**
-     * Changes towards another velocity within a limited acceleration.
+     * Moves towards another velocity with limited acceleration.
      *
      * @param wanted the other velocity
-     * @param change how much each speed may change
+     * @param change maximum change of each component
      * @return the other velocity, or one on the way there
      */
     public WalkVelocity towards(WalkVelocity wanted, WalkVelocity change) {

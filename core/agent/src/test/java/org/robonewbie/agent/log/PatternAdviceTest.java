@@ -24,9 +24,9 @@ class PatternAdviceTest {
                 wrong("%d is for whole numbers; %s for \"true\", in \"%s %d\".", "%s %d", 1, true),
                 wrong("%.1d has no digits after the point; %d for 3, in \"%.1d\".", "%.1d", 3),
                 wrong("%.1d is for whole numbers; %.1f for 3.5, in \"%.1d\".", "%.1d", 3.5),
-                wrong("%.2f is for numbers with a point; %d for 3, in \"%.2f m\".", "%.2f m", 3),
-                wrong("%f is for numbers with a point; %d for 7, in \"%f\".", "%f", 7L),
-                wrong("%e is for numbers with a point; %s for \"x\", in \"%e\".", "%e", "x"),
+                wrong("%.2f is for decimal numbers; %d for 3, in \"%.2f m\".", "%.2f m", 3),
+                wrong("%f is for decimal numbers; %d for 7, in \"%f\".", "%f", 7L),
+                wrong("%e is for decimal numbers; %s for \"x\", in \"%e\".", "%e", "x"),
                 wrong("%c is for one letter; %s for \"ab\", in \"%c\".", "%c", "ab"),
                 wrong(
                         "There is no value for %s: give one more, or leave it out; %% writes a per cent sign, in \"%s %s\".",
@@ -43,7 +43,7 @@ class PatternAdviceTest {
                 wrong("A lone % shows nothing; %% writes a per cent sign, in \"%d %, ok\".", "%d %, ok", 50),
                 wrong("A lone % shows nothing; %% writes a per cent sign, in \"% done %s\".", "% done %s", 50),
                 wrong(
-                        "Values are missing in the text \"angle\": write %.1f or %s where each of them is to be shown.",
+                        "The text \"angle\" lacks placeholders: write %.1f or %s where each value should appear.",
                         "angle", 50));
     }
 

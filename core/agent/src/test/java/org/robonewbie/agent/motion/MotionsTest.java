@@ -269,7 +269,7 @@ class MotionsTest {
                 .contains("The motion nod cannot be played: nod.txt")
                 .contains("2")
                 .contains("thirty")
-                .contains("The robot goes on without it.");
+                .contains("The robot continues without it.");
     }
 
     @Test
@@ -283,7 +283,7 @@ class MotionsTest {
         boolean started = motions.start("nod");
 
         assertThat(started).isTrue();
-        assertThat(diagnostics.reported().get(0)).contains("thirty").contains("The robot plays it as it was before.");
+        assertThat(diagnostics.reported().get(0)).contains("thirty").contains("The last valid version is played.");
     }
 
     @Test

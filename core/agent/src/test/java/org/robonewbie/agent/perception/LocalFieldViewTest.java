@@ -47,7 +47,7 @@ class LocalFieldViewTest {
         assertThat(diagnostics.reported())
                 .singleElement()
                 .asString()
-                .startsWith("0.00 s: The bearing of the ball is not known, since it has never been seen; ask isKnown()"
+                .startsWith("0.00 s: The bearing of the ball is unknown, since it has never been seen; call isKnown()"
                         + " first.");
     }
 

@@ -46,6 +46,6 @@ class MotionGuideTest {
 
         assertThat(MotionGuide.motion("nod", numbers)).isEqualTo(NOD);
         assertThatThrownBy(() -> MotionGuide.motion("nod", 100, 1))
-                .hasMessage("A motion of 2 numbers has no whole keyframes; each has 23 numbers.");
+                .hasMessage("A motion of 2 numbers contains an incomplete keyframe; each has 23 numbers.");
     }
 }

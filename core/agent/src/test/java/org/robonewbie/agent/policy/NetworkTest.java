@@ -45,6 +45,6 @@ class NetworkTest {
         Layer layer = new Layer(1, 2, Layer.Activation.TANH, new double[4]);
 
         assertThatThrownBy(() -> new Network(List.of(layer, layer)))
-                .hasMessage("Layer 2 takes 1 numbers, but the one before gives 2.");
+                .hasMessage("Layer 2 has 1 inputs, but the previous layer has 2 outputs.");
     }
 }

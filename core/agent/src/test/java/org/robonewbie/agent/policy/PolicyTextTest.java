@@ -55,13 +55,13 @@ class PolicyTextTest {
                     policy 1 balance      | policy 7 balance  | Line 1 of the policy cannot be read
                     layer 2 2 tanh        | layer 2 2 sigmoid | Line 7 of the policy cannot be read
                     1 0.5 -0.25           | 1 0.5             | A bias and 2 weights are needed, not 2 numbers.
-                    1 0.5 -0.25           | 1 NaN 2           | All numbers have to be finite.
-                    0 1 -1                | # nothing         | The policy "balance" is not complete.
-                    input tilt 10 degrees | weather fine x    | There are: numbers, input, output, layer.
-                    input tilt 10 degrees | input tilt        | Something is missing.
+                    1 0.5 -0.25           | 1 NaN 2           | All numbers must be finite.
+                    0 1 -1                | # nothing         | The policy "balance" is incomplete.
+                    input tilt 10 degrees | weather fine x    | Known statements: numbers, input, output, layer.
+                    input tilt 10 degrees | input tilt        | The line is incomplete.
                     layer 2 2 tanh        | layer 2 1025 tanh | A layer has 1 to 1024 inputs and outputs
                     layer 2 2 tanh        | layer 2 0 tanh    | A layer has 1 to 1024 inputs and outputs
-                    input tilt 10 degrees | # nothing         | The network takes 2 numbers and gives 1, but 1 inputs
+                    input tilt 10 degrees | # nothing         | The network has 2 inputs and 1 outputs, but 1 inputs
                     """)
     void saysWhatIsWrong(String line, String instead, String message) {
         assertThatThrownBy(() -> PolicyText.parse(TEXT.replace(line, instead)))
@@ -82,6 +82,6 @@ class PolicyTextTest {
         assertThatThrownBy(() -> policy.numbers("gait", 38))
                 .hasMessage("The policy \"balance\" needs 38 numbers \"gait\", but has 0.");
         assertThatThrownBy(() -> new Policy("x", List.of(), Map.of(), List.of(), List.of(), policy.network()))
-                .hasMessageContaining("0 inputs and 0 outputs have a name");
+                .hasMessageContaining("0 inputs and 0 outputs are named");
     }
 }

@@ -16,16 +16,16 @@ class ConnectTimeoutHintTest {
     private final PrintStream err = new PrintStream(said, true, StandardCharsets.UTF_8);
 
     @Test
-    void silentStrangerIsToldWithWhatToDo() {
+    void silentServerIsReportedWithAdvice() {
         ConnectTimeoutHint.after(Duration.ofMillis(1), "localhost:3100", err).await();
 
         assertThat(said.toString(StandardCharsets.UTF_8))
                 .startsWith("No answer from localhost:3100")
-                .contains("robonewbie doctor", "--seed 1 starts a simulator");
+                .contains("robonewbie doctor", "--seed 1 starts an embedded simulator");
     }
 
     @Test
-    void serverThatSpeaksInTimeIsNotTold() {
+    void serverThatAnswersInTimeIsNotReported() {
         ConnectTimeoutHint notice = ConnectTimeoutHint.after(Duration.ofHours(1), "localhost:3100", err);
 
         notice.close();

@@ -11,7 +11,7 @@ class SlowCyclesTest {
 
     private static final StackSample SLEEP = new StackSample(Kind.SLEEPS, "Thread.sleep()", "A.java:9");
 
-    private final SlowCycles thoughts = new SlowCycles();
+    private final SlowCycles cycles = new SlowCycles();
     private final List<Slowness> found = new ArrayList<>();
 
     @Test
@@ -66,7 +66,7 @@ class SlowCyclesTest {
     @Test
     void forgivesCyclesThatTakeLongerOnlyOnABusyComputer() {
         for (int i = 0; i < 100; i++) {
-            thoughts.sample(new StackSample(Kind.COMPUTES, "", "B.java:1"), 5);
+            cycles.sample(new StackSample(Kind.COMPUTES, "", "B.java:1"), 5);
             ends(300);
         }
 
@@ -85,7 +85,7 @@ class SlowCyclesTest {
     @Test
     void namesTheLineThatComputesMost() {
         for (int i = 0; i < 5; i++) {
-            thoughts.sample(new StackSample(Kind.COMPUTES, "", "B.java:1"), 0);
+            cycles.sample(new StackSample(Kind.COMPUTES, "", "B.java:1"), 0);
             compute(i == 2 ? "B.java:7" : "B.java:4", 300);
         }
 
@@ -95,8 +95,8 @@ class SlowCyclesTest {
     @Test
     void tellsSleepingFromComputingByWhatTakesMore() {
         for (int i = 0; i < 3; i++) {
-            thoughts.sample(new StackSample(Kind.COMPUTES, "", "B.java:4"), 10);
-            thoughts.sample(SLEEP, 0);
+            cycles.sample(new StackSample(Kind.COMPUTES, "", "B.java:4"), 10);
+            cycles.sample(SLEEP, 0);
             sleep(30);
         }
 
@@ -111,11 +111,11 @@ class SlowCyclesTest {
                 .isEqualTo("think() slept 500 ms; it is called 50 times per simulated second. Count cycles or compare"
                         + " nao.getTime() instead.");
         assertThat(sentence(CycleOwner.PROGRAM, new Slowness(SLEEP, 100)))
-                .isEqualTo("The program slept 100 ms; sense() is to be called 50 times per simulated second. Count"
+                .isEqualTo("The program slept 100 ms; sense() must be called 50 times per simulated second. Count"
                         + " cycles or compare nao.getTime() instead.");
         assertThat(sentence(CycleOwner.FRAMEWORK, reading))
                 .isEqualTo("think() waited 2000 ms in Scanner.nextLine(); it is called 50 times per simulated second."
-                        + " Let a thread of its own wait, and look only at what it has found.");
+                        + " Wait in a separate thread, and read only its result.");
     }
 
     private static String sentence(CycleOwner owner, Slowness slowness) {
@@ -123,14 +123,14 @@ class SlowCyclesTest {
     }
 
     private void sleep(double milliseconds) {
-        thoughts.sample(SLEEP, 0);
+        cycles.sample(SLEEP, 0);
         ends(milliseconds);
     }
 
     private void compute(String place, double milliseconds) {
         StackSample sample = new StackSample(Kind.COMPUTES, "", place);
-        thoughts.sample(sample, milliseconds / 2);
-        thoughts.sample(sample, milliseconds / 2);
+        cycles.sample(sample, milliseconds / 2);
+        cycles.sample(sample, milliseconds / 2);
         ends(milliseconds);
     }
 
@@ -141,6 +141,6 @@ class SlowCyclesTest {
     }
 
     private void ends(double milliseconds) {
-        thoughts.thoughtEnds(milliseconds).ifPresent(found::add);
+        cycles.cycleEnds(milliseconds).ifPresent(found::add);
     }
 }

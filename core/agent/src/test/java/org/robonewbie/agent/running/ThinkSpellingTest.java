@@ -32,8 +32,8 @@ class ThinkSpellingTest {
         }
 
         assertThat(wrongIn(Timed.class))
-                .isEqualTo("Timed has no think(); think(double) is never called, since think() takes nothing:"
-                        + " leave out what is between ( and ).");
+                .isEqualTo("Timed has no think(); think(double) is never called, since think() has no parameters:"
+                        + " remove them.");
     }
 
     @Test
@@ -69,7 +69,7 @@ class ThinkSpellingTest {
     }
 
     private static String wrongIn(Class<?> program) {
-        return ThinkSpelling.wrongIn(program, Agent.class, program.getSimpleName())
+        return ThinkSpelling.problemIn(program, Agent.class, program.getSimpleName())
                 .orElse("");
     }
 }

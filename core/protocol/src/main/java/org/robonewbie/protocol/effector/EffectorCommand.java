@@ -3,30 +3,30 @@ package org.robonewbie.protocol.effector;
 import java.util.List;
 import org.robonewbie.nao.geometry.Pose2d;
 
-/** A command of an agent to the simulator, one of a closed family. */
+/** A command from an agent to the simulator. */
 public sealed interface EffectorCommand {
 
     /**
-     * Builds the robot: {@code (scene rsg/agent/nao/nao_hetero.rsg 0)}. The first command of each agent.
+     * Creates the robot: {@code (scene rsg/agent/nao/nao_hetero.rsg 0)}. The first command of each agent.
      *
-     * @param path the scene file that describes the robot
+     * @param path scene file that describes the robot
      * @param parameters further words, such as the number of the robot type
      */
     record CreateRobot(String path, List<String> parameters) implements EffectorCommand {
 
-        /** The scene of the robot of type 0. */
+        /** The scene file of robot type 0. */
         public static final String SCENE = "rsg/agent/nao/nao.rsg";
 
-        /** The scene of a robot whose type is its parameter. */
+        /** The scene file with the robot type as its parameter. */
         public static final String SCENE_OF_TYPE = "rsg/agent/nao/nao_hetero.rsg";
 
-        /** Makes the list unmodifiable. */
+        /** Copies the list. */
         public CreateRobot {
             parameters = List.copyOf(parameters);
         }
 
         /**
-         * Returns the command that builds a robot.
+         * Returns the command that creates a robot of a type.
          *
          * @param type the robot type, 0 to 4
          * @return the command
@@ -41,19 +41,19 @@ public sealed interface EffectorCommand {
     /**
      * Joins a team: {@code (init (unum 1)(teamname Stars))}.
      *
-     * @param number the wanted shirt number, 1 to 11; 0 leaves the choice to the simulator
-     * @param team the team's name; empty if there is none
+     * @param number requested shirt number, 1 to 11; 0 lets the simulator choose
+     * @param team name of the team; empty if the message has none
      */
     record JoinTeam(int number, String team) implements EffectorCommand {}
 
     /**
-     * Places the robot on its own half before a kick-off: {@code (beam -1 0.5 90)}.
+     * Places the robot in its own half before a kick-off: {@code (beam -1 0.5 90)}.
      *
-     * @param pose in the coordinates of the team; the own half has negative x
+     * @param pose pose in the team's frame, where the own half has negative x
      */
     record Beam(Pose2d pose) implements EffectorCommand {
 
-        /** {@return the command in the words of recordings} */
+        /** {@return the command in the format of recordings} */
         @Override
         public String toString() {
             return "Beam[xMetres=" + pose.x() + ", yMetres=" + pose.y() + ", headingDegrees=" + pose.degrees() + "]";
@@ -61,18 +61,18 @@ public sealed interface EffectorCommand {
     }
 
     /**
-     * Sets the speed of a joint's motor: {@code (he1 0.5)}. The motor keeps turning until the next command. This is the only
-     * command in radians, as SimSpark expects.
+     * Sets the speed of a motor: {@code (he1 0.5)}. The motor keeps this speed until the next command. As SimSpark requires, this
+     * is the only command in radians.
      *
      * @param effectorName the motor's name in SimSpark's messages
-     * @param radiansPerSecond the speed
+     * @param radiansPerSecond speed in radians per second
      */
     record SetHingeSpeed(String effectorName, double radiansPerSecond) implements EffectorCommand {}
 
     /**
      * Shouts a text across the field: {@code (say hello)}.
      *
-     * @param text 1 to 20 ASCII characters without blanks and parentheses
+     * @param text 1 to 20 printable ASCII characters other than parentheses
      */
     record Say(String text) implements EffectorCommand {
 
@@ -82,7 +82,7 @@ public sealed interface EffectorCommand {
         /**
          * Checks the text.
          *
-         * @throws IllegalArgumentException if a simulator would not transmit it
+         * @throws IllegalArgumentException if simulators do not transmit such a text
          */
         public Say {
             if (text.isEmpty()) {
@@ -95,8 +95,9 @@ public sealed interface EffectorCommand {
             for (int i = 0; i < text.length(); i++) {
                 char character = text.charAt(i);
                 if (character <= ' ' || character > '~' || character == '(' || character == ')') {
-                    throw new IllegalArgumentException("A robot cannot say \"" + text + "\" because of the character '"
-                            + character + "'. Use letters, digits and signs of ASCII without blanks and parentheses.");
+                    throw new IllegalArgumentException(
+                            "A robot cannot say \"" + text + "\" because of the character '" + character
+                                    + "'. Use ASCII letters, digits and punctuation, without spaces and parentheses.");
                 }
             }
         }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.protocol.effector.EffectorCommand.Beam;
@@ -18,9 +19,8 @@ import org.robonewbie.protocol.sexp.SexpReader;
 import org.robonewbie.protocol.sexp.Token;
 
 /**
- * Reads an agent's messages on the simulator's side by the rules of rcssserver3d: numbers as C's {@code atof} reads them,
- * unfinished commands are dropped, and no input can do harm. What cannot be understood is reported in words and skipped. Not
- * thread-safe.
+ * Parses the messages of an agent for the simulator, by the rules of rcssserver3d: numbers are parsed like C's {@code atof},
+ * incomplete commands are dropped, and no input is harmful. Invalid parts are reported and skipped. Not thread-safe.
  */
 public final class EffectorMessageReader {
 
@@ -28,7 +28,9 @@ public final class EffectorMessageReader {
     private static final int MAX_WORD = 60;
     private static final Synchronise SYNCHRONISE = new Synchronise();
     private static final RequestPass REQUEST_PASS = new RequestPass();
-    private static final String[] HINGES = hingeNames();
+    private static final String[] HINGES = Stream.concat(
+                    Arrays.stream(Joint.values()).map(Joint::effectorName), Stream.of("lle7", "rle7"))
+            .toArray(String[]::new);
 
     private final SexpReader reader = SexpReader.withQuotes();
     private final double[] numbers = new double[3];
@@ -43,11 +45,11 @@ public final class EffectorMessageReader {
     public EffectorMessageReader() {}
 
     /**
-     * Reads a message.
+     * Parses a message.
      *
-     * @param message the bytes as the agent sent them
+     * @param message the message as received from the agent
      * @param commandListener receives the commands in order
-     * @param problemListener receives a sentence for each part that was skipped, at most eleven per message
+     * @param problemListener receives a sentence for each skipped part, at most eleven per message
      */
     public void read(
             MessageBuffer message,
@@ -94,7 +96,7 @@ public final class EffectorMessageReader {
         }
     }
 
-    /** Gives the last command of the hinge again if it is the same: joints at rest are commanded the same speed in each cycle. */
+    /** Returns the last command of the hinge if it is equal, which saves allocations for joints at rest. */
     private SetHingeSpeed speedOf(String name) {
         int hinge = expectedHinge - 1;
         SetHingeSpeed last = lastSpeeds[hinge];
@@ -112,10 +114,10 @@ public final class EffectorMessageReader {
         }
     }
 
-    /** Takes the first word, as rcssserver3d does: whatever follows it within the parentheses is skipped. */
+    /** Reads the first word and skips the rest of the list, as rcssserver3d does. */
     private void readSay() {
         if (reader.next() != Token.ATOM) {
-            ignore("\"say\" was ignored: it needs a text of 1 to 20 characters without blanks and parentheses");
+            ignore("\"say\" was ignored: it needs a text of 1 to 20 characters without spaces and parentheses");
             return;
         }
         try {
@@ -162,7 +164,7 @@ public final class EffectorMessageReader {
         return true;
     }
 
-    /** Delivers a command if its list is complete; an unfinished one at the end of a message is dropped. */
+    /** Delivers a command if its list is complete. */
     private void finish(EffectorCommand command) {
         reader.skipTo(0);
         if (reader.token() == Token.CLOSE) {
@@ -183,7 +185,7 @@ public final class EffectorMessageReader {
         return start.chars().allMatch(character -> character > ' ') ? start : "(unprintable)";
     }
 
-    /** Finds the hinge that the current atom names, starting after the previous one, since agents keep the order. */
+    /** Finds the hinge named by the current atom, starting after the previous hinge, since agents keep the order. */
     private String findHinge() {
         for (int i = 0; i < HINGES.length; i++) {
             int candidate = (expectedHinge + i) % HINGES.length;
@@ -193,15 +195,5 @@ public final class EffectorMessageReader {
             }
         }
         return "";
-    }
-
-    private static String[] hingeNames() {
-        List<String> names = new ArrayList<>();
-        for (Joint joint : Joint.values()) {
-            names.add(joint.effectorName());
-        }
-        names.add("lle7");
-        names.add("rle7");
-        return names.toArray(String[]::new);
     }
 }

@@ -1,7 +1,6 @@
 package org.robonewbie.protocol.effector;
 
 import java.util.List;
-import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.protocol.effector.EffectorCommand.Beam;
 import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
@@ -13,16 +12,16 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.sexp.SexpWriter;
 
 /**
- * Writes an agent's commands. Numbers are plain decimals, never with an exponent, so that every server understands them; nine
- * decimals of a speed are exact to a billionth of a radian. Writing does not allocate.
+ * Formats the commands of an agent. Numbers have up to nine decimals and no exponent, which all servers accept. Writing does not
+ * allocate.
  *
  * <pre>{@code
- * new EffectorMessageWriter(buffer).hingeSpeed(Joint.NECK_YAW, 0.5).synchronise();
+ * new EffectorMessageWriter(buffer).hingeSpeed("he1", 0.5).synchronise();
  * }</pre>
  */
 public final class EffectorMessageWriter {
 
-    /** The command that ends the commands of a cycle, as {@link #synchronise} writes it. */
+    /** The command that {@link #synchronise} writes. */
     public static final String SYNCHRONISE = "(syn)";
 
     private static final int DECIMALS = 9;
@@ -32,17 +31,17 @@ public final class EffectorMessageWriter {
     /**
      * Creates a writer.
      *
-     * @param message the buffer at whose end the commands are written
+     * @param message the buffer to which the commands are appended
      */
     public EffectorMessageWriter(MessageBuffer message) {
         writer = new SexpWriter(message);
     }
 
     /**
-     * Rounds a number as messages to a simulator do.
+     * Rounds a number to the precision of a command.
      *
      * @param value a number of a command
-     * @return the number that the simulator reads
+     * @return the number that the simulator receives
      */
     public static double rounded(double value) {
         return SexpWriter.rounded(value, DECIMALS);
@@ -53,7 +52,7 @@ public final class EffectorMessageWriter {
      *
      * @param command the command
      * @return this writer
-     * @throws IllegalArgumentException if a word or number of the command cannot be sent
+     * @throws IllegalArgumentException if a word or number of the command is invalid
      */
     public EffectorMessageWriter write(EffectorCommand command) {
         if (command instanceof SetHingeSpeed hinge) {
@@ -71,12 +70,12 @@ public final class EffectorMessageWriter {
     }
 
     /**
-     * Writes the command that builds the robot.
+     * Writes the command that creates the robot.
      *
-     * @param path the scene file that describes the robot
+     * @param path scene file that describes the robot
      * @param parameters further words, such as the number of the robot type
      * @return this writer
-     * @throws IllegalArgumentException if a word contains blanks, parentheses or quotation marks
+     * @throws IllegalArgumentException if a word contains spaces, parentheses, semicolons or quotation marks
      */
     public EffectorMessageWriter createRobot(String path, List<String> parameters) {
         checkWord("Scene file", path);
@@ -92,10 +91,10 @@ public final class EffectorMessageWriter {
     /**
      * Writes the command that joins a team.
      *
-     * @param number the wanted shirt number, 1 to 11; 0 leaves the choice to the simulator
-     * @param team the team's name
+     * @param number requested shirt number, 1 to 11; 0 lets the simulator choose
+     * @param team name of the team
      * @return this writer
-     * @throws IllegalArgumentException if the name contains blanks, parentheses or quotation marks
+     * @throws IllegalArgumentException if the name contains spaces, parentheses, semicolons or quotation marks
      */
     public EffectorMessageWriter joinTeam(int number, String team) {
         checkWord("Team name", team);
@@ -105,9 +104,9 @@ public final class EffectorMessageWriter {
     }
 
     /**
-     * Writes the command that places the robot on its own half.
+     * Writes the command that places the robot in its own half.
      *
-     * @param pose in the coordinates of the team; the own half has negative x
+     * @param pose pose in the team's frame, where the own half has negative x
      * @return this writer
      * @throws IllegalArgumentException if a number is not finite
      */
@@ -123,22 +122,10 @@ public final class EffectorMessageWriter {
     }
 
     /**
-     * Writes the command that sets the speed of a joint's motor.
+     * Writes the command that sets the speed of a motor.
      *
-     * @param joint the joint
-     * @param radiansPerSecond the speed
-     * @return this writer
-     * @throws IllegalArgumentException if the speed is not finite
-     */
-    public EffectorMessageWriter hingeSpeed(Joint joint, double radiansPerSecond) {
-        return hingeSpeed(joint.effectorName(), radiansPerSecond);
-    }
-
-    /**
-     * Writes the command that sets the speed of a hinge's motor.
-     *
-     * @param effectorName the motor's name, such as {@code lle7} for the left toe
-     * @param radiansPerSecond the speed
+     * @param effectorName name of the motor, such as {@code he1}
+     * @param radiansPerSecond speed in radians per second
      * @return this writer
      * @throws IllegalArgumentException if the speed is not finite
      */
@@ -152,9 +139,9 @@ public final class EffectorMessageWriter {
     /**
      * Writes the command that shouts a text across the field.
      *
-     * @param text 1 to 20 ASCII characters without blanks, parentheses, semicolon and quotation marks
+     * @param text 1 to 20 printable ASCII characters other than parentheses, semicolons and quotation marks
      * @return this writer
-     * @throws IllegalArgumentException if a simulator would not transmit the text
+     * @throws IllegalArgumentException if simulators do not transmit such a text
      */
     public EffectorMessageWriter say(String text) {
         checkWord("Text to say", new Say(text).text());
@@ -184,8 +171,8 @@ public final class EffectorMessageWriter {
 
     private static void checkNumber(String what, String name, double value) {
         if (!Double.isFinite(value)) {
-            throw new IllegalArgumentException(what + name + " is " + value
-                    + ", which is no number that a robot can use. Was" + " something divided by zero?");
+            throw new IllegalArgumentException(
+                    what + name + " is " + value + ", not a finite number. Was something divided by zero?");
         }
     }
 
@@ -197,7 +184,7 @@ public final class EffectorMessageWriter {
             char character = word.charAt(i);
             if (character <= ' ' || character > '~' || "();\"'".indexOf(character) >= 0) {
                 throw new IllegalArgumentException(what + " \"" + word + "\" cannot be sent because of the character '"
-                        + character + "'. Use letters, digits and signs of ASCII without blanks, parentheses,"
+                        + character + "'. Use ASCII letters, digits and punctuation, without spaces, parentheses,"
                         + " semicolons and quotation marks.");
             }
         }

@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 
-/** A simulator that runs inside this process and in lock-step with its agents. */
+/** A simulator that runs in this process, in lock-step with its agents. */
 public interface EmbeddedSimulator extends AutoCloseable {
 
     /**
@@ -14,22 +14,21 @@ public interface EmbeddedSimulator extends AutoCloseable {
      */
     AgentLink connect();
 
-    /** {@return the TCP port on 127.0.0.1 at which agents of other processes can join} */
+    /** {@return the TCP port on 127.0.0.1 for agents of other processes} */
     int agentPort();
 
-    /** {@return what to print about the studio: an address that opens it once, and a hint; or empty when headless} */
+    /** {@return text about the studio to print: an address that opens it once, and a hint; empty when headless} */
     Optional<String> studioAddress();
 
     /**
-     * {@return the sink for log lines, beliefs and drawings of this process's robots; {@link TelemetrySink#NONE} if none is
-     * attached}
+     * {@return the sink for the telemetry of robots in this process; {@link TelemetrySink#NONE} if none is attached}
      */
     default TelemetrySink telemetry() {
         return TelemetrySink.NONE;
     }
 
     /**
-     * Ends the simulation, closes the recording and writes the report. Closing twice does nothing.
+     * Ends the simulation, closes the recording and writes the report. Closing again has no effect.
      *
      * @throws java.io.UncheckedIOException if the report cannot be written
      */

@@ -2,42 +2,42 @@ package org.robonewbie.protocol.embedded;
 
 import org.robonewbie.nao.Joint;
 
-/** A robot steered by hand instead of by a program. All methods return at once and may be called from any thread. */
+/** A robot under manual control. All methods return immediately and may be called from any thread. */
 public interface Puppet extends AutoCloseable {
 
     /**
-     * Walks with a velocity until another one is set; zero stops.
+     * Sets the walking velocity, which stays in effect until the next call. Zero stops the robot.
      *
-     * @param forward -1 to 1, as a fraction of what the robot can do
-     * @param left -1 to 1; negative is to the right
-     * @param turn -1 to 1; positive is to the left
+     * @param forward fraction of the maximum speed forward, -1 to 1
+     * @param left fraction of the maximum speed to the left, -1 to 1
+     * @param turn fraction of the maximum turning speed to the left, -1 to 1
      */
     void walk(double forward, double left, double turn);
 
     /**
      * Performs a motion of the library.
      *
-     * @param motion its name, such as {@code kick-right}
+     * @param motion name of the motion, such as {@code kick-right}
      */
     void perform(String motion);
 
     /**
      * Turns the head.
      *
-     * @param yawDegrees to the left
-     * @param pitchDegrees up
+     * @param yawDegrees angle to the left in degrees
+     * @param pitchDegrees angle up in degrees
      */
     void look(double yawDegrees, double pitchDegrees);
 
     /**
-     * Moves a joint and holds it; walking and motions end.
+     * Moves a joint to an angle and holds it there. Stops walking and motions.
      *
      * @param joint the joint
-     * @param degrees its angle, clamped to the joint's range
+     * @param degrees target angle in degrees, clamped to the joint's range
      */
     void hold(Joint joint, double degrees);
 
-    /** Releases all joints and stands. */
+    /** Releases all joints and returns to a standing posture. */
     void stand();
 
     /** Removes the robot from the pitch. */

@@ -1,8 +1,8 @@
 /**
- * How an agent finds a simulator in its own process without depending on it. Read {@link
+ * Interfaces through which an agent uses a simulator in its own process without depending on that module. Read {@link
  * org.robonewbie.protocol.embedded.SimulatorProvider} first.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.protocol.embedded;

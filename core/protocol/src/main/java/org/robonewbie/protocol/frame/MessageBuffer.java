@@ -3,7 +3,7 @@ package org.robonewbie.protocol.frame;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/** The bytes of one message without its length prefix. It grows as needed and is reused in each cycle. */
+/** Growable buffer for the bytes of one message without its length prefix, reused in each cycle. */
 public final class MessageBuffer {
 
     private static final char LAST_ASCII = 0x7F;
@@ -19,34 +19,33 @@ public final class MessageBuffer {
     /**
      * Creates an empty buffer.
      *
-     * @param capacity how many bytes fit in before it grows, at least 1
+     * @param capacity initial capacity in bytes, at least 1
      */
     public MessageBuffer(int capacity) {
         bytes = new byte[capacity];
     }
 
     /**
-     * {@return the underlying array, of which the first {@link #length()} bytes are the message; it changes with the next
-     * message}
+     * {@return the underlying array, whose first {@link #length()} bytes are the message; valid until the next change}
      */
     public byte[] bytes() {
         return bytes;
     }
 
-    /** {@return the length of the message in bytes, at least 0} */
+    /** {@return the length of the message in bytes} */
     public int length() {
         return length;
     }
 
-    /** Makes the message empty. */
+    /** Sets the length to 0. */
     public void clear() {
         length = 0;
     }
 
     /**
-     * Makes room for a message that the caller then writes into {@link #bytes()}.
+     * Changes the length of the message, whose content the caller then writes into {@link #bytes()}. Existing bytes are kept.
      *
-     * @param newLength length of the message in bytes; the bytes before the old length are kept
+     * @param newLength the new length in bytes
      */
     public void resize(int newLength) {
         if (newLength > bytes.length) {
@@ -66,7 +65,7 @@ public final class MessageBuffer {
     }
 
     /**
-     * Appends a text in UTF-8, in which no letter of a foreign alphabet can be mistaken for a parenthesis.
+     * Appends a text in UTF-8, in which the bytes of other characters never equal a parenthesis.
      *
      * @param text the text, mostly ASCII
      */
@@ -76,8 +75,8 @@ public final class MessageBuffer {
         for (int i = 0; i < text.length(); i++) {
             char character = text.charAt(i);
             if (character > LAST_ASCII) {
-                resize(start);
-                appendEncoded(text.toString().getBytes(StandardCharsets.UTF_8));
+                length = start;
+                append(text.toString().getBytes(StandardCharsets.UTF_8));
                 return;
             }
             bytes[start + i] = (byte) character;
@@ -87,7 +86,7 @@ public final class MessageBuffer {
     /**
      * Appends another message.
      *
-     * @param other the message, left unchanged
+     * @param other the message
      */
     public void append(MessageBuffer other) {
         int start = length;
@@ -98,15 +97,14 @@ public final class MessageBuffer {
     /**
      * Replaces the message.
      *
-     * @param message the bytes of the new message, which are copied
+     * @param message the bytes of the new message; copied
      */
     public void set(byte[] message) {
         length = 0;
-        resize(message.length);
-        System.arraycopy(message, 0, bytes, 0, message.length);
+        append(message);
     }
 
-    private void appendEncoded(byte[] encoded) {
+    private void append(byte[] encoded) {
         int start = length;
         resize(length + encoded.length);
         System.arraycopy(encoded, 0, bytes, start, encoded.length);

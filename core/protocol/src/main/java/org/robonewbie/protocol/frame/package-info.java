@@ -1,3 +1,3 @@
-/** What travels between agent and simulator: the bytes of one message, and the connection that carries it. */
+/** The bytes of a message between agent and simulator, and the connection that carries it. */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.protocol.frame;

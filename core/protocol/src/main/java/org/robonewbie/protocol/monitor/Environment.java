@@ -4,40 +4,35 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 /**
- * What stays constant during a match: dimensions of the pitch and parameters of the rules.
+ * The constants of a match: dimensions of the pitch and parameters of the rules.
  *
- * @param measures the numbers in the order in which they are sent
+ * @param measures the parameters in the order of the message
  * @param playModes names of all play modes; messages refer to a play mode by its index in this list
  */
 public record Environment(List<Measure> measures, List<String> playModes) {
 
-    /** The environment before any was received. */
+    /** The environment before the first message. */
     public static final Environment UNKNOWN = new Environment(List.of(), List.of());
 
     /**
-     * One number of the environment.
+     * A parameter of the environment.
      *
-     * @param name SimSpark's name of it, such as {@code FieldLength}
-     * @param value metres, seconds or kilograms
+     * @param name SimSpark's name, such as {@code FieldLength}
+     * @param value value in metres, seconds or kilograms
      */
     public record Measure(String name, double value) {}
 
-    /**
-     * Creates an environment.
-     *
-     * @param measures the numbers in the order in which they are sent
-     * @param playModes names of all play modes
-     */
+    /** Copies the lists. */
     public Environment {
         measures = List.copyOf(measures);
         playModes = List.copyOf(playModes);
     }
 
     /**
-     * Looks up a number.
+     * Returns a parameter.
      *
-     * @param name SimSpark's name of it, such as {@code FieldLength}
-     * @return metres, seconds or kilograms; empty if the server did not send it
+     * @param name SimSpark's name, such as {@code FieldLength}
+     * @return value in metres, seconds or kilograms; empty if the server did not send it
      */
     public OptionalDouble measure(String name) {
         return measures.stream()

@@ -5,8 +5,8 @@ import org.robonewbie.protocol.order.PlayerNumber;
 /**
  * A foul called by the referee.
  *
- * @param index counts the fouls of a match from 1
- * @param type what was done
- * @param player who did it
+ * @param index number of the foul in the match, from 1
+ * @param type type of the foul
+ * @param player the offending robot
  */
 public record Foul(int index, FoulType type, PlayerNumber player) {}

@@ -2,29 +2,29 @@ package org.robonewbie.protocol.monitor;
 
 import java.util.Optional;
 
-/** The fouls that monitors know, in the order of their numbers in SimSpark's messages. */
+/** The types of fouls in monitor messages, in the order of their numbers in SimSpark. */
 public enum FoulType {
     /** Too many robots of a team near the ball. */
     CROWDING,
-    /** Too many robots touch each other. */
+    /** Too many robots touching each other. */
     TOUCHING,
     /** Too many defenders in their own penalty area. */
     ILLEGAL_DEFENCE,
-    /** Too many attackers in the opponents' penalty area; rcssserver3d never calls it. */
+    /** Too many attackers in the opponents' penalty area; never called by rcssserver3d. */
     ILLEGAL_ATTACK,
-    /** A robot stays on the ground for too long. */
+    /** A robot on the ground for too long. */
     INCAPABLE,
-    /** An infringement at the kick-off; rcssserver3d never calls it. */
+    /** An infringement at the kick-off; never called by rcssserver3d. */
     ILLEGAL_KICK_OFF,
-    /** A robot runs into an opponent. */
+    /** A robot running into an opponent. */
     CHARGING,
-    /** Parts of one robot's body run into each other. */
+    /** A collision between parts of the same robot. */
     SELF_COLLISION,
-    /** A robot keeps the ball for too long; newer servers only. */
+    /** A robot holding the ball for too long; newer servers only. */
     BALL_HOLDING,
-    /** The taker of a free kick touches the ball twice; newer servers only. */
+    /** The taker of a free kick touching the ball twice; newer servers only. */
     DOUBLE_TOUCHING,
-    /** A robot plays the ball with an arm; newer servers only. */
+    /** A robot playing the ball with an arm; newer servers only. */
     HAND_FOUL;
 
     /** {@return the foul's number in SimSpark's messages, 0 to 10} */
@@ -33,10 +33,10 @@ public enum FoulType {
     }
 
     /**
-     * Finds a foul by its number in SimSpark's messages.
+     * Returns the foul with a number from SimSpark's messages.
      *
      * @param simSparkNumber the number
-     * @return the foul; empty for a number of a newer server
+     * @return the foul; empty for an unknown number, which a newer server may send
      */
     public static Optional<FoulType> ofSimSparkNumber(int simSparkNumber) {
         return simSparkNumber >= 0 && simSparkNumber < values().length

@@ -11,7 +11,7 @@ import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.protocol.sexp.SexpReader;
 import org.robonewbie.protocol.sexp.Token;
 
-/** Reads the first list of a monitor message into the state of the match. */
+/** Parses the first list of a monitor message: the environment and the state of the match. */
 final class GameStateReader {
 
     private final SexpReader in;
@@ -44,12 +44,12 @@ final class GameStateReader {
                 time, teamLeft, teamRight, half, scoreLeft, scoreRight, playMode, passWaitLeft, passWaitRight);
     }
 
-    /** The fouls of the last message. */
+    /** Returns the fouls of the last message. */
     List<Foul> fouls() {
         return List.copyOf(fouls);
     }
 
-    /** Reads a list that has just been opened. */
+    /** Parses the list after its opening parenthesis. */
     void read() throws MalformedMessageException {
         fouls.clear();
         passWaitLeft = 0;
@@ -95,7 +95,7 @@ final class GameStateReader {
                 : Optional.empty();
     }
 
-    /** Newer servers send index, type, team and number; those before 0.7 omit the index. */
+    /** Servers from 0.7 on send index, type, team and number; older ones omit the index. */
     private void readFoul(List<Word> words) {
         int start = words.size() == 3 ? -1 : 0;
         if (words.size() < 3) {

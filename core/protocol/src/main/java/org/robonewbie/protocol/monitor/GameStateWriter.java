@@ -6,8 +6,8 @@ import org.robonewbie.nao.PlayMode;
 import org.robonewbie.protocol.sexp.SexpWriter;
 
 /**
- * Writes the first list of a monitor message: the environment and the state of the match, the latter only where it has changed
- * since it was last written.
+ * Writes the first list of a monitor message: the environment and the state of the match. Partial messages contain only what has
+ * changed since the last message to all monitors.
  *
  * <p>Source of the format: SimSpark's {@code gamestateitem.cpp} and {@code soccerruleitem.cpp}.
  */
@@ -15,7 +15,7 @@ final class GameStateWriter {
 
     private final Environment environment;
     private final SexpWriter out;
-    private MonitoredGame told = MonitoredGame.UNKNOWN;
+    private MonitoredGame lastSent = MonitoredGame.UNKNOWN;
     private int lastFoul;
 
     GameStateWriter(Environment environment, SexpWriter out) {
@@ -23,45 +23,53 @@ final class GameStateWriter {
         this.out = out;
     }
 
-    /** Writes everything; it counts as known only if all monitors receive it. */
+    /** Writes the environment and the full state. Later partial messages build on it only if all monitors receive it. */
     void writeFull(MonitoredGame state, List<Foul> fouls, boolean toAll) {
         out.text("(");
         writeEnvironment();
-        writeTime(state);
-        writeName("team_left", state.teamLeft());
-        writeName("team_right", state.teamRight());
-        writeInteger("half", state.half());
-        writeInteger("score_left", state.scoreLeft());
-        writeInteger("score_right", state.scoreRight());
-        writePlayMode(state.playMode());
-        writePassWaits(state);
+        writeState(state, true);
         if (toAll) {
             writeNewFouls(fouls);
-            told = state;
+            lastSent = state;
         }
         out.text(")");
     }
 
-    /** Writes time and changes. */
+    /** Writes the time and the changes of the state. */
     void writePartial(MonitoredGame state, List<Foul> fouls) {
         out.text("(");
-        writeTime(state);
-        if (!state.teamLeft().equals(told.teamLeft())) {
+        writeState(state, false);
+        writeNewFouls(fouls);
+        lastSent = state;
+        out.text(")");
+    }
+
+    private void writeState(MonitoredGame state, boolean full) {
+        writeNumber("time", state.timeSeconds());
+        if (full || !state.teamLeft().equals(lastSent.teamLeft())) {
             writeName("team_left", state.teamLeft());
         }
-        if (!state.teamRight().equals(told.teamRight())) {
+        if (full || !state.teamRight().equals(lastSent.teamRight())) {
             writeName("team_right", state.teamRight());
         }
-        writeChange("half", told.half(), state.half());
-        writeChange("score_left", told.scoreLeft(), state.scoreLeft());
-        writeChange("score_right", told.scoreRight(), state.scoreRight());
-        if (!state.playMode().equals(told.playMode())) {
+        if (full || state.half() != lastSent.half()) {
+            writeInteger("half", state.half());
+        }
+        if (full || state.scoreLeft() != lastSent.scoreLeft()) {
+            writeInteger("score_left", state.scoreLeft());
+        }
+        if (full || state.scoreRight() != lastSent.scoreRight()) {
+            writeInteger("score_right", state.scoreRight());
+        }
+        if (full || !state.playMode().equals(lastSent.playMode())) {
             writePlayMode(state.playMode());
         }
-        writePassWaits(state);
-        writeNewFouls(fouls);
-        told = state;
-        out.text(")");
+        if (state.passWaitLeftSeconds() > 0) {
+            writeNumber("pass_mode_score_wait_left", state.passWaitLeftSeconds());
+        }
+        if (state.passWaitRightSeconds() > 0) {
+            writeNumber("pass_mode_score_wait_right", state.passWaitRightSeconds());
+        }
     }
 
     private void writeEnvironment() {
@@ -73,10 +81,6 @@ final class GameStateWriter {
             out.text(" ").text(playMode);
         }
         out.text(")");
-    }
-
-    private void writeTime(MonitoredGame state) {
-        writeNumber("time", state.timeSeconds());
     }
 
     private void writeName(String name, Optional<String> value) {
@@ -91,25 +95,10 @@ final class GameStateWriter {
         out.text("(").text(name).text(" ").integer(value).text(")");
     }
 
-    private void writeChange(String name, int before, int now) {
-        if (before != now) {
-            writeInteger(name, now);
-        }
-    }
-
     private void writePlayMode(Optional<PlayMode> playMode) {
         playMode.map(mode -> environment.playModes().indexOf(mode.simSparkName()))
                 .filter(index -> index >= 0)
                 .ifPresent(index -> writeInteger("play_mode", index));
-    }
-
-    private void writePassWaits(MonitoredGame state) {
-        if (state.passWaitLeftSeconds() > 0) {
-            writeNumber("pass_mode_score_wait_left", state.passWaitLeftSeconds());
-        }
-        if (state.passWaitRightSeconds() > 0) {
-            writeNumber("pass_mode_score_wait_right", state.passWaitRightSeconds());
-        }
     }
 
     private void writeNewFouls(List<Foul> fouls) {

@@ -1,10 +1,10 @@
 package org.robonewbie.protocol.monitor;
 
 /**
- * A light; its position is that of the transform around it.
+ * A light at the position of the enclosing transform.
  *
- * @param diffuse colour of the light that comes from the light's direction
- * @param ambient colour of the light that comes from everywhere
+ * @param diffuse colour of the diffuse light
+ * @param ambient colour of the ambient light
  * @param specular colour of highlights
  */
 public record LightNode(Colour diffuse, Colour ambient, Colour specular) implements SceneNode {
@@ -12,18 +12,18 @@ public record LightNode(Colour diffuse, Colour ambient, Colour specular) impleme
     /**
      * A colour.
      *
-     * @param red from 0 to 1
-     * @param green from 0 to 1
-     * @param blue from 0 to 1
-     * @param alpha opacity from 0 to 1
+     * @param red red component, 0 to 1
+     * @param green green component, 0 to 1
+     * @param blue blue component, 0 to 1
+     * @param alpha opacity, 0 to 1
      */
     public record Colour(float red, float green, float blue, float alpha) {
 
         /**
-         * Creates a grey.
+         * Creates an opaque grey.
          *
-         * @param brightness from 0 to 1
-         * @return the opaque grey
+         * @param brightness brightness, 0 to 1
+         * @return the colour
          */
         public static Colour grey(float brightness) {
             return new Colour(brightness, brightness, brightness, 1);

@@ -2,7 +2,7 @@ package org.robonewbie.protocol.monitor;
 
 import java.util.List;
 
-/** A surface to draw: a mesh from a file, or one of SimSpark's standard shapes. */
+/** A mesh to draw: from a file, or one of SimSpark's standard shapes. */
 public final class MeshNode implements SceneNode {
 
     private final Form form;
@@ -12,18 +12,18 @@ public final class MeshNode implements SceneNode {
     private final float scaleZ;
     private List<String> materials;
     private boolean visible;
-    private boolean visibilityIsNews = true;
+    private boolean visibilityChanged = true;
 
     /**
-     * Creates a surface.
+     * Creates a mesh.
      *
-     * @param form its form
+     * @param form the form
      * @param scaleX scale along x
      * @param scaleY scale along y
      * @param scaleZ scale along z
-     * @param materials names of its materials; a standard shape has one
-     * @param transparent whether it is transparent
-     * @param visible whether it is visible
+     * @param materials names of the materials; a standard shape has one
+     * @param transparent whether the mesh is transparent
+     * @param visible whether the mesh is visible
      */
     public MeshNode(
             Form form,
@@ -42,10 +42,10 @@ public final class MeshNode implements SceneNode {
         this.visible = visible;
     }
 
-    /** The form of a surface. */
+    /** The form of a mesh. */
     public sealed interface Form {
 
-        /** {@return the form's name in messages: path of a mesh file or name of a standard shape} */
+        /** {@return the name in messages: path of a mesh file or name of a standard shape} */
         String name();
 
         /** {@return the words after the name, such as radius and length} */
@@ -55,8 +55,8 @@ public final class MeshNode implements SceneNode {
     /**
      * A mesh from a file.
      *
-     * @param name path of the file below the data directory, such as {@code models/naohead.obj}
-     * @param parameters further words for the loader, mostly none
+     * @param name path of the file in the data directory, such as {@code models/naohead.obj}
+     * @param parameters further words for the loader, usually none
      */
     public record MeshFile(String name, List<String> parameters) implements Form {}
 
@@ -68,7 +68,7 @@ public final class MeshNode implements SceneNode {
      */
     public record StandardShape(String name, List<String> parameters) implements Form {}
 
-    /** {@return the form of the surface} */
+    /** {@return the form} */
     public Form form() {
         return form;
     }
@@ -88,7 +88,7 @@ public final class MeshNode implements SceneNode {
         return scaleZ;
     }
 
-    /** {@return whether it is transparent} */
+    /** {@return whether the mesh is transparent} */
     public boolean isTransparent() {
         return transparent;
     }
@@ -99,7 +99,7 @@ public final class MeshNode implements SceneNode {
     }
 
     /**
-     * Replaces the materials; monitors receive them with the next full message.
+     * Replaces the materials. Monitors receive them with the next full message.
      *
      * @param names the new names
      */
@@ -107,25 +107,25 @@ public final class MeshNode implements SceneNode {
         materials = List.copyOf(names);
     }
 
-    /** {@return whether it is drawn} */
+    /** {@return whether the mesh is visible} */
     public boolean isVisible() {
         return visible;
     }
 
     /**
-     * Sets whether it is visible.
+     * Sets whether the mesh is visible.
      *
-     * @param shown whether it is drawn
+     * @param shown whether the mesh is visible
      */
     public void setVisible(boolean shown) {
-        visibilityIsNews |= visible != shown;
+        visibilityChanged |= visible != shown;
         visible = shown;
     }
 
-    /** Returns once whether the visibility has changed since the last call; true the first time. */
-    boolean takeVisibilityNews() {
-        boolean news = visibilityIsNews;
-        visibilityIsNews = false;
-        return news;
+    /** Returns whether the visibility has changed since the last call, and resets the flag; true for the first call. */
+    boolean takeVisibilityChange() {
+        boolean changed = visibilityChanged;
+        visibilityChanged = false;
+        return changed;
     }
 }

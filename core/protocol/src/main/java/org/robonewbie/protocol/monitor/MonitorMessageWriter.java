@@ -5,10 +5,10 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.sexp.SexpWriter;
 
 /**
- * Writes the messages of a server to its monitors, byte for byte as rcssserver3d does.
+ * Formats the messages of a server to its monitors, byte for byte like rcssserver3d.
  *
- * <p>It remembers what all monitors know, so that only changes need to be sent. One writer therefore serves all monitors of a
- * server, and a log has its own.
+ * <p>The writer tracks the state that was sent to all monitors, so that partial messages contain only changes. All monitors of a
+ * server therefore share one writer, and a log has its own.
  */
 public final class MonitorMessageWriter {
 
@@ -17,9 +17,9 @@ public final class MonitorMessageWriter {
     private final GameStateWriter gameState;
 
     /**
-     * Creates a writer that has sent nothing yet.
+     * Creates a writer.
      *
-     * @param environment what stays constant during the match
+     * @param environment constants of the match
      */
     public MonitorMessageWriter(Environment environment) {
         SexpWriter out = new SexpWriter(buffer);
@@ -28,35 +28,35 @@ public final class MonitorMessageWriter {
     }
 
     /**
-     * Writes everything, for all monitors, and from then on treats it as known.
+     * Writes a full message for all monitors. Later partial messages build on it.
      *
      * @param state the state of the match
-     * @param fouls fouls of the match in order; those sent before are omitted
+     * @param fouls all fouls of the match in order; those already sent are omitted
      * @param nodes the scene
-     * @return the message; it changes with the next one
+     * @return the message, valid until the next one
      */
     public MessageBuffer writeFull(MonitoredGame state, List<Foul> fouls, List<? extends SceneNode> nodes) {
         return writeFull(state, fouls, nodes, true);
     }
 
     /**
-     * Writes everything, for a monitor that has just connected while others know it already.
+     * Writes a full message for a newly connected monitor, without effect on the partial messages to all monitors.
      *
      * @param state the state of the match
      * @param nodes the scene
-     * @return the message; it changes with the next one
+     * @return the message, valid until the next one
      */
     public MessageBuffer writeFullForNewcomer(MonitoredGame state, List<? extends SceneNode> nodes) {
         return writeFull(state, List.of(), nodes, false);
     }
 
     /**
-     * Writes what has changed.
+     * Writes a partial message with the changes since the last message.
      *
      * @param state the state of the match
-     * @param fouls fouls of the match in order; those sent before are omitted
-     * @param nodes the scene, which must have the same structure as in the last full message
-     * @return the message; it changes with the next one
+     * @param fouls all fouls of the match in order; those already sent are omitted
+     * @param nodes the scene, with the same structure as in the last full message
+     * @return the message, valid until the next one
      */
     public MessageBuffer writePartial(MonitoredGame state, List<Foul> fouls, List<? extends SceneNode> nodes) {
         buffer.clear();

@@ -4,17 +4,17 @@ import java.util.Optional;
 import org.robonewbie.nao.PlayMode;
 
 /**
- * The state of the match as monitors show it.
+ * The state of the match in monitor messages.
  *
- * @param timeSeconds game time
- * @param teamLeft name of the left team, empty before it joined
- * @param teamRight name of the right team, empty before it joined
- * @param half 1 or 2
+ * @param timeSeconds game time in seconds
+ * @param teamLeft name of the left team; empty before it joins
+ * @param teamRight name of the right team; empty before it joins
+ * @param half the half, 1 or 2
  * @param scoreLeft goals of the left team
  * @param scoreRight goals of the right team
- * @param playMode the play mode; empty before it is known, and for a play mode of a newer server
- * @param passWaitLeftSeconds how long the left team still must not score after its pass mode; 0 if it may
- * @param passWaitRightSeconds the same for the right team
+ * @param playMode the play mode; empty before the first message, and for an unknown play mode of a newer server
+ * @param passWaitLeftSeconds time in seconds until the left team may score after its pass mode; 0 if it may score
+ * @param passWaitRightSeconds time in seconds until the right team may score after its pass mode; 0 if it may score
  */
 public record MonitoredGame(
         double timeSeconds,
@@ -27,7 +27,7 @@ public record MonitoredGame(
         double passWaitLeftSeconds,
         double passWaitRightSeconds) {
 
-    /** The state before any was received. */
+    /** The state before the first message. */
     public static final MonitoredGame UNKNOWN =
             new MonitoredGame(0, Optional.empty(), Optional.empty(), 1, 0, 0, Optional.empty(), 0, 0);
 }

@@ -4,13 +4,17 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.order.PlayerNumber;
 
-/** A robot as a monitor sees it; its links move with each message that is read. */
+/** A robot in the monitored scene. Its links move with each message that is applied. */
 public final class MonitoredRobot {
+
+    private static final String NUMBER = "matNum";
+    private static final String TYPE = "matType";
 
     private final PlayerNumber player;
     private final RobotType type;
@@ -22,14 +26,15 @@ public final class MonitoredRobot {
         this.links = links;
     }
 
-    /** Recognises a robot by its number and its team's colour. */
+    /**
+     * Recognises a robot by its materials: {@code matNum7} is its number, {@code matLeft} its team and {@code matType1} its type.
+     * One mesh must show both number and team.
+     */
     static Optional<MonitoredRobot> of(TransformNode root) {
-        return MonitoredMaterials.of(root)
-                .player()
-                .map(player -> new MonitoredRobot(
-                        player,
-                        MonitoredMaterials.of(root).type(),
-                        links(root, MonitoredMaterials.of(root).type())));
+        return root.meshes()
+                .flatMap(mesh -> player(mesh.materials()).stream())
+                .findFirst()
+                .map(player -> new MonitoredRobot(player, type(root), links(root)));
     }
 
     /** {@return the robot's team and number} */
@@ -37,23 +42,58 @@ public final class MonitoredRobot {
         return player;
     }
 
-    /** {@return the robot type} */
+    /** {@return the robot type; type 0 if the scene does not show it} */
     public RobotType type() {
         return type;
     }
 
     /**
-     * Finds the pose of a link in the world frame.
+     * Returns the pose of a link in the world frame.
      *
      * @param name a link's name in {@link NaoModel}, such as {@link NaoModel#TORSO}
-     * @return its transform; empty for a link that this server's robots do not have
+     * @return its transform; empty if the server's robots lack such a link
      */
     public Optional<TransformNode> link(String name) {
         return Optional.ofNullable(links.get(name));
     }
 
-    private static Map<String, TransformNode> links(TransformNode root, RobotType type) {
-        List<Link> expected = NaoModel.of(type).links();
+    private static Optional<PlayerNumber> player(List<String> materials) {
+        return materials.stream()
+                .filter(material -> material.startsWith(NUMBER))
+                .map(material -> numberAfter(material, NUMBER))
+                .filter(number -> number > 0)
+                .findFirst()
+                .flatMap(number -> side(materials).map(side -> new PlayerNumber(side, number)));
+    }
+
+    private static Optional<TeamSide> side(List<String> materials) {
+        if (materials.contains("matLeft")) {
+            return Optional.of(TeamSide.LEFT);
+        }
+        return materials.contains("matRight") ? Optional.of(TeamSide.RIGHT) : Optional.empty();
+    }
+
+    private static RobotType type(TransformNode root) {
+        int type = root.meshes()
+                .flatMap(mesh -> mesh.materials().stream())
+                .filter(material -> material.startsWith(TYPE))
+                .mapToInt(material -> numberAfter(material, TYPE))
+                .filter(number -> number >= 0 && number < RobotType.values().length)
+                .findFirst()
+                .orElse(0);
+        return RobotType.values()[type];
+    }
+
+    private static int numberAfter(String material, String prefix) {
+        String digits = material.substring(prefix.length());
+        boolean plain = !digits.isEmpty()
+                && digits.length() < 4
+                && digits.chars().allMatch(character -> character >= '0' && character <= '9');
+        return plain ? Integer.parseInt(digits) : -1;
+    }
+
+    private static Map<String, TransformNode> links(TransformNode root) {
+        List<Link> expected = NaoModel.of(type(root)).links();
         Map<String, TransformNode> found = new LinkedHashMap<>();
         boolean complete = root.children().size() == expected.size();
         for (int i = 0; i < root.children().size(); i++) {
@@ -68,9 +108,9 @@ public final class MonitoredRobot {
         return found;
     }
 
-    /** In a robot of another type only the links with a mesh of their own can be told apart. */
+    /** Identifies a link of an unknown kind of robot by the name of its mesh. */
     private static Optional<String> nameByMesh(TransformNode part, List<Link> expected) {
-        return MonitoredMaterials.meshNames(part)
+        return part.meshFiles()
                 .findFirst()
                 .flatMap(mesh ->
                         expected.stream().map(Link::name).filter(mesh::contains).findFirst());

@@ -9,11 +9,11 @@ import org.robonewbie.protocol.sexp.SexpReader;
 import org.robonewbie.protocol.sexp.Token;
 
 /**
- * The world as a monitor of any SimSpark server knows it, kept up to date message by message.
+ * A monitor's model of the world, updated by the messages of any SimSpark server.
  *
- * <p>It begins with the first full message, which a server sends to each new monitor unasked. When a message does not fit
- * to what is known, the world is no longer {@link #isCurrent() current} until the next full message; {@link
- * Order.RequestFullState} asks for one.
+ * <p>It is initialised by the first full message, which a server sends to each new monitor. After a message that does not match the
+ * scene, the world is no longer {@link #isCurrent() current} until the next full message, which {@link Order.RequestFullState}
+ * requests.
  *
  * <pre>{@code
  * MonitoredWorld world = new MonitoredWorld();
@@ -36,11 +36,11 @@ public final class MonitoredWorld {
     private Optional<TransformNode> ball = Optional.empty();
     private boolean current;
 
-    /** Creates a world of which nothing is known yet. */
+    /** Creates an empty world. */
     public MonitoredWorld() {}
 
     /**
-     * Applies the next message of the server. A malformed message does no harm.
+     * Applies the next message of the server. Malformed messages are ignored.
      *
      * @param message the message
      * @return whether the world is current afterwards
@@ -56,8 +56,7 @@ public final class MonitoredWorld {
     }
 
     /**
-     * {@return whether the scene is known as of the last message; false before the first full message and after one that did
-     * not fit}
+     * {@return whether the scene is up to date; false before the first full message and after a message that did not match}
      */
     public boolean isCurrent() {
         return current;
@@ -73,7 +72,7 @@ public final class MonitoredWorld {
         return gameReader.gameState();
     }
 
-    /** {@return the fouls that the last message reported, mostly none} */
+    /** {@return the fouls in the last message, usually none} */
     public List<Foul> newFouls() {
         return gameReader.fouls();
     }
@@ -84,21 +83,21 @@ public final class MonitoredWorld {
     }
 
     /**
-     * Finds a robot.
+     * Returns a robot.
      *
-     * @param player its team and number
-     * @return the robot; empty if it does not play
+     * @param player the robot's team and number
+     * @return the robot; empty if it is not in the scene
      */
     public Optional<MonitoredRobot> robot(PlayerNumber player) {
         return robots.stream().filter(robot -> robot.player().equals(player)).findFirst();
     }
 
-    /** {@return the ball's transform in the world frame, updated with each message; empty before it is known} */
+    /** {@return the ball's transform in the world frame, updated with each message; empty if the scene has no ball} */
     public Optional<TransformNode> ball() {
         return ball;
     }
 
-    /** {@return the outermost nodes of the scene, as of the last full message} */
+    /** {@return the top-level nodes of the scene, as of the last full message} */
     public List<SceneNode> scene() {
         return scene;
     }
@@ -122,16 +121,16 @@ public final class MonitoredWorld {
     private void readFullScene() throws MalformedMessageException {
         scene = sceneReader.readFull();
         environment = gameReader.environment();
-        List<TransformNode> places = scene.stream()
+        List<TransformNode> transforms = scene.stream()
                 .filter(node -> node instanceof TransformNode)
                 .map(node -> (TransformNode) node)
                 .toList();
-        robots = places.stream()
+        robots = transforms.stream()
                 .map(MonitoredRobot::of)
                 .flatMap(Optional::stream)
                 .toList();
-        ball = places.stream()
-                .filter(place -> MonitoredMaterials.meshNames(place).anyMatch(mesh -> mesh.endsWith(BALL_MESH)))
+        ball = transforms.stream()
+                .filter(transform -> transform.meshFiles().anyMatch(mesh -> mesh.endsWith(BALL_MESH)))
                 .findFirst();
         current = true;
     }

@@ -6,10 +6,10 @@ import org.robonewbie.protocol.monitor.LightNode.Colour;
 import org.robonewbie.protocol.sexp.SexpReader;
 import org.robonewbie.protocol.sexp.Token;
 
-/** Reads the scene of a monitor message; each method starts just after the opening parenthesis of the list that it reads. */
+/** Parses the scene of a monitor message. Each method starts after the opening parenthesis of its list. */
 final class SceneReader {
 
-    /** The soccer scene is four levels deep; anything deeper than this is an attack. */
+    /** Maximum nesting depth that is accepted; the soccer scene has four levels. */
     private static final int MAX_DEPTH = 64;
 
     private final SexpReader in;
@@ -18,7 +18,7 @@ final class SceneReader {
         this.in = in;
     }
 
-    /** Reads a whole scene. */
+    /** Parses a full scene. */
     List<SceneNode> readFull() throws MalformedMessageException {
         List<SceneNode> nodes = new ArrayList<>();
         int inside = in.depth();
@@ -30,7 +30,7 @@ final class SceneReader {
         return List.copyOf(nodes);
     }
 
-    /** Reads changes into a known scene. */
+    /** Parses changes and applies them to a scene. */
     void readPartial(List<SceneNode> nodes) throws MalformedMessageException {
         int count = 0;
         int inside = in.depth();
@@ -48,24 +48,52 @@ final class SceneReader {
             return readLight();
         }
         if (in.atomIs("StaticMesh") || in.atomIs("SMN")) {
-            return new MeshReader(in).read(in.atomIs("SMN"));
+            return readMesh(in.atomIs("SMN"));
         }
         return readTransform();
     }
 
     private TransformNode readTransform() throws MalformedMessageException {
-        TransformNode place = TransformNode.at(0, 0, 0);
+        TransformNode transform = TransformNode.at(0, 0, 0);
         List<SceneNode> children = new ArrayList<>();
         int inside = in.depth();
         while (in.nextList(inside)) {
             if (in.atomIs("nd")) {
                 children.add(readNode());
             } else if (in.atomIs("SLT")) {
-                readPlace(place);
+                transform.moveTo(readNumbers(16), 0);
             }
         }
         requireEnd();
-        return place.with(children);
+        return transform.with(children);
+    }
+
+    private MeshNode readMesh(boolean standardShape) throws MalformedMessageException {
+        boolean visible = false;
+        boolean transparent = false;
+        float[] scale = {1, 1, 1};
+        List<String> load = List.of();
+        List<String> materials = List.of();
+        int inside = in.depth();
+        while (in.nextList(inside)) {
+            if (in.atomIs("setVisible")) {
+                visible = readNumbers(1)[0] != 0;
+            } else if (in.atomIs("setTransparent")) {
+                transparent = true;
+            } else if (in.atomIs("load")) {
+                load = readWords();
+            } else if (in.atomIs("sSc")) {
+                scale = readNumbers(3);
+            } else if (in.atomIs("resetMaterials") || in.atomIs("sMat")) {
+                materials = readWords();
+            }
+        }
+        requireEnd();
+        String name = load.isEmpty() ? "" : load.get(0);
+        List<String> parameters = load.isEmpty() ? load : load.subList(1, load.size());
+        MeshNode.Form form =
+                standardShape ? new MeshNode.StandardShape(name, parameters) : new MeshNode.MeshFile(name, parameters);
+        return new MeshNode(form, scale[0], scale[1], scale[2], materials, transparent, visible);
     }
 
     private LightNode readLight() throws MalformedMessageException {
@@ -105,7 +133,7 @@ final class SceneReader {
             if (in.atomIs("nd")) {
                 applyToChild(transform.children(), count++);
             } else if (in.atomIs("SLT")) {
-                readPlace(transform);
+                transform.moveTo(readNumbers(16), 0);
             }
         }
         requireEnd();
@@ -117,18 +145,14 @@ final class SceneReader {
         while (in.nextList(inside)) {
             require(!in.atomIs("nd"));
             if (in.atomIs("setVisible")) {
-                mesh.setVisible(readNumbers(in, 1)[0] != 0);
+                mesh.setVisible(readNumbers(1)[0] != 0);
             }
         }
         requireEnd();
     }
 
-    private void readPlace(TransformNode transform) throws MalformedMessageException {
-        transform.moveTo(readNumbers(in, 16), 0);
-    }
-
     private Colour readColour() throws MalformedMessageException {
-        float[] parts = readNumbers(in, 4);
+        float[] parts = readNumbers(4);
         return new Colour(parts[0], parts[1], parts[2], parts[3]);
     }
 
@@ -136,8 +160,16 @@ final class SceneReader {
         require(in.token() == Token.CLOSE);
     }
 
-    /** Reads the first numbers of a list; anything that is not a finite number counts as 0. */
-    static float[] readNumbers(SexpReader in, int count) throws MalformedMessageException {
+    private List<String> readWords() {
+        List<String> words = new ArrayList<>();
+        while (in.next() == Token.ATOM) {
+            words.add(in.text());
+        }
+        return List.copyOf(words);
+    }
+
+    /** Reads the first numbers of a list. Anything but a finite number counts as 0. */
+    private float[] readNumbers(int count) throws MalformedMessageException {
         float[] numbers = new float[count];
         for (int i = 0; i < count; i++) {
             require(in.next() == Token.ATOM);

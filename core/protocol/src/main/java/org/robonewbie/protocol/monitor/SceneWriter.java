@@ -5,13 +5,13 @@ import org.robonewbie.protocol.monitor.LightNode.Colour;
 import org.robonewbie.protocol.sexp.SexpWriter;
 
 /**
- * Writes the scene of a monitor message: the whole tree, or only what has moved since it was last written.
+ * Writes the scene of a monitor message: the full tree, or only what has changed since it was last sent.
  *
  * <p>Source of the format: SimSpark's {@code sparkmonitor.cpp} as recorded from rcssserver3d 0.7.3.
  */
 final class SceneWriter {
 
-    /** A transform is written again when one of its 16 numbers has changed by more than this. */
+    /** Change of a matrix element above which a transform is sent again. */
     static final float THRESHOLD = 0.005f;
 
     private final SexpWriter out;
@@ -20,14 +20,14 @@ final class SceneWriter {
         this.out = out;
     }
 
-    /** Writes the whole tree; it counts as known only if all monitors receive it. */
+    /** Writes the full tree. Later partial messages build on it only if all monitors receive it. */
     void writeFull(List<? extends SceneNode> nodes, boolean toAll) {
         out.text("(");
         writeFullNodes(nodes, toAll);
         out.text(")");
     }
 
-    /** Writes the same tree without what has not changed. */
+    /** Writes the same tree without its unchanged parts. */
     void writePartial(List<? extends SceneNode> nodes) {
         out.text("(");
         writePartialNodes(nodes);
@@ -48,15 +48,15 @@ final class SceneWriter {
 
     private void writeFullTransform(TransformNode transform, boolean toAll) {
         out.text("(nd TRF");
-        writePlace(transform);
+        writeMatrix(transform);
         if (toAll) {
-            transform.rememberAsTold();
+            transform.markSent();
         }
         writeFullNodes(transform.children(), toAll);
         out.text(")");
     }
 
-    private void writePlace(TransformNode transform) {
+    private void writeMatrix(TransformNode transform) {
         out.text(" (SLT");
         for (int i = 0; i < 16; i++) {
             out.text(" ").general(transform.element(i));
@@ -128,9 +128,9 @@ final class SceneWriter {
 
     private void writePartialTransform(TransformNode transform) {
         out.text("(nd");
-        if (transform.hasMovedBeyond(THRESHOLD)) {
-            writePlace(transform);
-            transform.rememberAsTold();
+        if (transform.hasChangedBeyond(THRESHOLD)) {
+            writeMatrix(transform);
+            transform.markSent();
         }
         writePartialNodes(transform.children());
         out.text(")");
@@ -138,7 +138,7 @@ final class SceneWriter {
 
     private void writePartialMesh(MeshNode mesh) {
         out.text("(nd ").text(kind(mesh));
-        if (mesh.takeVisibilityNews()) {
+        if (mesh.takeVisibilityChange()) {
             writeVisibility(mesh);
         }
         out.text(")");

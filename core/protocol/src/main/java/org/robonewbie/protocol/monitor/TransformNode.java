@@ -1,13 +1,14 @@
 package org.robonewbie.protocol.monitor;
 
 import java.util.List;
+import java.util.stream.Stream;
 import org.robonewbie.nao.Vector3;
 
 /**
- * A transform in the scene, relative to the one around it.
+ * A transform in the scene graph, relative to its parent.
  *
- * <p>It is a matrix of 16 numbers in column-major order: the direction of the x axis and a 0, the same for y and z, then the
- * position and a 1. The numbers are single-precision as in SimSpark.
+ * <p>A 4 × 4 matrix in column-major order: the columns are the directions of the x, y and z axes, each followed by 0, and the
+ * position, followed by 1. Elements have single precision as in SimSpark.
  */
 public final class TransformNode implements SceneNode {
 
@@ -15,14 +16,14 @@ public final class TransformNode implements SceneNode {
     private static final int POSITION = 12;
 
     private final float[] matrix = new float[SIZE];
-    private final float[] told = new float[SIZE];
+    private final float[] lastSent = new float[SIZE];
     private final List<SceneNode> children;
 
     /**
      * Creates a transform.
      *
-     * @param matrix its 16 numbers, copied
-     * @param children the nodes that move with it
+     * @param matrix the 16 elements; copied
+     * @param children the child nodes
      */
     public TransformNode(float[] matrix, List<? extends SceneNode> children) {
         this.children = List.copyOf(children);
@@ -32,10 +33,10 @@ public final class TransformNode implements SceneNode {
     /**
      * Creates a transform without rotation.
      *
-     * @param x first component of its position in metres
+     * @param x first component of the position in metres
      * @param y second component
      * @param z third component
-     * @param children the nodes that move with it
+     * @param children the child nodes
      * @return the transform
      */
     public static TransformNode at(float x, float y, float z, SceneNode... children) {
@@ -43,19 +44,19 @@ public final class TransformNode implements SceneNode {
     }
 
     /**
-     * Sets the transform.
+     * Sets the matrix.
      *
-     * @param source holds the 16 numbers of the new transform
-     * @param offset index of the first of them
+     * @param source array with the 16 elements
+     * @param offset index of the first element
      */
     public void moveTo(float[] source, int offset) {
         System.arraycopy(source, offset, matrix, 0, SIZE);
     }
 
     /**
-     * Returns one element of the matrix.
+     * Returns an element of the matrix.
      *
-     * @param index 0 to 15, column by column
+     * @param index index in column-major order, 0 to 15
      * @return the element
      */
     public float element(int index) {
@@ -82,34 +83,51 @@ public final class TransformNode implements SceneNode {
         return column(8);
     }
 
-    /** {@return the nodes that move with it} */
+    /** {@return the child nodes} */
     public List<SceneNode> children() {
         return children;
+    }
+
+    /** Returns all meshes in this subtree. */
+    Stream<MeshNode> meshes() {
+        return children.stream().flatMap(child -> {
+            if (child instanceof TransformNode transform) {
+                return transform.meshes();
+            }
+            return child instanceof MeshNode mesh ? Stream.of(mesh) : Stream.empty();
+        });
+    }
+
+    /** Returns the names of all mesh files in this subtree. */
+    Stream<String> meshFiles() {
+        return meshes().map(MeshNode::form)
+                .filter(MeshNode.MeshFile.class::isInstance)
+                .map(MeshNode.Form::name);
     }
 
     /**
      * Returns a copy of this transform with other children.
      *
-     * @param newChildren the nodes that move with the new transform
-     * @return the new transform
+     * @param newChildren the child nodes of the copy
+     * @return the copy
      */
     public TransformNode with(List<? extends SceneNode> newChildren) {
         return new TransformNode(matrix, newChildren);
     }
 
-    /** Whether an element differs by more than the threshold from what was last sent. */
-    boolean hasMovedBeyond(float threshold) {
+    /** Returns whether an element differs by more than the threshold from the matrix that was last sent. */
+    boolean hasChangedBeyond(float threshold) {
         for (int i = 0; i < SIZE; i++) {
-            if (Math.abs(matrix[i] - told[i]) > threshold || Float.isNaN(matrix[i]) != Float.isNaN(told[i])) {
+            if (Math.abs(matrix[i] - lastSent[i]) > threshold || Float.isNaN(matrix[i]) != Float.isNaN(lastSent[i])) {
                 return true;
             }
         }
         return false;
     }
 
-    /** Remembers the present transform as the one that was last sent. */
-    void rememberAsTold() {
-        System.arraycopy(matrix, 0, told, 0, SIZE);
+    /** Records the current matrix as the one that was last sent. */
+    void markSent() {
+        System.arraycopy(matrix, 0, lastSent, 0, SIZE);
     }
 
     private Vector3 column(int start) {

@@ -6,34 +6,34 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 
 /**
- * An order to the world from outside, by a trainer, a person at the studio or a referee's program: it takes effect between two
- * cycles and is not acknowledged.
+ * An order to the simulated world from a trainer, the studio's user or a referee program. It takes effect between two cycles and is
+ * not acknowledged.
  *
  * <pre>{@code
  * simulation.order(new Order.MoveBall(new Vector3(1, 0, 0.042), Vector3.ZERO));
  * simulation.order(new Order.KickOff(TeamSide.LEFT));
  * }</pre>
  *
- * <p>Every SimSpark server understands the orders of a {@link Trainer}; the others are those of this simulator. Positions are
- * metres in the world frame, with the centre spot as origin and x towards the right goal.
+ * <p>Every SimSpark server supports the orders of type {@link Trainer}; the others are specific to this simulator. Positions are in
+ * metres in the world frame, with the origin at the centre spot and x towards the right goal.
  */
 public sealed interface Order {
 
-    /** An order of SimSpark's trainer protocol, which travels through a monitor port. */
+    /** An order of SimSpark's trainer protocol, which is sent to the monitor port. */
     sealed interface Trainer extends Order {}
 
-    /** An order to the clock of the world. */
+    /** An order to the clock of the simulation. */
     sealed interface Clock extends Order {}
 
     /**
      * Starts a kick-off in any play mode.
      *
-     * @param side the team that kicks off; empty decides by the rules
+     * @param side the team that kicks off; empty for the team determined by the rules
      */
     record KickOff(Optional<TeamSide> side) implements Trainer {
 
         /**
-         * Creates the order for a given team.
+         * Creates an order for a team.
          *
          * @param side the team that kicks off
          */
@@ -49,22 +49,22 @@ public sealed interface Order {
      */
     record ChangePlayMode(PlayMode playMode) implements Trainer {}
 
-    /** Drops the ball where it lies: both teams may play it. */
+    /** Releases the ball where it lies, so that both teams may play it. */
     record DropBall() implements Trainer {}
 
     /**
      * Moves the ball.
      *
-     * @param position new position of its centre in metres; empty leaves it where it is
-     * @param velocity new velocity in metres per second, which also stops its spin; empty keeps its motion
+     * @param position new position of the ball's centre in metres; empty keeps the position
+     * @param velocity new velocity in metres per second, which also stops the spin; empty keeps velocity and spin
      */
     record MoveBall(Optional<Vector3> position, Optional<Vector3> velocity) implements Trainer {
 
         /**
-         * Creates the order with both position and velocity.
+         * Creates an order with both position and velocity.
          *
-         * @param position new position of the centre in metres
-         * @param velocity new velocity in metres per second
+         * @param position new position of the ball's centre in metres
+         * @param velocity new velocity in metres per second, which also stops the spin
          */
         public MoveBall(Vector3 position, Vector3 velocity) {
             this(Optional.of(position), Optional.of(velocity));
@@ -72,7 +72,7 @@ public sealed interface Order {
     }
 
     /**
-     * Moves a robot, which keeps its posture and heading.
+     * Moves a robot, keeping its posture and heading.
      *
      * @param player the robot
      * @param position new position of the torso's centre in metres
@@ -80,48 +80,48 @@ public sealed interface Order {
     record MoveRobot(PlayerNumber player, Vector3 position) implements Trainer {}
 
     /**
-     * Moves a robot upright, without waking it.
+     * Moves a robot upright without waking its bodies from the physics engine's sleep.
      *
      * @param player the robot
      * @param position new position of the torso's centre in metres
-     * @param degreesFromY its heading, counter-clockwise from the y axis: -90 looks along x
+     * @param degreesFromY heading in degrees, counter-clockwise from the y axis; -90 faces along x
      */
     record MoveAndTurnRobot(PlayerNumber player, Vector3 position, double degreesFromY) implements Trainer {}
 
-    /** Moves the selected robot from where it stands towards its own goal line. */
+    /** Moves the selected robot from its position towards its own goal line. */
     record RepelSelectedRobot() implements Trainer {}
 
     /**
-     * Selects one robot and marks it in the picture.
+     * Selects a robot and highlights it in monitors.
      *
      * @param player the robot
      */
     record SelectRobot(PlayerNumber player) implements Trainer {}
 
-    /** Selects the next robot in turn. */
+    /** Selects the next robot. */
     record SelectNextRobot() implements Trainer {}
 
     /** Clears the selection. */
     record SelectNoRobot() implements Trainer {}
 
     /**
-     * Removes a robot from the field for good; its agent stays connected.
+     * Removes a robot from the field permanently; its agent stays connected.
      *
-     * @param player the robot; empty takes the selected one
+     * @param player the robot; empty for the selected one
      */
     record KillRobot(Optional<PlayerNumber> player) implements Trainer {}
 
     /**
      * Places a robot beside the field.
      *
-     * @param player the robot; empty takes the selected one
+     * @param player the robot; empty for the selected one
      */
     record RepositionRobot(Optional<PlayerNumber> player) implements Trainer {}
 
-    /** Ends the server. */
+    /** Stops the server. */
     record EndSimulation() implements Trainer {}
 
-    /** Requests the whole scene in the next message instead of its changes. */
+    /** Requests the full scene in the next message instead of its changes. */
     record RequestFullState() implements Trainer {}
 
     /**
@@ -139,43 +139,43 @@ public sealed interface Order {
      */
     record SetScore(int left, int right) implements Trainer {}
 
-    /** Resets ball, robots and score to the start of the game; the agents stay connected. */
+    /** Resets ball, robots and score to the start of the game. Agents stay connected. */
     record Reset() implements Order {}
 
     /**
-     * Places a robot, upright and awake, with its joints as they are.
+     * Places a robot upright and awake, keeping its joint angles.
      *
      * @param player the robot
      * @param position new position of the torso's centre in metres
-     * @param headingDegrees its heading, 0 along x towards the right goal, counter-clockwise
+     * @param headingDegrees heading in degrees, 0 along x towards the right goal, counter-clockwise
      */
     record PlaceRobot(PlayerNumber player, Vector3 position, double headingDegrees) implements Order {}
 
     /**
-     * Pushes a robot at the centre of its torso during one cycle, as a hand would.
+     * Applies a force to the centre of a robot's torso during one cycle.
      *
      * @param player the robot
-     * @param newtons the force in the world frame, limited to 1000 N
+     * @param newtons force in the world frame in newtons, limited to 1000 N
      */
     record PushRobot(PlayerNumber player, Vector3 newtons) implements Order {}
 
-    /** Stops the clock of the world; agents wait. */
+    /** Pauses the simulation. Agents wait. */
     record Pause() implements Clock {}
 
-    /** Restarts the clock. */
+    /** Resumes a paused simulation. */
     record Resume() implements Clock {}
 
     /**
-     * Runs some cycles and pauses.
+     * Runs a number of cycles and pauses.
      *
-     * @param cycles how many cycles of 20 ms, at least 1
+     * @param cycles number of cycles of 20 ms, at least 1
      */
     record Step(int cycles) implements Clock {}
 
     /**
-     * Sets how fast simulated time passes.
+     * Sets the speed of the simulation.
      *
-     * @param factor simulated seconds per second, from 0.1; infinity does not wait at all
+     * @param factor simulated seconds per real second, at least 0.1; infinity runs as fast as possible
      */
     record SetSpeed(double factor) implements Clock {}
 }

@@ -6,7 +6,7 @@ import java.util.Optional;
 import org.robonewbie.protocol.sexp.SexpReader;
 import org.robonewbie.protocol.sexp.Token;
 
-/** One command as it was written: a name, words after it, and named lists of words, in any order. */
+/** The parsed expression of one trainer command: a name, followed by words and named lists of words in any order. */
 final class TrainerExpression {
 
     private final NamedWords main;
@@ -16,7 +16,7 @@ final class TrainerExpression {
         this.main = main;
     }
 
-    /** Reads a list whose name is the current word, up to its end; empty if it has no end. */
+    /** Parses the list whose name is the current atom; empty if the list is incomplete. */
     static Optional<TrainerExpression> read(SexpReader in) {
         TrainerExpression expression = new TrainerExpression(NamedWords.of(in));
         while (in.next() != Token.CLOSE) {
@@ -44,12 +44,12 @@ final class TrainerExpression {
         return main.numbers.stream().findFirst();
     }
 
-    /** The words of a named list; none if it is missing. */
+    /** Returns the words of a named list, or none if it is missing. */
     List<String> words(String name) {
         return find(name).map(part -> part.words).orElse(List.of());
     }
 
-    /** The words of a named list as numbers; none if it is missing. */
+    /** Returns the words of a named list as numbers, or none if it is missing. */
     List<Double> numbers(String name) {
         return find(name).map(part -> part.numbers).orElse(List.of());
     }

@@ -12,13 +12,13 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.sexp.SexpReader;
 
 /**
- * Reads the commands of a trainer; unknown or incomplete ones are ignored silently, as in rcssserver3d.
+ * Parses the commands of a trainer. Unknown and incomplete commands are ignored silently, as in rcssserver3d.
  *
  * <p>Source: SimSpark's {@code trainercommandparser.cpp}.
  */
 public final class TrainerOrderReader {
 
-    /** Nothing in the simulated world can be farther away or faster than this (m, m/s). */
+    /** Maximum magnitude of a coordinate in metres or a velocity in metres per second. */
     private static final double MAX_COORDINATE = 1e5;
 
     private final SexpReader in = SexpReader.withQuotes();
@@ -27,7 +27,7 @@ public final class TrainerOrderReader {
     public TrainerOrderReader() {}
 
     /**
-     * Reads all commands of one message.
+     * Parses all commands of a message.
      *
      * @param message the message of a monitor
      * @return the commands in order
@@ -60,7 +60,7 @@ public final class TrainerOrderReader {
             case "time" -> readTime(command).ifPresent(out);
             case "score" -> readScore(command).ifPresent(out);
             default -> {
-                // rcssserver3d ignores what it does not know, and monitors rely on it
+                // rcssserver3d ignores unknown commands, and monitors rely on it
             }
         }
     }
@@ -106,7 +106,7 @@ public final class TrainerOrderReader {
         }
     }
 
-    /** Without number and team a command refers to the selected robot; with a team that does not exist it refers to none. */
+    /** A command without number or team refers to the selected robot, one with an unknown team to no robot. */
     private static Optional<Order.Trainer> readPlayer(
             TrainerExpression command, Function<Optional<PlayerNumber>, Order.Trainer> create) {
         if (command.numbers("unum").isEmpty() || command.words("team").isEmpty()) {
@@ -147,8 +147,8 @@ public final class TrainerOrderReader {
 
     private static Optional<Vector3> vector(TrainerExpression command, String name, int count) {
         List<Double> numbers = command.numbers(name);
-        boolean sound =
+        boolean valid =
                 numbers.size() == count && numbers.stream().allMatch(number -> Math.abs(number) <= MAX_COORDINATE);
-        return sound ? Optional.of(new Vector3(numbers.get(0), numbers.get(1), numbers.get(2))) : Optional.empty();
+        return valid ? Optional.of(new Vector3(numbers.get(0), numbers.get(1), numbers.get(2))) : Optional.empty();
     }
 }

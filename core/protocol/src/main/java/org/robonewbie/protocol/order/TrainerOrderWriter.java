@@ -6,7 +6,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.sexp.SexpWriter;
 
-/** Writes orders for a SimSpark server; several may go into one message. */
+/** Formats orders for a SimSpark server. A message may contain several orders. */
 public final class TrainerOrderWriter {
 
     private static final int DECIMALS = 6;
@@ -16,7 +16,7 @@ public final class TrainerOrderWriter {
     /**
      * Creates a writer.
      *
-     * @param message the message at whose end all orders are written
+     * @param message the buffer to which the orders are appended
      */
     public TrainerOrderWriter(MessageBuffer message) {
         out = new SexpWriter(message);

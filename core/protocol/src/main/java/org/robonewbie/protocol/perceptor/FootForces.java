@@ -3,7 +3,7 @@ package org.robonewbie.protocol.perceptor;
 import java.util.Optional;
 
 /**
- * The contact forces on the feet; a foot without contact is empty.
+ * The contact forces on the feet; empty for a foot without contact.
  *
  * @param left the left foot, {@code lf}
  * @param right the right foot, {@code rf}
@@ -16,15 +16,15 @@ public record FootForces(
         Optional<FootForce> leftToe,
         Optional<FootForce> rightToe) {
 
-    /** Both feet in the air. */
+    /** No contact forces, as in the air. */
     public static final FootForces NONE = of(Optional.empty(), Optional.empty());
 
     /**
-     * Collects the forces of a robot without toes.
+     * Creates the forces of a robot without toes.
      *
      * @param left the left foot
      * @param right the right foot
-     * @return both
+     * @return the forces
      */
     public static FootForces of(Optional<FootForce> left, Optional<FootForce> right) {
         return new FootForces(left, right, Optional.empty(), Optional.empty());

@@ -8,12 +8,12 @@ import org.robonewbie.nao.TeamSide;
 /**
  * The state of the game as reported by the referee: perceptor {@code GS}.
  *
- * @param number the robot's own shirt number; sent once, after the robot has joined its team
- * @param side the side of the robot's own team; sent once, together with the number
- * @param leftScore goals of the left team; older servers do not send it
- * @param rightScore goals of the right team; older servers do not send it
- * @param playSeconds game time in seconds; stopped before the kick-off and after the game
- * @param playModeName the play mode in SimSpark's spelling, also of a newer server whose play modes are not known here
+ * @param number the robot's shirt number; sent once, after the robot has joined its team
+ * @param side the side of the robot's team; sent once, together with the number
+ * @param leftScore goals of the left team; not sent by older servers
+ * @param rightScore goals of the right team; not sent by older servers
+ * @param playSeconds game time in seconds, which stands still before the kick-off and after the game
+ * @param playModeName SimSpark's name of the play mode, which may be unknown for a newer server
  */
 public record GameState(
         OptionalInt number,
@@ -23,7 +23,7 @@ public record GameState(
         double playSeconds,
         String playModeName) {
 
-    /** {@return the play mode; empty if its name is not known here} */
+    /** {@return the play mode; empty if its name is unknown} */
     public Optional<PlayMode> playMode() {
         return PlayMode.ofSimSparkName(playModeName);
     }

@@ -27,7 +27,7 @@ public final class JointAngles {
      */
     public record ExtraHinge(String perceptorName, double degrees) {}
 
-    /** Takes ownership of the array; the bit of a joint's ordinal shows whether its angle is present. */
+    /** Takes ownership of the array. In {@code present} the bit of a joint's ordinal is set if its angle is known. */
     JointAngles(double[] degrees, int present, List<ExtraHinge> extraHinges) {
         this.degrees = degrees;
         this.present = present;
@@ -35,35 +35,9 @@ public final class JointAngles {
     }
 
     /**
-     * Collects the angles of all joints.
-     *
-     * @param degrees 22 angles in degrees in the order of {@link Joint}; copied
-     * @return the angles
-     * @throws IllegalArgumentException if there are not 22 angles
-     */
-    public static JointAngles of(double... degrees) {
-        return of(degrees, List.of());
-    }
-
-    /**
-     * Collects the angles of all joints and of additional hinges.
-     *
-     * @param degrees 22 angles in degrees in the order of {@link Joint}; copied
-     * @param extraHinges angles of hinges that are not joints, such as toes
-     * @return the angles
-     * @throws IllegalArgumentException if there are not 22 angles
-     */
-    public static JointAngles of(double[] degrees, List<ExtraHinge> extraHinges) {
-        if (degrees.length != Joint.COUNT) {
-            throw new IllegalArgumentException("A robot has " + Joint.COUNT + " joint angles, not " + degrees.length);
-        }
-        return new JointAngles(degrees.clone(), ALL, extraHinges);
-    }
-
-    /**
      * Measures the angles of all joints.
      *
-     * @param degrees measures the angle of a joint in degrees
+     * @param degrees function from a joint to its angle in degrees
      * @param extraHinges angles of hinges that are not joints, such as toes
      * @return the angles
      */
@@ -76,20 +50,20 @@ public final class JointAngles {
     }
 
     /**
-     * Looks up an angle.
+     * Returns the angle of a joint.
      *
      * @param joint the joint
-     * @return its angle in degrees, which may exceed the joint's range slightly; empty if the message has none
+     * @return its angle in degrees, which may slightly exceed the joint's range; empty if the message lacks it
      */
     public OptionalDouble degrees(Joint joint) {
         return has(joint) ? OptionalDouble.of(degrees[joint.ordinal()]) : OptionalDouble.empty();
     }
 
     /**
-     * Looks up an angle, with a default.
+     * Returns the angle of a joint or a default.
      *
      * @param joint the joint
-     * @param otherwise the result if the message has no angle of this joint
+     * @param otherwise default in degrees, returned if the message lacks the angle
      * @return its angle in degrees
      */
     public double degreesOr(Joint joint, double otherwise) {
@@ -97,18 +71,16 @@ public final class JointAngles {
     }
 
     /**
-     * Returns whether the message has an angle of a joint.
+     * Returns whether the message contains the angle of a joint.
      *
      * @param joint the joint
-     * @return whether it has
+     * @return whether its angle is known
      */
     public boolean has(Joint joint) {
         return (present & 1 << joint.ordinal()) != 0;
     }
 
-    /**
-     * {@return the angles of hinges that are not a {@link Joint}: the toes of robot type 4 and whatever else a server sends}
-     */
+    /** {@return the angles of hinges that are not a {@link Joint}, such as the toes of robot type 4} */
     public List<ExtraHinge> extraHinges() {
         return extraHinges;
     }

@@ -2,7 +2,7 @@ package org.robonewbie.protocol.perceptor;
 
 import org.robonewbie.protocol.sexp.SexpReader;
 
-/** The few names that recur in each message, such as teams, cached so that each is created only once. */
+/** Cache of names that recur in each message, such as teams, which avoids repeated allocations. */
 final class KnownWords {
 
     private final String[] words = {"", "", "", "", "", "", "", ""};

@@ -6,19 +6,19 @@ import java.util.OptionalDouble;
 import org.robonewbie.nao.Vector3;
 
 /**
- * Everything that a robot senses in one cycle of 20 ms, as SimSpark sends it. Whatever a message omits is empty here.
+ * The sensor readings of a robot in one cycle of 20 ms, as sent by SimSpark. Parts that a message omits are empty.
  *
- * <p>Frames: the torso frame has x to the robot's right, y forward and z up.
+ * <p>The torso frame has x to the robot's right, y forward and z up.
  *
- * @param seconds simulated time since the server was started, in seconds; grows by 0.02 in each cycle
- * @param gameState what the referee reports; in every message of a real server
- * @param heard messages of this and other robots that arrived in this cycle; own, team-mate's, opponent's
+ * @param seconds simulated time since the start of the server in seconds, which increases by 0.02 in each cycle
+ * @param gameState report of the referee, in every message of a real server
+ * @param heard voice messages received in this cycle: the robot's own, a team-mate's, an opponent's
  * @param gyro angular velocity of the torso about the axes of the torso frame in degrees per second
- * @param accelerometer specific force at the torso's centre in the torso frame, as an IMU measures it, in metres per square
- *     second: (0, 0, 9.81) at rest, (0, 0, 0) in free fall
+ * @param accelerometer specific force at the torso's centre in the torso frame, as measured by an IMU, in metres per second
+ *     squared: (0, 0, 9.81) at rest, (0, 0, 0) in free fall
  * @param jointAngles angles of all hinges in degrees
  * @param footForces contact forces on the feet
- * @param vision what the camera recognises; present in every third message
+ * @param vision objects recognised by the camera, in every third message
  */
 public record PerceptorMessage(
         OptionalDouble seconds,
@@ -41,7 +41,7 @@ public record PerceptorMessage(
             FootForces.NONE,
             Optional.empty());
 
-    /** Makes the list unmodifiable. */
+    /** Copies the list. */
     public PerceptorMessage {
         heard = List.copyOf(heard);
     }

@@ -14,8 +14,8 @@ import org.robonewbie.protocol.sexp.SexpReader;
 import org.robonewbie.protocol.sexp.Token;
 
 /**
- * Reads perceptor messages. Unknown parts are skipped at any level, incomplete ones are omitted; reading never fails. One
- * reader serves one robot for its whole life. Not thread-safe.
+ * Parser for perceptor messages. Unknown parts are skipped at any level and incomplete parts are omitted, so that parsing never
+ * fails. Each robot has its own reader. Not thread-safe.
  *
  * <pre>{@code
  * link.receive(buffer);
@@ -49,10 +49,10 @@ public final class PerceptorMessageReader {
     public PerceptorMessageReader() {}
 
     /**
-     * Reads a message.
+     * Parses a message.
      *
-     * @param message the bytes as the simulator sent them
-     * @return what the robot senses
+     * @param message the message as received from the simulator
+     * @return the sensor readings
      */
     public PerceptorMessage read(MessageBuffer message) {
         clear();
@@ -162,7 +162,7 @@ public final class PerceptorMessageReader {
         return reader.atomIs("right") ? Optional.of(TeamSide.RIGHT) : Optional.empty();
     }
 
-    /** Reads {@code (hear TEAM TIME DIRECTION TEXT)}, which old servers send without the team. */
+    /** Parses {@code (hear TEAM TIME DIRECTION TEXT)}; old servers omit the team. */
     private void readHeard() {
         String[] atoms = new String[4];
         OptionalDouble[] numbers = new OptionalDouble[4];
@@ -220,7 +220,7 @@ public final class PerceptorMessageReader {
         }
     }
 
-    /** Finds the joint that the current atom names, starting after the previous one, since servers keep the order. */
+    /** Finds the joint named by the current atom, starting after the previous joint, since servers keep the order. */
     private int findJoint() {
         for (int i = 0; i < JOINTS.length; i++) {
             int candidate = (expectedJoint + i) % JOINTS.length;
@@ -258,7 +258,7 @@ public final class PerceptorMessageReader {
             case "lf1" -> leftToe = force;
             case "rf1" -> rightToe = force;
             default -> {
-                // a sensor of a robot that is not known here
+                // a sensor of an unknown robot type
             }
         }
     }

@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.perceptor.JointAngles.ExtraHinge;
 import org.robonewbie.protocol.perceptor.Vision.SeenBodyPart;
@@ -14,8 +15,8 @@ import org.robonewbie.protocol.perceptor.Vision.SeenPlayer;
 import org.robonewbie.protocol.sexp.SexpWriter;
 
 /**
- * Writes a perceptor message byte for byte as rcssserver3d 0.7.3 does: the perceptors in the order of the robot's scene file,
- * two decimals, sub-lists separated by blanks. Belongs to one message buffer and does not allocate.
+ * Formats perceptor messages byte for byte like rcssserver3d 0.7.3: perceptors in the order of the robot's scene file, numbers with
+ * two decimals, sub-lists separated by spaces. Does not allocate.
  */
 public final class PerceptorMessageWriter {
 
@@ -27,37 +28,30 @@ public final class PerceptorMessageWriter {
         Joint.RIGHT_SHOULDER_PITCH, Joint.RIGHT_SHOULDER_YAW, Joint.RIGHT_ARM_ROLL, Joint.RIGHT_ARM_YAW,
         Joint.LEFT_SHOULDER_PITCH, Joint.LEFT_SHOULDER_YAW, Joint.LEFT_ARM_ROLL, Joint.LEFT_ARM_YAW
     };
-    private static final Joint[] RIGHT_LEG = {
-        Joint.RIGHT_HIP_YAW_PITCH,
-        Joint.RIGHT_HIP_ROLL,
-        Joint.RIGHT_HIP_PITCH,
-        Joint.RIGHT_KNEE_PITCH,
-        Joint.RIGHT_FOOT_PITCH
-    };
-    private static final Joint[] LEFT_LEG = {
-        Joint.LEFT_HIP_YAW_PITCH,
-        Joint.LEFT_HIP_ROLL,
-        Joint.LEFT_HIP_PITCH,
-        Joint.LEFT_KNEE_PITCH,
-        Joint.LEFT_FOOT_PITCH
-    };
+    private static final Joint[] RIGHT_LEG = jointsAboveAnkleRoll(Leg.RIGHT);
+    private static final Joint[] LEFT_LEG = jointsAboveAnkleRoll(Leg.LEFT);
 
     private final SexpWriter writer;
 
     /**
      * Creates a writer.
      *
-     * @param message the buffer at whose end each message is written
+     * @param message the buffer to which each message is appended
      */
     public PerceptorMessageWriter(MessageBuffer message) {
         writer = new SexpWriter(message);
     }
 
+    /** Returns the joints of a leg whose angles precede the force perceptor of the foot in a message. */
+    private static Joint[] jointsAboveAnkleRoll(Leg leg) {
+        return leg.joints().subList(0, 5).toArray(Joint[]::new);
+    }
+
     /**
-     * Rounds a number as messages to an agent do.
+     * Rounds a number to the precision of a message.
      *
-     * @param value a reading of a sensor
-     * @return the number that the agent reads
+     * @param value a sensor reading
+     * @return the number that the agent receives
      */
     public static double rounded(double value) {
         return SexpWriter.rounded(value, DECIMALS);
@@ -66,7 +60,7 @@ public final class PerceptorMessageWriter {
     /**
      * Appends a message to the buffer.
      *
-     * @param message what the robot senses
+     * @param message the sensor readings
      */
     public void write(PerceptorMessage message) {
         if (message.seconds().isPresent()) {
@@ -247,7 +241,7 @@ public final class PerceptorMessageWriter {
         number(position.verticalDegrees()).text(")");
     }
 
-    /** Writes the blank that separates the parts of a picture, but not before the first one. */
+    /** Writes the space that separates the items of a {@code See} list, unless the list is still empty. */
     private void separate(int empty) {
         if (writer.length() > empty) {
             writer.text(" ");

@@ -8,19 +8,18 @@ import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.Vector3;
 
 /**
- * What the camera recognises in one picture: perceptor {@code See}, sent in every third cycle. The order within the lists is
- * that of the message and has no meaning.
+ * The objects recognised in one camera image: perceptor {@code See}, sent in every third cycle. The lists are in the order of the
+ * message, which has no meaning.
  *
  * @param landmarks goal posts and flags
  * @param ball the ball's centre
- * @param players robots, including the observer itself if it sees its own arms
- * @param lines segments of the field lines, clipped at the edge of the picture
- * @param ownPosition the true position of the robot's head in its team's view of the field, in metres; only if the server is
- *     configured to send it
- * @param ownOrientationDegrees the true direction of the robot's head in its team's view, 0 towards the opponents' goal,
+ * @param players robots, including the observer if it sees its own arms
+ * @param lines segments of the field lines, clipped at the edge of the image
+ * @param ownPosition true position of the robot's head in its team's frame in metres; only if the server is configured to send it
+ * @param ownOrientationDegrees true direction of the robot's head in its team's frame in degrees, 0 towards the opponents' goal,
  *     positive to the left; only if the server is configured to send it
- * @param ballPosition the true position of the ball's centre in the team's view in metres; only if the server is configured to
- *     send it
+ * @param ballPosition true position of the ball's centre in the team's frame in metres; only if the server is configured to send
+ *     it
  */
 public record Vision(
         List<SeenLandmark> landmarks,
@@ -31,10 +30,10 @@ public record Vision(
         OptionalDouble ownOrientationDegrees,
         Optional<Vector3> ballPosition) {
 
-    /** A picture in which nothing is recognised. */
+    /** An image without recognised objects. */
     public static final Vision NOTHING = of(List.of(), Optional.empty(), List.of(), List.of());
 
-    /** Makes the lists unmodifiable. */
+    /** Copies the lists. */
     public Vision {
         landmarks = List.copyOf(landmarks);
         players = List.copyOf(players);
@@ -42,15 +41,15 @@ public record Vision(
     }
 
     /**
-     * A goal post or flag in the picture.
+     * A goal post or flag in the image.
      *
-     * @param landmark which one
-     * @param position where it is seen
+     * @param landmark the landmark
+     * @param position its position relative to the camera
      */
     public record SeenLandmark(Landmark landmark, PolarPosition position) {}
 
     /**
-     * A segment of a field line; the order of its ends has no meaning.
+     * A segment of a field line. The order of its ends has no meaning.
      *
      * @param start one end; an angle may be NaN
      * @param end the other end; an angle may be NaN
@@ -58,37 +57,37 @@ public record Vision(
     public record SeenLine(PolarPosition start, PolarPosition end) {}
 
     /**
-     * A part of a robot's body.
+     * A part of a robot's body in the image.
      *
-     * @param part which part
-     * @param position where its centre is seen
+     * @param part the part
+     * @param position position of its centre relative to the camera
      */
     public record SeenBodyPart(BodyPart part, PolarPosition position) {}
 
     /**
-     * A robot in the picture.
+     * A robot in the image.
      *
-     * @param team name of its team
-     * @param number its shirt number
-     * @param parts the visible parts of its body
-     * @param position position of the robot as a whole; sent instead of the parts by very old servers only
+     * @param team name of the robot's team
+     * @param number shirt number
+     * @param parts visible parts of the body
+     * @param position position of the whole robot, sent by very old servers instead of the parts
      */
     public record SeenPlayer(String team, int number, List<SeenBodyPart> parts, Optional<PolarPosition> position) {
 
-        /** Makes the list unmodifiable. */
+        /** Copies the list. */
         public SeenPlayer {
             parts = List.copyOf(parts);
         }
     }
 
     /**
-     * Creates the picture of a server that does not send true positions.
+     * Creates an image without true positions.
      *
      * @param landmarks goal posts and flags
      * @param ball the ball's centre
      * @param players robots
      * @param lines segments of the field lines
-     * @return the picture
+     * @return the image
      */
     public static Vision of(
             List<SeenLandmark> landmarks,

@@ -14,7 +14,7 @@ import org.robonewbie.protocol.perceptor.Vision.SeenPlayer;
 import org.robonewbie.protocol.sexp.SexpReader;
 import org.robonewbie.protocol.sexp.Token;
 
-/** Reads the perceptor {@code See}. */
+/** Parser for the perceptor {@code See}. */
 final class VisionReader {
 
     private static final Landmark[] LANDMARKS = Landmark.values();
@@ -37,7 +37,7 @@ final class VisionReader {
         this.words = words;
     }
 
-    /** Reads a picture whose name is the current atom; empty if the message ends early. */
+    /** Parses the list whose name is the current atom; empty if the list is incomplete. */
     Optional<Vision> read() {
         clear();
         int depth = reader.depth();
@@ -102,7 +102,7 @@ final class VisionReader {
         parts.clear();
         String team = "";
         int number = 0;
-        Optional<PolarPosition> place = Optional.empty();
+        Optional<PolarPosition> whole = Optional.empty();
         int depth = reader.depth();
         while (reader.nextList(depth)) {
             if (reader.atomIs("team")) {
@@ -110,12 +110,12 @@ final class VisionReader {
             } else if (reader.atomIs("id")) {
                 number = reader.next() == Token.ATOM ? reader.integer() : 0;
             } else if (reader.atomIs("pol")) {
-                place = readPolar() ? Optional.of(position) : Optional.empty();
+                whole = readPolar() ? Optional.of(position) : Optional.empty();
             } else {
                 readBodyPart();
             }
         }
-        players.add(new SeenPlayer(team, number, parts, place));
+        players.add(new SeenPlayer(team, number, parts, whole));
     }
 
     private void readBodyPart() {
@@ -129,7 +129,7 @@ final class VisionReader {
         }
     }
 
-    /** Finds the next {@code (pol …)} in the list of the given depth and keeps it as {@link #position}. */
+    /** Finds the next {@code (pol …)} in the list of the given depth and stores it in {@link #position}. */
     private boolean readPosition(int depth) {
         while (reader.nextList(depth)) {
             if (reader.atomIs("pol")) {

@@ -1,7 +1,8 @@
 /**
- * What the simulator sends to an agent in each cycle. Read {@link org.robonewbie.protocol.perceptor.PerceptorMessage} first.
+ * The sensor readings that the simulator sends to an agent in each cycle. Read {@link
+ * org.robonewbie.protocol.perceptor.PerceptorMessage} first.
  *
- * <p>All values are in the units and frames of the wire: metres, degrees, newtons; torso and foot frames have x to the robot's
+ * <p>Values are in the units and frames of the protocol: metres, degrees and newtons; torso and foot frames have x to the robot's
  * right, y forward and z up.
  */
 @org.jspecify.annotations.NullMarked

@@ -3,10 +3,10 @@ package org.robonewbie.protocol.sexp;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Converts decimal text to the nearest double by the rules of C's {@code atof}, without allocating for everyday numbers.
+ * Converts decimal text to the nearest double by the rules of C's {@code atof}, without allocations for common numbers.
  *
- * <p>A mantissa up to 2^53 and a power of ten up to 22 are both exact as doubles, so one division rounds correctly (Clinger
- * 1990, "How to read floating point numbers accurately"). Other numbers are left to the JDK.
+ * <p>Mantissas up to 2^53 and powers of ten up to 10^22 are exact as doubles, so that one division rounds correctly (Clinger 1990,
+ * "How to read floating point numbers accurately"). The JDK parses all other numbers.
  */
 final class DecimalParser {
 
@@ -20,7 +20,7 @@ final class DecimalParser {
     private long mantissa;
     private int significantDigits;
 
-    /** Reads the longest number at the start of the text; 0 if there is none. */
+    /** Parses the longest number at the start of the text; 0 if there is none. */
     double parse(byte[] text, int first, int last) {
         start(text, first, last);
         boolean negative = skipSign();
@@ -44,7 +44,7 @@ final class DecimalParser {
         return negative ? -magnitude : magnitude;
     }
 
-    /** Whether the text begins with a number, {@code nan} or {@code inf}. */
+    /** Returns whether the text starts with a number, {@code nan} or {@code inf}. */
     boolean isNumber(byte[] text, int first, int last) {
         start(text, first, last);
         skipSign();
@@ -83,7 +83,7 @@ final class DecimalParser {
         return at - firstDigit;
     }
 
-    /** Skips an exponent if there is a complete one. */
+    /** Skips a complete exponent and returns whether there is one. */
     private boolean hasExponent() {
         if (at >= end || (bytes[at] != 'e' && bytes[at] != 'E')) {
             return false;

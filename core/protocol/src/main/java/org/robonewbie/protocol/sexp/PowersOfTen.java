@@ -3,7 +3,7 @@ package org.robonewbie.protocol.sexp;
 /** The powers of ten that are exact as doubles. */
 final class PowersOfTen {
 
-    /** The largest exponent: 10^22 is exact, 10^23 is not. */
+    /** Maximum exponent: 10^22 is exact, 10^23 is not. */
     static final int MAX = 22;
 
     private static final double[] POWERS = new double[MAX + 1];

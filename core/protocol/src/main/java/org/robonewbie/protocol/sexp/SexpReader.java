@@ -4,12 +4,12 @@ import java.nio.charset.StandardCharsets;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
 /**
- * Reads the S-expressions of one message token by token, straight from its bytes and without allocating.
+ * Pull parser for the S-expressions of a message. It works on the bytes of the message without allocations.
  *
- * <p>The rules are those of SimSpark's own parser (sfsexp): blanks, tabs and line ends separate words, {@code ;} between words
- * begins a comment that extends to the end of the line, and a surplus closing parenthesis ends the message. Depth costs
- * nothing, so deeply nested input is harmless. Quotation marks are ordinary characters, as for SimSpark's clients, unless the
- * reader is created by {@link #withQuotes}, as for servers.
+ * <p>The rules are those of SimSpark's parser (sfsexp): spaces, tabs and line ends separate words, {@code ;} between words starts a
+ * comment that extends to the end of the line, and an unmatched closing parenthesis ends the message. Nesting uses no stack, so
+ * deeply nested input is harmless. Quotation marks are ordinary characters, as for SimSpark's clients, unless the reader is created
+ * by {@link #withQuotes}, as for servers.
  *
  * <pre>{@code
  * reader.start(message);
@@ -40,8 +40,8 @@ public final class SexpReader {
     }
 
     /**
-     * Creates a reader for what servers receive: {@code "two words"} is one atom without its quotation marks, within which a
-     * backslash escapes the next character, and {@code '(a b)} is one atom too.
+     * Creates a reader for messages to a server: {@code "two words"} is one atom without its quotation marks, in which a backslash
+     * escapes the next character, and {@code '(a b)} is one atom too.
      *
      * @return a reader without a message
      */
@@ -50,7 +50,7 @@ public final class SexpReader {
     }
 
     /**
-     * Starts at the beginning of a message, which must not change while it is read.
+     * Starts parsing a message, which must not change during parsing.
      *
      * @param message the message
      */
@@ -59,9 +59,9 @@ public final class SexpReader {
     }
 
     /**
-     * Starts at a position within an array, which must not change while it is read.
+     * Starts parsing a range of an array, which must not change during parsing.
      *
-     * @param array holds the message
+     * @param array array that contains the message
      * @param from index of the first byte
      * @param to index after the last byte
      */
@@ -78,7 +78,7 @@ public final class SexpReader {
     /**
      * Advances to the next token.
      *
-     * @return what was found; {@link Token#END} repeatedly at the end of the message
+     * @return the token; {@link Token#END} for all calls at the end of the message
      */
     public Token next() {
         token = advance();
@@ -96,10 +96,9 @@ public final class SexpReader {
     }
 
     /**
-     * Skips tokens until no more than a number of lists are open. Does nothing if that is already so; stops at {@link
-     * Token#END} if the message ends first.
+     * Skips tokens until at most a number of lists are open, or until {@link Token#END}.
      *
-     * @param outerDepth how many lists stay open
+     * @param outerDepth maximum number of open lists
      */
     public void skipTo(int outerDepth) {
         while (depth > outerDepth && next() != Token.END) {
@@ -108,12 +107,13 @@ public final class SexpReader {
     }
 
     /**
-     * Advances to the next list {@code (name …)} at a certain depth, skipping the rest of the previous list, words between the
-     * lists and lists without a name. Afterwards the name is the current atom.
+     * Advances to the next list {@code (name …)} at a depth. Skips the rest of the previous list, words between the lists, and lists
+     * without a name. Afterwards the name is the current atom.
      *
-     * <p>If there is none, the current token is {@link Token#CLOSE} if the enclosing list is complete, else {@link Token#END}.
+     * <p>If there is no such list, the current token is {@link Token#CLOSE} if the enclosing list is complete, else {@link
+     * Token#END}.
      *
-     * @param outerDepth how many lists enclose the wanted list; 0 for the lists of the message itself
+     * @param outerDepth number of enclosing lists; 0 for the top-level lists of the message
      * @return whether there is another list
      */
     public boolean nextList(int outerDepth) {
@@ -134,9 +134,9 @@ public final class SexpReader {
     }
 
     /**
-     * Advances to the next token, which should be a number.
+     * Advances to the next token and returns whether it is a number.
      *
-     * @return whether it is one, so that {@link #number()} can be called
+     * @return whether {@link #number()} can be called
      */
     public boolean nextNumber() {
         return next() == Token.ATOM && isNumber();
@@ -162,8 +162,8 @@ public final class SexpReader {
     }
 
     /**
-     * Reads the current atom as a number by the rules of C's {@code atof}: what follows a number is ignored, text that is not a
-     * number counts as 0, and {@code nan} and {@code inf} are understood.
+     * Parses the current atom as a number by the rules of C's {@code atof}: characters after a number are ignored, text that is not
+     * a number counts as 0, and {@code nan} and {@code inf} are supported.
      *
      * @return the number, correctly rounded
      */
@@ -172,7 +172,7 @@ public final class SexpReader {
     }
 
     /**
-     * Reads the current atom as an integer, truncating decimals as SimSpark does.
+     * Parses the current atom as an integer, truncating decimals as SimSpark does.
      *
      * @return the number, 0 if the atom is not a number
      */
@@ -180,7 +180,7 @@ public final class SexpReader {
         return (int) number();
     }
 
-    /** {@return whether the current atom begins like a number; if not, {@link #number()} returns the default 0} */
+    /** {@return whether the current atom starts with a number; if not, {@link #number()} returns 0} */
     public boolean isNumber() {
         return decimals.isNumber(bytes, atomStart, atomEnd);
     }
@@ -188,16 +188,6 @@ public final class SexpReader {
     /** {@return a copy of the current atom as text} */
     public String text() {
         return new String(bytes, atomStart, atomEnd - atomStart, StandardCharsets.UTF_8);
-    }
-
-    /**
-     * Returns the current atom as text without copying it if it equals an expected text; saves allocations where words repeat.
-     *
-     * @param known the text that is expected
-     * @return {@code known} if it is the same text, else a copy of the atom
-     */
-    public String text(String known) {
-        return atomIs(known) ? known : text();
     }
 
     private Token advance() {
@@ -237,7 +227,7 @@ public final class SexpReader {
         return Token.ATOM;
     }
 
-    /** Reads a text in quotation marks; without its closing mark there is none, and nothing after it. */
+    /** Parses a text in quotation marks. A missing closing mark ends the message. */
     private Token quotedText() {
         position++;
         atomStart = position;
@@ -253,7 +243,7 @@ public final class SexpReader {
         return Token.ATOM;
     }
 
-    /** Reads the whole list after an apostrophe as it is written. */
+    /** Parses the list after an apostrophe as one atom. */
     private Token quotedList() {
         position++;
         atomStart = position;
@@ -280,7 +270,7 @@ public final class SexpReader {
         return Token.CLOSE;
     }
 
-    /** An apostrophe before a word changes nothing. */
+    /** Returns whether the next character is an apostrophe before a word, which is ignored. */
     private boolean isApostropheBeforeWord() {
         return quoting
                 && position < end

@@ -7,11 +7,10 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
 /**
- * Writes words and numbers to the end of a message, byte for byte as SimSpark's C++ streams do and without allocating for
- * everyday numbers.
+ * Formats words and numbers byte for byte like SimSpark's C++ streams, without allocations for common numbers.
  *
- * <p>Numbers are rounded to the nearest decimal of their exact binary value; exact ties go to the even digit. A negative number
- * that rounds to zero keeps its sign ({@code -0.00}).
+ * <p>Numbers are rounded correctly from their exact binary value, with ties to the even digit. A negative number that rounds to zero
+ * keeps its sign ({@code -0.00}).
  *
  * <pre>{@code
  * new SexpWriter(message).text("(HJ (n hj1) (ax ").fixed(angle, 2).text("))");
@@ -21,7 +20,7 @@ public final class SexpWriter {
 
     private static final int GENERAL_DIGITS = 6;
     private static final double MAX_SCALED = 1L << 51;
-    /** A scaled value whose distance to the next tie is larger is rounded correctly by plain arithmetic. */
+    /** Distance to a tie above which floating-point arithmetic rounds correctly. */
     private static final double TIE_MARGIN = 1e-3;
 
     private static final double LARGEST_WITH_SAFE_MARGIN = 1L << 42;
@@ -30,19 +29,19 @@ public final class SexpWriter {
     /**
      * Creates a writer.
      *
-     * @param message the message at whose end everything is written
+     * @param message the buffer to which everything is appended
      */
     public SexpWriter(MessageBuffer message) {
         this.message = message;
     }
 
-    /** {@return the number of bytes in the message, including those that were there before} */
+    /** {@return the length of the whole message in bytes} */
     public int length() {
         return message.length();
     }
 
     /**
-     * Writes a text unchanged, including parentheses and blanks.
+     * Writes a text unchanged, including parentheses and spaces.
      *
      * @param ascii the text in ASCII
      * @return this writer
@@ -93,11 +92,11 @@ public final class SexpWriter {
     }
 
     /**
-     * Calculates what remains of a number that is written with {@link #fixed} or {@link #decimal} and read again.
+     * Rounds a number as {@link #fixed} and {@link #decimal} do.
      *
      * @param value the number
      * @param decimals digits after the decimal point, 0 to 22
-     * @return the number that a reader gets
+     * @return the number that a reader of the message receives
      */
     public static double rounded(double value, int decimals) {
         double magnitude = Math.abs(value);
@@ -129,8 +128,8 @@ public final class SexpWriter {
     }
 
     /**
-     * Writes a number as a C++ stream does by default, like C's {@code %g}: six significant digits, no trailing zeros, an
-     * exponent for very large and very small numbers ({@code -8.74228e-08}). Monitor messages use this form.
+     * Writes a number in the default format of C++ streams, like C's {@code %g}: six significant digits, no trailing zeros, an
+     * exponent for very large and very small numbers ({@code -8.74228e-08}). Monitor messages use this format.
      *
      * @param value the number; {@code nan} and {@code inf} are written as such
      * @return this writer
@@ -176,7 +175,7 @@ public final class SexpWriter {
         return false;
     }
 
-    /** Rounds magnitude * 10^power to a whole number; near ties are decided by the exact product. */
+    /** Rounds magnitude * 10^power to an integer. The exact product decides near ties. */
     private static long roundProduct(double magnitude, int power, double scaled) {
         long below = (long) scaled;
         double aboveTie = scaled - (below + 0.5);
@@ -186,7 +185,7 @@ public final class SexpWriter {
         return roundUp(below, aboveTie) ? below + 1 : below;
     }
 
-    /** Rounds magnitude / 10^power to a whole number. */
+    /** Rounds magnitude / 10^power to an integer. */
     private static long roundQuotient(double magnitude, int power) {
         double scaled = magnitude / PowersOfTen.get(power);
         long below = (long) scaled;
@@ -197,7 +196,7 @@ public final class SexpWriter {
         return roundUp(below, aboveTie) ? below + 1 : below;
     }
 
-    /** a * b - c without an error in between, for a c that is close to the product. */
+    /** Returns a * b - c without intermediate rounding, for a c close to the product. */
     private static double exactProductMinus(double a, double b, double c) {
         return (a * b - c) + PortableMath.productError(a, b);
     }

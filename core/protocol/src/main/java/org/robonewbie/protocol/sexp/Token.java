@@ -1,10 +1,10 @@
 package org.robonewbie.protocol.sexp;
 
-/** The kinds of token that a {@link SexpReader} finds in a message. */
+/** The kinds of tokens of a {@link SexpReader}. */
 public enum Token {
-    /** An opening parenthesis: a list begins. */
+    /** An opening parenthesis, which starts a list. */
     OPEN,
-    /** A closing parenthesis: the innermost list ends. */
+    /** A closing parenthesis, which ends the innermost list. */
     CLOSE,
     /** A word or number. */
     ATOM,

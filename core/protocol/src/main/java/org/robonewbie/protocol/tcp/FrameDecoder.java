@@ -7,8 +7,8 @@ import java.util.Arrays;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
 /**
- * Collects the bytes of a non-blocking channel until whole messages have arrived: for servers that look at each client once per
- * cycle. It never holds more than one message of the maximum length and one chunk.
+ * Assembles messages from the bytes of a non-blocking channel, for servers that poll each client once per cycle. It buffers at most
+ * one message of the maximum length and one chunk.
  *
  * <pre>{@code
  * open = decoder.fillFrom(channel);
@@ -27,18 +27,18 @@ public final class FrameDecoder {
     /**
      * Creates a decoder for one client.
      *
-     * @param maxBytes the longest message that is accepted, in bytes
+     * @param maxBytes maximum length of a message in bytes
      */
     public FrameDecoder(int maxBytes) {
         this.maxBytes = maxBytes;
     }
 
     /**
-     * Reads what the channel has ready, up to one chunk of 16 KiB, so that no client takes more than its share of a server's
-     * time. To read everything, call it until it returns 0 or -1, taking out all messages by {@link #next} in between.
+     * Reads available bytes from the channel, at most one chunk of 16 KiB, so that no client monopolises the server. To read
+     * everything, call this method until it returns 0 or -1, and remove all messages with {@link #next} after each call.
      *
      * @param channel the client's channel
-     * @return how many bytes were read; 0 if there are none, -1 if the client has closed the connection
+     * @return number of bytes read; 0 if none are available, -1 if the client has closed the connection
      * @throws IOException if the connection is broken
      */
     public int fillFrom(ReadableByteChannel channel) throws IOException {
@@ -49,11 +49,11 @@ public final class FrameDecoder {
     }
 
     /**
-     * Takes out the next complete message.
+     * Removes the next complete message.
      *
      * @param message receives the message; unchanged if there is none
      * @return whether there was a complete message
-     * @throws FrameTooLongException if the client announces a message longer than accepted
+     * @throws FrameTooLongException if the client announces a message that is too long
      */
     public boolean next(MessageBuffer message) throws FrameTooLongException {
         if (end - start < LengthPrefix.BYTES) {

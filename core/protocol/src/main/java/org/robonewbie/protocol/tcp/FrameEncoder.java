@@ -6,9 +6,9 @@ import java.nio.channels.WritableByteChannel;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
 /**
- * Sends messages through a non-blocking channel: for servers whose clients may be slow. As in rcssserver3d, at most one message
- * is under way to each client; until it is fully sent, new ones are dropped, so that a slow client costs no memory and never
- * receives half a message.
+ * Sends messages to a non-blocking channel, for servers with slow clients. As in rcssserver3d, at most one message is pending for
+ * each client. New messages are dropped until it is fully sent, so that a slow client uses no extra memory and never receives a
+ * partial message.
  */
 public final class FrameEncoder {
 
@@ -19,11 +19,11 @@ public final class FrameEncoder {
     public FrameEncoder() {}
 
     /**
-     * Sends a message, or the rest of the previous one.
+     * Sends a message, or continues the pending one and drops the message.
      *
      * @param channel the client's channel
      * @param message the message
-     * @return false if the message was dropped because the previous one was not fully sent yet
+     * @return false if the message was dropped
      * @throws IOException if the connection is broken
      */
     public boolean send(WritableByteChannel channel, MessageBuffer message) throws IOException {
@@ -39,7 +39,7 @@ public final class FrameEncoder {
     }
 
     /**
-     * Sends more of the message that is under way, as much as the channel accepts.
+     * Continues to send the pending message, as far as the channel accepts it.
      *
      * @param channel the client's channel
      * @throws IOException if the connection is broken
@@ -50,7 +50,7 @@ public final class FrameEncoder {
         }
     }
 
-    /** {@return whether part of a message is still to be sent} */
+    /** {@return whether a message is pending} */
     public boolean isPending() {
         return pending.hasRemaining();
     }

@@ -1,13 +1,12 @@
 package org.robonewbie.protocol.tcp;
 
-import java.io.Closeable;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
-/** Reads length-prefixed messages from a stream: four bytes, most significant first, followed by that many bytes of text. */
-public final class FrameInput implements Closeable {
+/** Reads length-prefixed messages from a stream: a length of four bytes in big-endian order, followed by the text. */
+public final class FrameInput {
 
     private final InputStream stream;
     private final int maxBytes;
@@ -16,8 +15,8 @@ public final class FrameInput implements Closeable {
     /**
      * Creates an input.
      *
-     * @param stream where the bytes come from
-     * @param maxBytes the longest message that is accepted, in bytes
+     * @param stream the stream to read
+     * @param maxBytes maximum length of a message in bytes
      */
     public FrameInput(InputStream stream, int maxBytes) {
         this.stream = stream;
@@ -29,7 +28,7 @@ public final class FrameInput implements Closeable {
      *
      * @param message receives the message
      * @return false if the stream has ended and there are no more messages
-     * @throws FrameTooLongException if the message is longer than accepted
+     * @throws FrameTooLongException if the message is too long
      * @throws EOFException if the stream ends within a message
      * @throws IOException if the stream cannot be read
      */
@@ -50,11 +49,6 @@ public final class FrameInput implements Closeable {
     }
 
     private static EOFException cutOff() {
-        return new EOFException("The other side ended the connection in the middle of a message.");
-    }
-
-    @Override
-    public void close() throws IOException {
-        stream.close();
+        return new EOFException("The other side closed the connection in the middle of a message.");
     }
 }

@@ -1,15 +1,14 @@
 package org.robonewbie.protocol.tcp;
 
-import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
 /**
- * Writes length-prefixed messages to a stream, prefix and message in one write, since some SimSpark clients fail if they arrive
- * separately.
+ * Writes length-prefixed messages to a stream. Prefix and message are sent in one write, since some SimSpark clients fail if they
+ * arrive separately.
  */
-public final class FrameOutput implements Closeable {
+public final class FrameOutput {
 
     private final OutputStream stream;
     private final MessageBuffer frame = new MessageBuffer();
@@ -17,7 +16,7 @@ public final class FrameOutput implements Closeable {
     /**
      * Creates an output.
      *
-     * @param stream where the bytes go; should not be buffered
+     * @param stream the stream to write; should not be buffered
      */
     public FrameOutput(OutputStream stream) {
         this.stream = stream;
@@ -34,10 +33,5 @@ public final class FrameOutput implements Closeable {
         LengthPrefix.append(message, frame);
         stream.write(frame.bytes(), 0, frame.length());
         stream.flush();
-    }
-
-    @Override
-    public void close() throws IOException {
-        stream.close();
     }
 }

@@ -2,14 +2,13 @@ package org.robonewbie.protocol.tcp;
 
 import java.io.IOException;
 
-/** A peer announced a message longer than allowed, so the connection can no longer be used. */
+/** Thrown when the other side announces a message that is too long. The connection can no longer be used. */
 public final class FrameTooLongException extends IOException {
 
     private static final long serialVersionUID = 1L;
 
     FrameTooLongException(long announcedBytes, int allowedBytes) {
-        super(
-                "The other side announces a message of " + announcedBytes + " bytes, more than the " + allowedBytes
-                        + " bytes allowed. Does it speak SimSpark's protocol, with a length of four bytes before each message?");
+        super("The other side announces a message of " + announcedBytes + " bytes, more than the " + allowedBytes
+                + " bytes allowed. Does it use SimSpark's protocol, with a length of four bytes before each message?");
     }
 }

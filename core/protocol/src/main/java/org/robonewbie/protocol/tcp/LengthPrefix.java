@@ -2,7 +2,7 @@ package org.robonewbie.protocol.tcp;
 
 import org.robonewbie.protocol.frame.MessageBuffer;
 
-/** The four bytes before each message that hold its length, most significant first, not counting themselves. */
+/** The length prefix of a message: four bytes in big-endian order, which do not count themselves. */
 final class LengthPrefix {
 
     static final int BYTES = 4;

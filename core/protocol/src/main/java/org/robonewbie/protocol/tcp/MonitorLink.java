@@ -8,7 +8,8 @@ import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.order.TrainerOrderWriter;
 
 /**
- * A connection to the monitor port of a SimSpark server, be it ours or rcssserver3d: it watches the world and can change it.
+ * A connection to the monitor port of a SimSpark server, either this framework's simulator or rcssserver3d. It receives the state of
+ * the world and sends orders.
  *
  * <pre>{@code
  * try (MonitorLink monitor = MonitorLink.connect("127.0.0.1", 3200)) {
@@ -34,8 +35,8 @@ public final class MonitorLink implements AutoCloseable {
     /**
      * Connects to a server.
      *
-     * @param host name or address of the computer on which it runs
-     * @param port its monitor port, 3200 by default
+     * @param host name or address of the server's computer
+     * @param port monitor port, 3200 by default
      * @return the connection
      * @throws IOException if no server answers there; the message says what to do
      */
@@ -57,12 +58,12 @@ public final class MonitorLink implements AutoCloseable {
         return received;
     }
 
-    /** {@return the world as of the last message, always the same object} */
+    /** {@return the world as of the last message; always the same object} */
     public MonitoredWorld world() {
         return world;
     }
 
-    /** {@return the last message as received; it changes with the next one} */
+    /** {@return the last message as received, valid until the next one} */
     public MessageBuffer lastMessage() {
         return incoming;
     }
@@ -70,18 +71,18 @@ public final class MonitorLink implements AutoCloseable {
     /**
      * Sends orders in one message.
      *
-     * @param orders what the server has to do, in order
+     * @param orders the orders in sequence
      * @throws IOException if the connection is broken
      */
     public void send(Order.Trainer... orders) throws IOException {
         outgoing.clear();
-        for (Order.Trainer command : orders) {
-            writer.write(command);
+        for (Order.Trainer order : orders) {
+            writer.write(order);
         }
         link.send(outgoing);
     }
 
-    /** Ends the connection. */
+    /** Closes the connection. */
     @Override
     public void close() {
         link.close();

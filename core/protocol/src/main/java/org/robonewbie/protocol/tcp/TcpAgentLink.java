@@ -12,7 +12,7 @@ import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
 /**
- * An agent's connection to a simulator over TCP, either ours or rcssserver3d.
+ * An agent's connection over TCP to a simulator, either this framework's or rcssserver3d.
  *
  * <pre>{@code
  * try (AgentLink link = TcpAgentLink.connect("127.0.0.1", 3100)) { ... }
@@ -37,8 +37,8 @@ public final class TcpAgentLink implements AgentLink {
     /**
      * Connects to a simulator.
      *
-     * @param host name or address of the computer on which it runs
-     * @param port its agent port, 3100 by default
+     * @param host name or address of the simulator's computer
+     * @param port agent port, 3100 by default
      * @return the connection
      * @throws IOException if no server answers there; the message says what to do
      */
@@ -50,12 +50,12 @@ public final class TcpAgentLink implements AgentLink {
         } catch (UnknownHostException unknown) {
             socket.close();
             throw new IOException("No computer named \"" + host + "\" can be found. Check the host name.", unknown);
-        } catch (ConnectException | SocketTimeoutException nobody) {
+        } catch (ConnectException | SocketTimeoutException unreachable) {
             socket.close();
             throw new IOException(
                     "No simulator answers at " + host + ":" + port
-                            + ". Start one with \"robonewbie simulator\", or leave the host out to have one started for you.",
-                    nobody);
+                            + ". Start one with \"robonewbie simulator\", or omit the host to start one automatically.",
+                    unreachable);
         } catch (IOException broken) {
             socket.close();
             throw broken;
@@ -76,7 +76,7 @@ public final class TcpAgentLink implements AgentLink {
                 return false;
             }
             throw new IOException(
-                    "The connection to the simulator is broken: " + broken.getMessage() + ". Was it stopped?", broken);
+                    "The connection to the simulator was lost: " + broken.getMessage() + ". Was it stopped?", broken);
         }
     }
 

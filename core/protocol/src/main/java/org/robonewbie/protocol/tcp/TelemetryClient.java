@@ -13,27 +13,27 @@ import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import org.robonewbie.protocol.telemetry.NumberWish;
-import org.robonewbie.protocol.telemetry.NumberWishes;
 import org.robonewbie.protocol.telemetry.TelemetryLine;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
+import org.robonewbie.protocol.telemetry.TuningRequest;
+import org.robonewbie.protocol.telemetry.TuningRequests;
 
 /**
- * Sends telemetry to a {@link TelemetryServer} on this computer. A background thread does the sending, so a robot never waits:
- * without a listener nothing is wanted, and what a slow listener cannot take is dropped. It looks for a listener every two
- * seconds, and takes what the listener wants of the robots' numbers.
+ * Sends telemetry to a {@link TelemetryServer} on this computer and receives its tuning requests. A background thread sends, so that
+ * robots never wait. Messages are dropped without a server and if the server is too slow. The client tries to connect every two
+ * seconds.
  */
 public final class TelemetryClient implements TelemetrySink, AutoCloseable {
 
     private static final int CAPACITY = 10_000;
     private static final long RETRY_SECONDS = 2;
-    private static final long LOOK_MILLISECONDS = 50;
-    private static final long FAREWELL_MILLISECONDS = 500;
+    private static final long POLL_MILLISECONDS = 50;
+    private static final long CLOSE_MILLISECONDS = 500;
 
     private final int port;
     private final BlockingQueue<TelemetryMessage> queue = new ArrayBlockingQueue<>(CAPACITY);
-    private final NumberWishes wishes = new NumberWishes();
+    private final TuningRequests tuningRequests = new TuningRequests();
     private final CountDownLatch closing = new CountDownLatch(1);
     private final Thread thread = new Thread(this::work, "telemetry");
     private volatile boolean connected;
@@ -43,10 +43,10 @@ public final class TelemetryClient implements TelemetrySink, AutoCloseable {
     }
 
     /**
-     * Starts looking for a listener.
+     * Starts a client, which connects in the background.
      *
      * @param port TCP port on 127.0.0.1, see {@link TelemetryServer#portFor}
-     * @return the client, returned at once whether or not there is a listener
+     * @return the client
      */
     public static TelemetryClient open(int port) {
         TelemetryClient client = new TelemetryClient(port);
@@ -57,7 +57,7 @@ public final class TelemetryClient implements TelemetrySink, AutoCloseable {
     @Override
     public void accept(TelemetryMessage message) {
         if (connected && !queue.offer(message)) {
-            queue.poll(); // the newest is worth more than the oldest
+            queue.poll(); // drop the oldest message
             queue.offer(message);
         }
     }
@@ -68,16 +68,16 @@ public final class TelemetryClient implements TelemetrySink, AutoCloseable {
     }
 
     @Override
-    public Optional<NumberWishes> wishes() {
-        return Optional.of(wishes);
+    public Optional<TuningRequests> tuningRequests() {
+        return Optional.of(tuningRequests);
     }
 
-    /** Sends what is still waiting, for half a second at most, and closes the connection. */
+    /** Sends the remaining messages, for at most half a second, and closes the connection. */
     @Override
     public void close() {
         closing.countDown();
         try {
-            thread.join(FAREWELL_MILLISECONDS);
+            thread.join(CLOSE_MILLISECONDS);
         } catch (InterruptedException end) {
             Thread.currentThread().interrupt();
         }
@@ -86,21 +86,21 @@ public final class TelemetryClient implements TelemetrySink, AutoCloseable {
     private void work() {
         try {
             do {
-                talk();
+                sendUntilDisconnected();
             } while (!closing.await(RETRY_SECONDS, TimeUnit.SECONDS));
         } catch (InterruptedException end) {
             Thread.currentThread().interrupt();
         }
     }
 
-    private void talk() throws InterruptedException {
+    private void sendUntilDisconnected() throws InterruptedException {
         try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), port);
                 BufferedWriter writer =
                         new BufferedWriter(new OutputStreamWriter(socket.getOutputStream(), StandardCharsets.UTF_8))) {
             connected = true;
-            start(new Thread(() -> listen(socket), "telemetry-wishes"));
+            start(new Thread(() -> receive(socket), "telemetry-tuning"));
             while (closing.getCount() > 0 || !queue.isEmpty()) {
-                TelemetryMessage message = queue.poll(LOOK_MILLISECONDS, TimeUnit.MILLISECONDS);
+                TelemetryMessage message = queue.poll(POLL_MILLISECONDS, TimeUnit.MILLISECONDS);
                 if (message != null) {
                     writer.write(TelemetryLine.write(message));
                     writer.write('\n');
@@ -109,23 +109,23 @@ public final class TelemetryClient implements TelemetrySink, AutoCloseable {
                     writer.flush();
                 }
             }
-        } catch (IOException nobody) {
-            // no listener at present; the next attempt follows
+        } catch (IOException unreachable) {
+            // retried later
         } finally {
             connected = false;
             queue.clear();
         }
     }
 
-    /** Reads until the connection is closed. */
-    private void listen(Socket socket) {
+    /** Receives tuning requests until the connection is closed. */
+    private void receive(Socket socket) {
         try (BufferedReader reader =
                 new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8))) {
             for (String line = reader.readLine(); line != null; line = reader.readLine()) {
-                NumberWish.read(line).ifPresent(wishes::put);
+                TuningRequest.read(line).ifPresent(tuningRequests::put);
             }
         } catch (IOException closed) {
-            // the sending thread sees it as well
+            // the sending thread detects this too
         }
     }
 

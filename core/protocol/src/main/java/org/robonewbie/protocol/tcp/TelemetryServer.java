@@ -6,23 +6,23 @@ import java.net.ServerSocket;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Predicate;
-import org.robonewbie.protocol.telemetry.NumberWish;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
+import org.robonewbie.protocol.telemetry.TuningRequest;
 
 /**
- * Receives the telemetry of robots in other processes of this computer and passes it on to a {@link TelemetrySink}; hands back
- * what people want of the robots' numbers. Lines that are not telemetry are ignored.
+ * Receives the telemetry of robots in other processes of this computer, passes it to a {@link TelemetrySink}, and forwards the sink's
+ * tuning requests to the robots. Lines that are not telemetry are ignored.
  */
 public final class TelemetryServer implements AutoCloseable {
 
-    private static final int ABOVE_AGENT_PORT = 200;
-    private static final int HIGHEST_PORT = 65_535;
+    private static final int PORT_OFFSET = 200;
+    private static final int MAX_PORT = 65_535;
     private static final int MAX_CONNECTIONS = 64;
 
     private final ServerSocket socket;
     private final TelemetrySink sink;
-    private final Set<TelemetryVisitor> visitors = ConcurrentHashMap.newKeySet();
-    private final Predicate<NumberWish> messenger = this::handOn;
+    private final Set<TelemetryConnection> connections = ConcurrentHashMap.newKeySet();
+    private final Predicate<TuningRequest> forwarder = this::forward;
 
     private TelemetryServer(ServerSocket socket, TelemetrySink sink) {
         this.socket = socket;
@@ -36,23 +36,23 @@ public final class TelemetryServer implements AutoCloseable {
      * @return the telemetry port, 3300 by default
      */
     public static int portFor(int agentPort) {
-        int above = agentPort + ABOVE_AGENT_PORT;
-        return above <= HIGHEST_PORT ? above : agentPort - ABOVE_AGENT_PORT;
+        int above = agentPort + PORT_OFFSET;
+        return above <= MAX_PORT ? above : agentPort - PORT_OFFSET;
     }
 
     /**
      * Starts listening.
      *
      * @param port TCP port on 127.0.0.1, see {@link #portFor}; 0 takes any free one
-     * @param sink receives the telemetry of all robots, in threads of this server
+     * @param sink receives the telemetry of all robots on threads of this server
      * @return the open server
      * @throws IOException if the port is in use
      */
     public static TelemetryServer open(int port, TelemetrySink sink) throws IOException {
         ServerSocket socket = new ServerSocket(port, 0, InetAddress.getLoopbackAddress());
         TelemetryServer server = new TelemetryServer(socket, sink);
-        sink.wishes().ifPresent(wishes -> wishes.sendBy(server.messenger));
-        start(server::welcome);
+        sink.tuningRequests().ifPresent(requests -> requests.addForwarder(server.forwarder));
+        start(server::acceptConnections);
         return server;
     }
 
@@ -64,40 +64,40 @@ public final class TelemetryServer implements AutoCloseable {
     /** Closes all connections. */
     @Override
     public void close() {
-        sink.wishes().ifPresent(wishes -> wishes.sendNoMoreBy(messenger));
+        sink.tuningRequests().ifPresent(requests -> requests.removeForwarder(forwarder));
         try {
             socket.close();
-        } catch (IOException alreadyGone) {
-            // closed is closed
+        } catch (IOException ignored) {
+            // closed in any case
         }
-        visitors.forEach(TelemetryVisitor::close);
+        connections.forEach(TelemetryConnection::close);
     }
 
-    private void welcome() {
+    private void acceptConnections() {
         while (!socket.isClosed()) {
             try {
-                TelemetryVisitor visitor = new TelemetryVisitor(socket.accept(), sink);
-                if (visitors.size() < MAX_CONNECTIONS && visitors.add(visitor)) {
-                    start(() -> listen(visitor));
+                TelemetryConnection connection = new TelemetryConnection(socket.accept(), sink);
+                if (connections.size() < MAX_CONNECTIONS && connections.add(connection)) {
+                    start(() -> receive(connection));
                 } else {
-                    visitor.close();
+                    connection.close();
                 }
             } catch (IOException closed) {
-                // the loop sees whether this socket was closed or only a robot's
+                // the loop ends if this socket was closed, not only a robot's
             }
         }
     }
 
-    private void listen(TelemetryVisitor visitor) {
+    private void receive(TelemetryConnection connection) {
         try {
-            visitor.listen();
+            connection.receive();
         } finally {
-            visitors.remove(visitor);
+            connections.remove(connection);
         }
     }
 
-    private boolean handOn(NumberWish wish) {
-        return visitors.stream().anyMatch(visitor -> visitor.take(wish));
+    private boolean forward(TuningRequest request) {
+        return connections.stream().anyMatch(connection -> connection.forward(request));
     }
 
     private static void start(Runnable work) {

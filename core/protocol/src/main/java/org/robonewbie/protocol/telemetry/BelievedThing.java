@@ -3,11 +3,11 @@ package org.robonewbie.protocol.telemetry;
 import org.robonewbie.nao.Vector3;
 
 /**
- * A robot's belief about the position of one object.
+ * A robot's estimate of the position of an object.
  *
- * @param name what it is: {@code ball}, a landmark such as {@code GOAL_POST_1_LEFT}, or a robot as {@code TEAM NUMBER}
- * @param position metres from the centre of the robot's head along the axes of its torso: x forward, y left, z up
- * @param ageSeconds seconds since it was last seen
- * @param visible whether it was in the last picture of the camera
+ * @param name name of the object: {@code ball}, a landmark such as {@code GOAL_POST_1_LEFT}, or a robot as {@code TEAM NUMBER}
+ * @param position position relative to the centre of the robot's head along the axes of its torso, x forward, y left, z up, in metres
+ * @param ageSeconds time since the object was last seen in seconds
+ * @param visible whether the object was in the last camera image
  */
 public record BelievedThing(String name, Vector3 position, double ageSeconds, boolean visible) {}

@@ -3,9 +3,9 @@ package org.robonewbie.protocol.telemetry;
 import org.robonewbie.nao.Vector3;
 
 /**
- * A shape that a robot draws into its surroundings to show what it thinks. Points are metres from the centre of its head along
- * the axes of its torso (x forward, y left, z up), as in its field view. Colours are CSS names or codes, such as {@code red} or
- * {@code #ff8800}; an unknown colour is replaced.
+ * A shape that a robot's program draws into the scene for debugging. Points are relative to the centre of the robot's head along the
+ * axes of its torso (x forward, y left, z up), in metres, as in its field view. Colours are CSS names or codes, such as {@code red} or
+ * {@code #ff8800}; viewers replace an unknown colour.
  */
 public sealed interface Drawing {
 
@@ -15,35 +15,35 @@ public sealed interface Drawing {
     /**
      * A point.
      *
-     * @param place where it is
-     * @param colour its colour
+     * @param place position of the point
+     * @param colour colour of the point
      */
     record Point(Vector3 place, String colour) implements Drawing {}
 
     /**
      * A straight line.
      *
-     * @param from its start
-     * @param to its end
-     * @param colour its colour
+     * @param from start of the line
+     * @param to end of the line
+     * @param colour colour of the line
      */
     record Line(Vector3 from, Vector3 to, String colour) implements Drawing {}
 
     /**
      * A horizontal circle.
      *
-     * @param centre its centre
-     * @param radius its radius in metres
-     * @param colour its colour
+     * @param centre centre of the circle
+     * @param radius radius in metres
+     * @param colour colour of the circle
      */
     record Circle(Vector3 centre, double radius, String colour) implements Drawing {}
 
     /**
      * A text.
      *
-     * @param place its position
+     * @param place position of the text
      * @param text the text
-     * @param colour its colour
+     * @param colour colour of the text
      */
     record Text(Vector3 place, String text, String colour) implements Drawing {}
 }

@@ -2,7 +2,7 @@ package org.robonewbie.protocol.telemetry;
 
 import org.robonewbie.nao.Vector3;
 
-/** Reads fields separated by tabs; throws {@link IllegalArgumentException} if one is missing or not a number. */
+/** Parses tab-separated fields. Throws {@link IllegalArgumentException} if a field is missing or not a number. */
 final class FieldReader {
 
     private final String[] fields;
@@ -35,17 +35,17 @@ final class FieldReader {
     private static String unescaped(String field) {
         StringBuilder text = new StringBuilder(field.length());
         for (int i = 0; i < field.length(); i++) {
-            char sign = field.charAt(i);
-            if (sign == '\\' && i + 1 < field.length()) {
+            char character = field.charAt(i);
+            if (character == '\\' && i + 1 < field.length()) {
                 i++;
-                sign = switch (field.charAt(i)) {
+                character = switch (field.charAt(i)) {
                     case 't' -> '\t';
                     case 'n' -> '\n';
                     case 'r' -> '\r';
                     default -> field.charAt(i);
                 };
             }
-            text.append(sign);
+            text.append(character);
         }
         return text.toString();
     }

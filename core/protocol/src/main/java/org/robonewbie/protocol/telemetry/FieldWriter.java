@@ -3,7 +3,7 @@ package org.robonewbie.protocol.telemetry;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
 
-/** Writes fields that are separated by tabs. */
+/** Formats tab-separated fields. */
 final class FieldWriter {
 
     private static final double DECIMALS = 10_000;
@@ -22,7 +22,7 @@ final class FieldWriter {
         return this;
     }
 
-    /** Four decimals: a tenth of a millimetre is enough for the eye. */
+    /** Writes a number with four decimals, which is precise enough for display. */
     FieldWriter number(double value) {
         line.append('\t').append(Double.isFinite(value) ? PortableMath.rint(value * DECIMALS) / DECIMALS : value);
         return this;
@@ -32,13 +32,13 @@ final class FieldWriter {
         return number(vector.x()).number(vector.y()).number(vector.z());
     }
 
-    private void append(char sign) {
-        switch (sign) {
+    private void append(char character) {
+        switch (character) {
             case '\t' -> line.append("\\t");
             case '\n' -> line.append("\\n");
             case '\r' -> line.append("\\r");
             case '\\' -> line.append("\\\\");
-            default -> line.append(sign);
+            default -> line.append(character);
         }
     }
 

@@ -4,78 +4,69 @@ import java.util.List;
 import java.util.Optional;
 import org.robonewbie.nao.geometry.Pose2d;
 
-/** One item of a robot's telemetry. */
+/** An item of a robot's telemetry. */
 public sealed interface TelemetryItem {
 
     /**
-     * A line of the robot's log, or an error in its program.
+     * An entry of the robot's log, or an error in its program.
      *
      * @param level {@code DEBUG}, {@code INFO}, {@code WARNING} or {@code ERROR}
-     * @param text the message, possibly several lines
+     * @param text the message, which may have several lines
      */
     record LogEntry(String level, String text) implements TelemetryItem {}
 
     /**
-     * The motion that the robot plays; sent whenever it changes.
+     * Progress of the motion that the robot plays; sent on each change.
      *
      * @param name name of the motion; empty if none is running
-     * @param keyframe the keyframe that is approached, from 1; 0 if none is running
+     * @param keyframe number of the keyframe that the robot is approaching, from 1; 0 if no motion is running
      */
     record MotionProgress(String name, int keyframe) implements TelemetryItem {}
 
     /**
-     * What the robot believes to be around it; sent with each picture of its camera. It replaces the previous belief.
+     * The robot's estimate of its surroundings; sent with each camera image. It replaces the previous one.
      *
-     * @param things everything that it knows
-     * @param self its believed pose; empty if it does not keep one
+     * @param things the known objects
+     * @param self estimated pose of the robot; empty without self-localisation
      */
     record Belief(List<BelievedThing> things, Optional<Pose2d> self) implements TelemetryItem {
 
-        /**
-         * Creates a belief.
-         *
-         * @param things everything that it knows
-         * @param self its believed pose
-         */
+        /** Copies the list. */
         public Belief {
             things = List.copyOf(things);
         }
     }
 
     /**
-     * What the robot has drawn in one cycle. It replaces the previous picture and expires after a second.
+     * The robot's drawings of one cycle. They replace the previous ones and expire after a second.
      *
-     * @param drawings the shapes, in the order in which they were drawn
+     * @param drawings the shapes in drawing order
      */
     record Picture(List<Drawing> drawings) implements TelemetryItem {
 
-        /**
-         * Creates a picture.
-         *
-         * @param drawings the shapes
-         */
+        /** Copies the list. */
         public Picture {
             drawings = List.copyOf(drawings);
         }
     }
 
     /**
-     * A number to be plotted over time.
+     * A value to plot over time.
      *
      * @param name name of the curve
-     * @param value its present value, finite
+     * @param value current value, finite
      */
     record PlotValue(String name, double value) implements TelemetryItem {}
 
     /**
-     * A number that the robot's program has declared and that can be tuned while it runs; sent now and then.
+     * A tunable number that the robot's program has declared; sent periodically.
      *
-     * @param name what the program calls it
-     * @param usual its value in the program's text
-     * @param least its smallest value
-     * @param most its largest value
-     * @param value its present value
+     * @param name name of the number in the program
+     * @param defaultValue value in the program's source
+     * @param min minimum value
+     * @param max maximum value
+     * @param value current value
      */
-    record DeclaredNumber(String name, double usual, double least, double most, double value)
+    record DeclaredNumber(String name, double defaultValue, double min, double max, double value)
             implements TelemetryItem {}
 }

@@ -13,8 +13,8 @@ import org.robonewbie.protocol.telemetry.TelemetryItem.Picture;
 import org.robonewbie.protocol.telemetry.TelemetryItem.PlotValue;
 
 /**
- * Telemetry as text, one message per line: kind, seconds, team and number, then the item's own fields, all separated by tabs.
- * A tab, line break or backslash within a field is written as {@code \t}, {@code \n} or {@code \\}.
+ * The text format of telemetry, with one message per line: kind, seconds, team and number, followed by the fields of the item, all
+ * separated by tabs. Tabs, line breaks and backslashes in a field are escaped as {@code \t}, {@code \n} and {@code \\}.
  *
  * <pre>
  * log    12.34  Blue  3  INFO  ball at 1.20 m
@@ -27,15 +27,15 @@ import org.robonewbie.protocol.telemetry.TelemetryItem.PlotValue;
  */
 public final class TelemetryLine {
 
-    private static final String NOWHERE = "-";
+    private static final String NO_POSE = "-";
 
     private TelemetryLine() {}
 
     /**
-     * Writes a message.
+     * Formats a message.
      *
      * @param message the message
-     * @return one line without its end
+     * @return one line without its line end
      */
     public static String write(TelemetryMessage message) {
         FieldWriter fields = new FieldWriter(kind(message.item()));
@@ -58,9 +58,9 @@ public final class TelemetryLine {
     }
 
     /**
-     * Reads a message.
+     * Parses a message.
      *
-     * @param line one line without its end
+     * @param line one line without its line end
      * @return the message; empty if the line is not telemetry
      */
     public static Optional<TelemetryMessage> read(String line) {
@@ -105,10 +105,10 @@ public final class TelemetryLine {
         };
     }
 
-    /** With all digits, since the program's author has chosen them. */
+    /** Writes a declared number with all digits. */
     private static void write(DeclaredNumber number, FieldWriter fields) {
         fields.text(number.name());
-        for (double value : new double[] {number.usual(), number.least(), number.most(), number.value()}) {
+        for (double value : new double[] {number.defaultValue(), number.min(), number.max(), number.value()}) {
             fields.text(Double.toString(value));
         }
     }
@@ -118,7 +118,7 @@ public final class TelemetryLine {
             Pose2d self = belief.self().get();
             fields.number(self.x()).number(self.y()).number(self.degrees());
         } else {
-            fields.text(NOWHERE);
+            fields.text(NO_POSE);
         }
         for (BelievedThing thing : belief.things()) {
             fields.text(thing.name()).vector(thing.position()).number(thing.ageSeconds());
@@ -128,7 +128,7 @@ public final class TelemetryLine {
 
     private static Belief belief(FieldReader fields) {
         String first = fields.text();
-        Optional<Pose2d> self = first.equals(NOWHERE)
+        Optional<Pose2d> self = first.equals(NO_POSE)
                 ? Optional.empty()
                 : Optional.of(new Pose2d(Double.parseDouble(first), fields.number(), fields.number()));
         List<BelievedThing> things = new ArrayList<>();

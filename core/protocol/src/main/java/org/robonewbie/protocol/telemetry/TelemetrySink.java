@@ -3,8 +3,8 @@ package org.robonewbie.protocol.telemetry;
 import java.util.Optional;
 
 /**
- * Receives the telemetry of robots. A sink is called by the robots' own threads in the middle of their cycle, so it must be
- * thread-safe, return at once, and never throw.
+ * Receiver for the telemetry of robots. Robots call a sink on their own threads during their cycle, so it must be thread-safe, return
+ * immediately, and never throw.
  *
  * <pre>{@code
  * TelemetrySink sink = message -> latest.put(message.team() + message.number(), message);
@@ -14,7 +14,7 @@ import java.util.Optional;
 @FunctionalInterface
 public interface TelemetrySink {
 
-    /** The sink that ignores everything. */
+    /** A sink that ignores everything. */
     TelemetrySink NONE = new TelemetrySink() {
         @Override
         public void accept(TelemetryMessage message) {}
@@ -33,20 +33,20 @@ public interface TelemetrySink {
     void accept(TelemetryMessage message);
 
     /**
-     * Returns whether telemetry is wanted now; robots ask in each cycle and save the work if it is not.
+     * Returns whether the sink currently uses telemetry. Robots check this in each cycle and skip the work if it does not.
      *
-     * @return whether {@link #accept} does anything
+     * @return false if {@link #accept} has no effect
      */
     default boolean isWanted() {
         return true;
     }
 
     /**
-     * Returns what people want of the numbers that robots declare; robots look in each cycle.
+     * Returns the requests to tune declared numbers. Robots check them in each cycle.
      *
-     * @return the wishes; empty where nobody can express any
+     * @return the requests; empty if the sink does not support tuning
      */
-    default Optional<NumberWishes> wishes() {
+    default Optional<TuningRequests> tuningRequests() {
         return Optional.empty();
     }
 }

@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
-import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.frame.MessageBuffer;
@@ -43,7 +42,7 @@ class PerceptorMessageWriterTest {
     @Test
     void putsForcesAndToesWhereTheServerPutsThem() {
         JointAngles angles =
-                JointAngles.of(new double[Joint.COUNT], List.of(new ExtraHinge("llj7", 2), new ExtraHinge("rlj7", 1)));
+                JointAngles.measured(joint -> 0, List.of(new ExtraHinge("llj7", 2), new ExtraHinge("rlj7", 1)));
         FootForces forces =
                 new FootForces(Optional.of(FORCE), Optional.of(FORCE), Optional.of(FORCE), Optional.of(FORCE));
 

@@ -101,7 +101,7 @@ class PerceptorRoundTripTest {
                         .flatMap(angle -> Stream.of(new ExtraHinge("rlj7", angle), new ExtraHinge("llj7", angle)))
                         .toList());
         return Combinators.combine(numbers().array(double[].class).ofSize(22), toes)
-                .as(JointAngles::of);
+                .as((degrees, extra) -> JointAngles.measured(joint -> degrees[joint.ordinal()], extra));
     }
 
     private static Arbitrary<FootForces> forces() {

@@ -113,17 +113,6 @@ class SexpReaderTest {
     }
 
     @Test
-    void givesAKnownWordBackInsteadOfACopy() {
-        String known = "PlayOn";
-        start("PlayOn GameOver");
-
-        reader.next();
-        assertThat(reader.text(known)).isSameAs(known);
-        reader.next();
-        assertThat(reader.text(known)).isEqualTo("GameOver");
-    }
-
-    @Test
     void skipsTheRestOfAList() {
         start("(a (b (c) d) e)(f)");
         reader.next();

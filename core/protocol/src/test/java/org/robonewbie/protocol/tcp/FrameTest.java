@@ -82,7 +82,7 @@ class FrameTest {
                 .isInstanceOf(FrameTooLongException.class)
                 .hasMessage(
                         "The other side announces a message of 4294967295 bytes, more than the 100000 bytes allowed."
-                                + " Does it speak SimSpark's protocol, with a length of four bytes before each message?");
+                                + " Does it use SimSpark's protocol, with a length of four bytes before each message?");
     }
 
     @Test
@@ -92,7 +92,7 @@ class FrameTest {
 
         assertThatThrownBy(() -> inPrefix.read(new MessageBuffer()))
                 .isInstanceOf(EOFException.class)
-                .hasMessage("The other side ended the connection in the middle of a message.");
+                .hasMessage("The other side closed the connection in the middle of a message.");
         assertThatThrownBy(() -> inMessage.read(new MessageBuffer())).isInstanceOf(EOFException.class);
     }
 

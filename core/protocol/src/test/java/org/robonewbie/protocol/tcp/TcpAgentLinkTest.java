@@ -85,7 +85,7 @@ class TcpAgentLinkTest {
 
             assertThatThrownBy(() -> link.receive(new MessageBuffer()))
                     .isInstanceOf(IOException.class)
-                    .hasMessageStartingWith("The connection to the simulator is broken")
+                    .hasMessageStartingWith("The connection to the simulator was lost")
                     .hasMessageEndingWith("Was it stopped?");
         }
     }
@@ -99,7 +99,7 @@ class TcpAgentLinkTest {
                 .isInstanceOf(IOException.class)
                 .hasMessage(
                         "No simulator answers at 127.0.0.1:" + port + ". Start one with \"robonewbie simulator\", or"
-                                + " leave the host out to have one started for you.");
+                                + " omit the host to start one automatically.");
     }
 
     @Test
@@ -117,7 +117,7 @@ class TcpAgentLinkTest {
 
             assertThatThrownBy(() -> link.receive(new MessageBuffer()))
                     .isInstanceOf(FrameTooLongException.class)
-                    .hasMessageContaining("Does it speak SimSpark's protocol");
+                    .hasMessageContaining("Does it use SimSpark's protocol");
         }
     }
 

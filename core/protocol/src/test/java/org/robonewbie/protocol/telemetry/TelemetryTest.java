@@ -87,7 +87,7 @@ class TelemetryTest {
     @Test
     void wishForANumberReachesTheProgramThatHasIt() throws Exception {
         BlockingQueue<TelemetryMessage> heard = new LinkedBlockingQueue<>();
-        NumberWishes wishes = new NumberWishes();
+        TuningRequests wishes = new TuningRequests();
         try (TelemetryServer server = TelemetryServer.open(0, new Listener(heard, wishes));
                 TelemetryClient stranger = TelemetryClient.open(server.port());
                 TelemetryClient client = TelemetryClient.open(server.port())) {
@@ -96,11 +96,11 @@ class TelemetryTest {
             client.accept(
                     new TelemetryMessage("Blue", 3, 0, new TelemetryItem.DeclaredNumber("my\tgain", 0.5, 0, 1, 0.5)));
             assertThat(next(heard).item()).isInstanceOf(TelemetryItem.DeclaredNumber.class);
-            BlockingQueue<NumberWish> arrived = new LinkedBlockingQueue<>();
-            client.wishes().orElseThrow().sendBy(arrived::add);
-            stranger.wishes().orElseThrow().sendBy(arrived::add);
+            BlockingQueue<TuningRequest> arrived = new LinkedBlockingQueue<>();
+            client.tuningRequests().orElseThrow().addForwarder(arrived::add);
+            stranger.tuningRequests().orElseThrow().addForwarder(arrived::add);
 
-            NumberWish wish = new NumberWish("Blue", 3, "my\tgain", 0.1 + 0.2);
+            TuningRequest wish = new TuningRequest("Blue", 3, "my\tgain", 0.1 + 0.2);
             wishes.put(wish);
 
             assertThat(arrived.poll(120, TimeUnit.SECONDS)).isEqualTo(wish);
@@ -111,10 +111,10 @@ class TelemetryTest {
 
     @Test
     void wishWaitsForARobotOfThisProgramAndIsTakenOnce() {
-        NumberWishes wishes = new NumberWishes();
+        TuningRequests wishes = new TuningRequests();
 
-        wishes.put(new NumberWish("Blue", 3, "gain", 0.2));
-        wishes.put(new NumberWish("Blue", 3, "gain", 0.7));
+        wishes.put(new TuningRequest("Blue", 3, "gain", 0.2));
+        wishes.put(new TuningRequest("Blue", 3, "gain", 0.7));
 
         assertThat(wishes.take("Blue", 4, "gain")).isEmpty();
         assertThat(wishes.take("Blue", 3, "gain")).hasValue(0.7);
@@ -125,7 +125,7 @@ class TelemetryTest {
     void whatIsNoWishIsNotRead() {
         for (String line :
                 List.of("", "tune", "tune\tBlue\t3\tgain", "tune\tBlue\tx\tgain\t1", "plot\tBlue\t3\tgain\t1")) {
-            assertThat(NumberWish.read(line)).as(line).isEmpty();
+            assertThat(TuningRequest.read(line)).as(line).isEmpty();
         }
     }
 
@@ -180,7 +180,7 @@ class TelemetryTest {
         assertThat(TelemetryServer.portFor(65_400)).isEqualTo(65_200);
     }
 
-    private record Listener(BlockingQueue<TelemetryMessage> heard, NumberWishes numbers) implements TelemetrySink {
+    private record Listener(BlockingQueue<TelemetryMessage> heard, TuningRequests numbers) implements TelemetrySink {
 
         @Override
         public void accept(TelemetryMessage message) {
@@ -188,7 +188,7 @@ class TelemetryTest {
         }
 
         @Override
-        public Optional<NumberWishes> wishes() {
+        public Optional<TuningRequests> tuningRequests() {
             return Optional.of(numbers);
         }
     }

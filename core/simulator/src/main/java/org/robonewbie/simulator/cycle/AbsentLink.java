@@ -4,17 +4,17 @@ import java.util.List;
 import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
-/** Stands in for an agent that was there when the world was saved and is not there now: it answers, but never moves. */
+/** A placeholder connection for an agent of a saved state that is not connected now: it answers each message, but never moves. */
 final class AbsentLink implements ServerLink {
 
-    private boolean owesAnswer;
+    private boolean answerDue;
 
     @Override
     public boolean poll(MessageBuffer message) {
-        if (!owesAnswer) {
+        if (!answerDue) {
             return false;
         }
-        owesAnswer = false;
+        answerDue = false;
         message.clear();
         message.append(EffectorMessageWriter.SYNCHRONISE);
         return true;
@@ -22,14 +22,13 @@ final class AbsentLink implements ServerLink {
 
     @Override
     public boolean offer(MessageBuffer message) {
-        owesAnswer = true;
+        answerDue = true;
         return true;
     }
 
-    /** The agent that was there may have owed an answer. */
     @Override
     public void setMessagesForAgent(List<byte[]> messages) {
-        owesAnswer = true;
+        answerDue = true; // the saved agent may not have answered yet
     }
 
     @Override
@@ -38,18 +37,7 @@ final class AbsentLink implements ServerLink {
     }
 
     @Override
-    public String closingReason() {
-        return HAS_LEFT;
-    }
-
-    /** There is nothing to close; the next state that is restored drops it. */
-    @Override
-    public void close() {}
-
-    @Override
-    public boolean isLocal() {
-        return true;
-    }
+    public void close() {} // dropped when the next state is restored
 
     @Override
     public String address() {

@@ -2,7 +2,6 @@ package org.robonewbie.simulator.cycle;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
@@ -11,17 +10,17 @@ import org.robonewbie.protocol.effector.EffectorMessageReader;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.simulator.Console;
 
-/** The conversation with one agent: which commands have come, which message goes out, and whether it keeps in step. */
+/** The message exchange with one agent: incoming commands, outgoing messages and synchronisation. */
 public final class AgentChannel implements Restorable {
 
-    /** Messages after which an agent must answer each one in sync mode, so that it can join without. */
+    /** Messages that an agent may leave unanswered in sync mode while it joins. */
     private static final int FREE_MESSAGES = 5;
 
-    /** Commands of one agent that are kept for one cycle; a robot has 24 hinges. */
-    private static final int MAXIMUM_COMMANDS = 2000;
+    /** Limit of queued commands per cycle; a robot has 24 hinges. */
+    private static final int MAX_COMMANDS = 2000;
 
-    /** Bytes of an agent's messages of one cycle that are kept for observers. */
-    private static final int MAXIMUM_KEPT_BYTES = 65_536;
+    /** Limit of the bytes per cycle that are kept for observers. */
+    private static final int MAX_KEPT_BYTES = 65_536;
 
     private final ServerLink link;
     private final boolean synchronous;
@@ -37,19 +36,16 @@ public final class AgentChannel implements Restorable {
     private boolean synchronised;
     private boolean everSynchronised;
     private boolean answered = true;
-    private boolean heardOf;
+    private boolean spoken;
     private int generatedMessages;
     private long unansweredMessages;
     private boolean restored;
 
     /**
-     * Begins the conversation.
+     * Creates the channel.
      *
-     * @param link the connection
-     * @param synchronous whether the world waits for agents
-     * @param strict whether in sync mode the agent is waited for from the beginning, as those are that the world awaits
-     *     before it begins and those within this process
-     * @param console where to tell the agent's mistakes
+     * @param synchronous whether the world runs in sync mode
+     * @param strict whether sync mode waits for the agent from its first message on, as for awaited and in-process agents
      */
     AgentChannel(ServerLink link, boolean synchronous, boolean strict, Console console) {
         this.link = link;
@@ -66,16 +62,16 @@ public final class AgentChannel implements Restorable {
     /** Reads the messages that have arrived. */
     void read() {
         while (link.poll(incoming)) {
-            heardOf = true;
+            spoken = true;
             answered = true;
-            if (received.length() < MAXIMUM_KEPT_BYTES) {
+            if (received.length() < MAX_KEPT_BYTES) {
                 received.append(incoming);
             }
             reader.read(incoming, this::take, this::warn);
         }
     }
 
-    /** Takes out the commands that have arrived, in their order; the list is valid until they are taken again. */
+    /** Removes and returns the queued commands in order of arrival. The list is valid until the next call. */
     List<EffectorCommand> takeCommands() {
         List<EffectorCommand> done = executed;
         executed = commands;
@@ -88,59 +84,54 @@ public final class AgentChannel implements Restorable {
         return executed;
     }
 
-    /** {@return the agent's messages that were carried out in this cycle, one after the other, as they came} */
+    /** {@return the agent's messages executed in this cycle, concatenated in order of arrival} */
     public MessageBuffer executedMessage() {
         return executedMessage;
     }
 
-    /** The commands that were executed in this cycle, until it is over. */
+    /** The commands executed in this cycle. */
     List<EffectorCommand> executedCommands() {
         return executed;
     }
 
     /**
-     * Whether the agent is gone. Its end is noticed only when its next answer is due, so that in sync mode it does not depend
-     * on how quickly the end arrives.
+     * Whether the agent has disconnected. In sync mode this is reported only when its next answer is due, so that a run does not
+     * depend on when the end of the connection arrives.
      */
     boolean hasLeft() {
         return !link.isOpen() && !(synchronous && synchronised);
     }
 
-    /** Whether the agent has ever sent anything. */
-    boolean isHeardOf() {
-        return heardOf;
+    /** Whether the agent has ever sent a message. */
+    boolean hasSpoken() {
+        return spoken;
     }
 
-    /** Whether an agent has come through a team's door, or through none, and sent something. */
-    boolean isHeardOf(Optional<String> team) {
-        return heardOf && link.team().equals(team);
-    }
-
-    /** Whether in sync mode the world need not wait for this agent. */
+    /** Whether sync mode need not wait for this agent. */
     boolean isSynchronised() {
         return synchronised
                 || !link.isOpen()
-                || (generatedMessages < FREE_MESSAGES && (!strict || hasAnsweredInItsOwnWay()))
-                || (!link.isLocal() && !heardOf);
+                || (generatedMessages < FREE_MESSAGES && (!strict || hasAnsweredWithoutSyn()))
+                || (!link.isLocal() && !spoken);
     }
 
-    /** Agents of other processes may join without {@code (syn)}; then any answer counts. */
-    private boolean hasAnsweredInItsOwnWay() {
+    /** Agents of other processes may join without {@code (syn)}; any answer counts until their first one. */
+    private boolean hasAnsweredWithoutSyn() {
         return !link.isLocal() && answered && !everSynchronised;
     }
 
-    /** Whether the agent, of another process, is one of those that a world in sync mode awaits before it begins. */
+    /** Whether this is an agent of another process that a world in sync mode awaits before its first cycle. */
     boolean isAwaited() {
         return synchronous && strict && !link.isLocal();
     }
 
-    /** The buffer for the next message, to be filled and announced by {@link #messageGenerated}. */
+    /** Returns the cleared buffer for the next message. Call {@link #messageGenerated} when it is filled. */
     MessageBuffer emptyMessage() {
         outgoing.clear();
         return outgoing;
     }
 
-    /** {@return the message that was generated last, empty before the first one} */
+    /** {@return the most recently generated message, empty before the first one} */
     public MessageBuffer newestMessage() {
         return outgoing;
     }
@@ -149,7 +140,7 @@ public final class AgentChannel implements Restorable {
         generatedMessages++;
     }
 
-    /** Sends the message that was generated last, if there is one. */
+    /** Sends the most recently generated message, if any. */
     void send() {
         if (outgoing.length() == 0) {
             return;
@@ -161,16 +152,16 @@ public final class AgentChannel implements Restorable {
             synchronised = false;
             answered = false;
         } else {
-            warn("slow", "does not read its messages fast enough; some are thrown away.");
+            warn("slow", "does not read its messages fast enough; some are dropped.");
         }
     }
 
-    /** {@return the number of messages that were answered before the next one was sent} */
+    /** {@return the number of messages answered before the next one was sent} */
     public long answeredMessages() {
         return Math.max(0, generatedMessages - unansweredMessages - 1);
     }
 
-    /** The number of messages that were not answered before the next one was sent. */
+    /** The number of messages not answered before the next one was sent. */
     long unansweredMessages() {
         return unansweredMessages;
     }
@@ -180,21 +171,20 @@ public final class AgentChannel implements Restorable {
     }
 
     private void warn(String problem) {
-        warn(problem, "sent something that cannot be used. " + problem + ".");
+        warn(problem, "sent an invalid command. " + problem + ".");
     }
 
     private void take(EffectorCommand command) {
         if (command instanceof EffectorCommand.Synchronise) {
             synchronised = true;
             everSynchronised = true;
-        } else if (commands.size() < MAXIMUM_COMMANDS) {
+        } else if (commands.size() < MAX_COMMANDS) {
             commands.add(command);
         } else {
-            warn("flood", "sends more than " + MAXIMUM_COMMANDS + " commands in one cycle; the rest is ignored.");
+            warn("flood", "sends more than " + MAX_COMMANDS + " commands in one cycle; the rest is ignored.");
         }
     }
 
-    /** Writes what has been read and not carried out, what is to be sent, and who has to answer. */
     @Override
     public void save(StateWriter out) {
         out.putAll(link.messagesForAgent(), message -> out.putBytes(message, message.length));
@@ -204,7 +194,7 @@ public final class AgentChannel implements Restorable {
         out.putBoolean(synchronised);
         out.putBoolean(everSynchronised);
         out.putBoolean(answered);
-        out.putBoolean(heardOf);
+        out.putBoolean(spoken);
         out.putInt(generatedMessages);
         out.putLong(unansweredMessages);
         byte[] own = agentState();
@@ -222,9 +212,9 @@ public final class AgentChannel implements Restorable {
         }
     }
 
-    /** Takes on a state; what the agent has sent and was not read yet belongs to the past and is dropped. */
     @Override
     public void restore(StateReader in) {
+        // Messages that have not been read yet belong to the abandoned course of events.
         while (link.poll(incoming)) {
             incoming.clear();
         }
@@ -238,7 +228,7 @@ public final class AgentChannel implements Restorable {
         synchronised = in.getBoolean();
         everSynchronised = in.getBoolean();
         answered = in.getBoolean();
-        heardOf = in.getBoolean();
+        spoken = in.getBoolean();
         generatedMessages = in.getInt();
         unansweredMessages = in.getLong();
         restored = isRestored(in.getBytes());
@@ -253,12 +243,12 @@ public final class AgentChannel implements Restorable {
             });
             return own.length > 0 && link.agentState().isPresent();
         } catch (RuntimeException mistake) {
-            warn("restore", "cannot take on its saved state: " + mistake + ". It goes on with what it remembers.");
+            warn("restore", "cannot restore its saved state: " + mistake + ". It keeps its current memory.");
             return false;
         }
     }
 
-    /** Whether the agent itself has taken on its part of the state that was restored last. */
+    /** Whether the last {@link #restore} also restored the agent's own state. */
     boolean isRestored() {
         return restored;
     }

@@ -19,7 +19,7 @@ import org.robonewbie.simulator.sensing.CameraSettings;
 import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.world.Robot;
 
-/** An agent with its connection, its robot and what it asked for in this cycle. */
+/** A connected agent with its robot and its requests of this cycle. */
 public final class AgentSession {
 
     private final AgentChannel connection;
@@ -35,7 +35,7 @@ public final class AgentSession {
     private Optional<Beam> lastBeam = Optional.empty();
     private @Nullable Participant lastParticipant;
     private boolean isNewborn;
-    private boolean teamToBeTold;
+    private boolean teamAnnouncementDue;
     private long cycles;
     private long cyclesInTeam;
 
@@ -43,7 +43,7 @@ public final class AgentSession {
         this.connection = connection;
     }
 
-    /** {@return its connection} */
+    /** {@return the message exchange with the agent} */
     public AgentChannel connection() {
         return connection;
     }
@@ -52,12 +52,12 @@ public final class AgentSession {
         return hearing;
     }
 
-    /** {@return its robot; empty before it has one and after it lost it} */
+    /** {@return its robot; empty before it is created and after it is removed} */
     public Optional<Robot> robot() {
         return robot;
     }
 
-    /** {@return its place in a team; empty before it joined one} */
+    /** {@return the player it controls; empty before it joined a team} */
     public Optional<Player> player() {
         return player;
     }
@@ -71,7 +71,7 @@ public final class AgentSession {
         isNewborn = true;
     }
 
-    /** A robot with the number and the eyes that belong to it. */
+    /** A robot with its id and camera. */
     record Body(int id, Robot robot, Optional<Camera> camera) {
 
         RobotType type() {
@@ -79,29 +79,28 @@ public final class AgentSession {
         }
     }
 
-    /** The agent's robot with everything that belongs to it. */
     Body body() {
         return new Body(id, robot.orElseThrow(), camera);
     }
 
-    /** Exchanges the robot for another one, before the agent has joined a team. */
+    /** Swaps the robot before the agent joins a team. */
     void setBody(Body body) {
         id = body.id();
         robot = Optional.of(body.robot());
         camera = body.camera();
     }
 
-    /** Whether the robot was created in this cycle; its perceptors start working in the next one. */
+    /** Whether the robot was created in this cycle; its perceptors start in the next one. */
     boolean isNewborn() {
         return isNewborn;
     }
 
-    /** Sets the agent's camera, which keeps its errors in each new body. */
+    /** Sets the camera, whose calibration errors survive a new body. */
     void setCamera(Camera newCamera) {
         camera = Optional.of(newCamera);
     }
 
-    /** What the camera has seen in this cycle. */
+    /** The camera picture of this cycle. */
     Optional<Vision> picture() {
         return picture;
     }
@@ -110,7 +109,7 @@ public final class AgentSession {
         picture = newPicture;
     }
 
-    /** {@return the number of the agent's robot, which counts all robots of a run} */
+    /** {@return the id of the agent's robot, unique within a run} */
     public int id() {
         return id;
     }
@@ -121,16 +120,16 @@ public final class AgentSession {
 
     void join(Player newPlayer) {
         player = Optional.of(newPlayer);
-        teamToBeTold = true;
+        teamAnnouncementDue = true;
         cyclesInTeam = 0;
     }
 
-    /** Keeps number and team in a new body. */
+    /** Sets the player with a new body but the same team and number. */
     void replacePlayer(Player newPlayer) {
         player = Optional.of(newPlayer);
     }
 
-    /** Leaves the agent without robot; as in the original it gets the last message again and again. */
+    /** Removes the robot. As in rcssserver3d, the agent then keeps receiving the last message. */
     void loseRobot() {
         robot = Optional.empty();
         player = Optional.empty();
@@ -153,7 +152,7 @@ public final class AgentSession {
         lastBeam = Optional.of(beam);
     }
 
-    /** Where the robot was beamed last, with noise. */
+    /** The last beam pose, noise included. */
     Optional<Beam> lastBeam() {
         return lastBeam;
     }
@@ -184,20 +183,20 @@ public final class AgentSession {
         return taken;
     }
 
-    /** Whether number and team are to be sent; true once after joining. */
-    boolean takeTeamToBeTold() {
-        boolean taken = teamToBeTold;
-        teamToBeTold = false;
+    /** Whether the next message contains number and team; true once after joining. */
+    boolean takeTeamAnnouncement() {
+        boolean taken = teamAnnouncementDue;
+        teamAnnouncementDue = false;
         return taken;
     }
 
-    /** Counts a cycle; vision comes in every third one since the agent has connected. */
-    void cycleBegins() {
+    void beginCycle() {
         cycles++;
         cyclesInTeam++;
         isNewborn = false;
     }
 
+    /** Whether a camera picture is due; one in three cycles, counted from the connection. */
     boolean seesInThisCycle() {
         return cycles % CameraSettings.CYCLES_PER_PICTURE == 0;
     }
@@ -208,11 +207,11 @@ public final class AgentSession {
 
     @Override
     public String toString() {
-        return player.map(Player::toString).orElse("an agent without team") + " ("
+        return player.map(Player::toString).orElse("an agent without a team") + " ("
                 + connection.link().address() + ")";
     }
 
-    /** {@return what the robot and the agent have said to each other in a cycle, the last one} */
+    /** Returns the messages of the last cycle. */
     AgentMessages messages(long cycle) {
         return new AgentMessages(
                 id(),
@@ -221,7 +220,7 @@ public final class AgentSession {
                 connection.executedMessage().toString());
     }
 
-    /** Adds the agent with its robot to those that are recorded; nothing is added without robot. */
+    /** Adds the agent to the recorded participants if it has a robot. */
     void addParticipantTo(List<Participant> participants) {
         if (robot.isPresent()) {
             participants.add(participant(robot.get()));
@@ -229,20 +228,20 @@ public final class AgentSession {
     }
 
     private Participant participant(Robot body) {
-        Participant now = lastParticipant;
-        if (now == null
-                || now.id() != id
-                || now.robot() != body
-                || now.commands() != connection.executedCommands()
-                || now.unansweredMessages() != connection.unansweredMessages()
-                || !now.player().equals(player)) {
-            now = new Participant(id, player, body, connection.executedCommands(), connection.unansweredMessages());
-            lastParticipant = now;
+        Participant current = lastParticipant;
+        if (current == null
+                || current.id() != id
+                || current.robot() != body
+                || current.commands() != connection.executedCommands()
+                || current.unansweredMessages() != connection.unansweredMessages()
+                || !current.player().equals(player)) {
+            current = new Participant(id, player, body, connection.executedCommands(), connection.unansweredMessages());
+            lastParticipant = current;
         }
-        return now;
+        return current;
     }
 
-    /** {@return whether nobody is at the other end, so that the next state that is restored needs no such agent} */
+    /** Whether this is the placeholder of an agent that was not connected when a state was restored. */
     boolean isAbsent() {
         return connection.link() instanceof AbsentLink;
     }
@@ -253,10 +252,10 @@ public final class AgentSession {
         out.putInt(id);
         out.putOptional(robot, body -> out.putInt(robots.indexOf(body)));
         out.putOptional(player, member -> out.putInt(players.indexOf(member)));
-        out.putOptional(camera, eye -> eye.save(out));
+        out.putOptional(camera, present -> present.save(out));
         out.putOptional(lastBeam, beam -> SavedCommand.save(beam, out));
         out.putBoolean(isNewborn);
-        out.putBoolean(teamToBeTold);
+        out.putBoolean(teamAnnouncementDue);
         out.putLong(cycles);
         out.putLong(cyclesInTeam);
     }
@@ -267,12 +266,12 @@ public final class AgentSession {
         id = in.getInt();
         robot = in.getOptional(() -> robots.get(in.getIndex(robots.size())));
         player = in.getOptional(() -> players.get(in.getIndex(players.size())));
-        Camera eye = camera.orElseGet(newCamera);
-        camera = in.getOptional(() -> eye);
+        Camera restored = camera.orElseGet(newCamera);
+        camera = in.getOptional(() -> restored);
         camera.ifPresent(present -> present.restore(in));
         lastBeam = in.getOptional(() -> SavedCommand.restoreBeam(in));
         isNewborn = in.getBoolean();
-        teamToBeTold = in.getBoolean();
+        teamAnnouncementDue = in.getBoolean();
         cycles = in.getLong();
         cyclesInTeam = in.getLong();
     }

@@ -12,17 +12,17 @@ import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * The identity of an agent when the world was saved.
+ * The identity of an agent in a saved state.
  *
- * @param id number of its robot, 0 before it had one
- * @param team name of its team, empty before it had joined one
- * @param number its number in the team
+ * @param id id of its robot, 0 without a robot
+ * @param team name of its team, empty without a team
+ * @param number uniform number
  */
 record AgentSlot(int id, String team, int number) {
 
     /**
-     * Rules that match agents to slots, the strictest first: the same player, the same robot as long as one of the two has not
-     * joined, an agent without a robot, and any agent for a slot without a robot.
+     * Rules that match agents to slots, strictest first: the same player; the same robot, unless both have joined a team; an
+     * agent without a robot; any agent for a slot without a robot.
      */
     private static final List<BiPredicate<AgentSlot, AgentSession>> RULES = List.of(
             (slot, agent) -> slot.isPlayer() && of(agent).isSamePlayer(slot),
@@ -45,14 +45,11 @@ record AgentSlot(int id, String team, int number) {
     }
 
     /**
-     * Restores the state of all agents.
+     * Restores the state of all agents. Robots and match must be restored before.
      *
-     * @param agents the connected agents; becomes the saved ones in their order, followed by agents without a slot
-     * @param robots the robots of the world, restored already
-     * @param match the game, restored already
-     * @param newCamera makes eyes for a robot that had none
-     * @param absent stands in for an agent that is not connected
-     * @param in holds the state of the agents
+     * @param agents the connected agents; on return the saved agents in their order, followed by agents without a slot
+     * @param newCamera creates the camera of a robot that had none
+     * @param absent creates the placeholder for an agent that is not connected
      */
     static void restoreAll(
             List<AgentSession> agents,
@@ -80,14 +77,7 @@ record AgentSlot(int id, String team, int number) {
         out.putInt(number);
     }
 
-    /**
-     * Finds an agent for each slot.
-     *
-     * @param slots the saved agents
-     * @param agents the connected agents; those that get a slot are removed
-     * @param absent stands in for an agent that is not connected
-     * @return the agents of the slots, in their order
-     */
+    /** Returns an agent for each slot, and removes the agents with a slot from the list. */
     private static AgentSession[] fill(
             List<AgentSlot> slots, List<AgentSession> agents, Supplier<AgentSession> absent) {
         AgentSession[] found = new AgentSession[slots.size()];

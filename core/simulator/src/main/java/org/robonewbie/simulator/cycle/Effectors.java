@@ -34,15 +34,15 @@ import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
 /**
- * Carries out the commands of agents. Hinges move and words are heard at once; robots are created, join and are beamed just
- * before the world's next step.
+ * Executes the commands of agents. Motor speeds and say messages take effect immediately; create, init and beam commands are
+ * deferred until just before the next physics step.
  */
 final class Effectors implements Restorable {
 
-    private static final int MAXIMUM_ROBOTS = 44;
-    private static final double ROOM = 1;
+    private static final int MAX_ROBOTS = 44;
+    private static final double SPACING_METRES = 1;
     private static final double HEARING_RANGE = 50;
-    private static final Vector3 PLACE_OF_REFUSED = new Vector3(0, 0, 10);
+    private static final Vector3 POSITION_OF_REFUSED = new Vector3(0, 0, 10);
 
     private final SoccerWorld world;
     private final Match match;
@@ -57,8 +57,8 @@ final class Effectors implements Restorable {
         this.random = new JavaUtilRandom(seed);
     }
 
-    /** Does what acts at once and keeps the rest for {@link #prepareStep}. */
-    void execute(AgentSession agent, List<AgentSession> everybody) {
+    /** Executes immediate commands and stores the others for {@link #prepareStep}. */
+    void execute(AgentSession agent, List<AgentSession> all) {
         for (EffectorCommand command : agent.connection().takeCommands()) {
             if (command instanceof CreateRobot create) {
                 wantRobot(agent, create);
@@ -69,12 +69,12 @@ final class Effectors implements Restorable {
                                 "sent a command although it has no robot. Send (scene " + CreateRobot.SCENE
                                         + ") first and wait for a message.");
             } else {
-                execute(agent, agent.robot().get(), command, everybody);
+                execute(agent, agent.robot().get(), command, all);
             }
         }
     }
 
-    /** Creates robots, lets them join and beams them, as agents asked for in this cycle. */
+    /** Executes the agent's deferred create, init and beam commands. */
     void prepareStep(AgentSession agent) {
         Optional<CreateRobot> body = agent.takeWantedRobot();
         if (body.isPresent()) {
@@ -84,13 +84,13 @@ final class Effectors implements Restorable {
         if (team.isPresent()) {
             join(agent, team.get());
         }
-        Optional<Beam> place = agent.takeWantedBeam();
-        if (place.isPresent()) {
-            beam(agent, place.get());
+        Optional<Beam> beam = agent.takeWantedBeam();
+        if (beam.isPresent()) {
+            beam(agent, beam.get());
         }
     }
 
-    /** Replaces a player's body by a new one with its joints at 0, where the old one was last beamed. */
+    /** Replaces a player's body with a new one, all joints at 0, at its last beam pose. */
     void renew(AgentSession agent, Player player) {
         Robot robot = world.addRobot(player.robot().model().type());
         world.removeRobot(player.robot());
@@ -99,7 +99,7 @@ final class Effectors implements Restorable {
         putToStart(agent);
     }
 
-    /** Moves a robot to where it was last beamed or, if it never was, to where new robots appear. */
+    /** Moves a robot to its last beam pose or, without one, to the start position of new robots. */
     private void putToStart(AgentSession agent) {
         agent.player()
                 .ifPresent(player -> agent.lastBeam()
@@ -108,7 +108,7 @@ final class Effectors implements Restorable {
                                 () -> match.teams().putToStart(player)));
     }
 
-    private void execute(AgentSession agent, Robot robot, EffectorCommand command, List<AgentSession> everybody) {
+    private void execute(AgentSession agent, Robot robot, EffectorCommand command, List<AgentSession> all) {
         if (command instanceof SetHingeSpeed speed) {
             setSpeed(agent, robot, speed);
         } else if (command instanceof JoinTeam join) {
@@ -116,7 +116,7 @@ final class Effectors implements Restorable {
         } else if (command instanceof Beam beam) {
             agent.want(beam);
         } else if (command instanceof Say say) {
-            agent.player().ifPresent(speaker -> say(agent, speaker, say.text(), everybody));
+            agent.player().ifPresent(speaker -> say(agent, speaker, say.text(), all));
         } else if (command instanceof RequestPass) {
             agent.player().ifPresent(match::requestPass);
         }
@@ -134,7 +134,7 @@ final class Effectors implements Restorable {
         if (agent.robot().isEmpty()) {
             agent.want(create);
         } else {
-            agent.connection().warn("second robot", "asked for a second robot; it keeps the first one.");
+            agent.connection().warn("second robot", "requested a second robot; it keeps the first one.");
         }
     }
 
@@ -149,8 +149,8 @@ final class Effectors implements Restorable {
             return;
         }
         if (Double.isNaN(speed)) {
-            String told = "sent speed NaN for hinge " + name + ", which is ignored. Was something divided by zero?";
-            agent.connection().warn("NaN " + name, told);
+            String problem = "sent speed NaN for hinge " + name + ", which is ignored. Was something divided by zero?";
+            agent.connection().warn("NaN " + name, problem);
         }
         robot.setMotorSpeed(hinge.getAsInt(), isFrozen(agent, hinge.getAsInt()) ? 0 : speed);
     }
@@ -159,16 +159,16 @@ final class Effectors implements Restorable {
         return agent.player().isPresent() && match.isFrozen(agent.player().get(), hinge);
     }
 
-    private static void say(AgentSession agent, Player speaker, String text, List<AgentSession> everybody) {
+    private static void say(AgentSession agent, Player speaker, String text, List<AgentSession> all) {
         String team = speaker.team().name();
         agent.hearing().hearOwn(team, text);
-        for (AgentSession other : everybody) {
+        for (AgentSession other : all) {
             if (other != agent && other.player().isPresent()) {
                 Player listener = other.player().get();
-                Vector3 way = speaker.position().minus(listener.position());
-                if (way.length() <= HEARING_RANGE) {
+                Vector3 offset = speaker.position().minus(listener.position());
+                if (offset.length() <= HEARING_RANGE) {
                     double sign = listener.side() == TeamSide.LEFT ? 1 : -1;
-                    double direction = Angles.atan2(sign * way.y(), sign * way.x());
+                    double direction = Angles.atan2(sign * offset.y(), sign * offset.x());
                     other.hearing().hear(listener.team() == speaker.team(), team, direction, text);
                 }
             }
@@ -181,39 +181,40 @@ final class Effectors implements Restorable {
             agent.connection()
                     .warn(
                             "scene",
-                            "asked for the unknown robot \"" + create.path() + " "
-                                    + String.join(" ", create.parameters()) + "\". There are " + CreateRobot.SCENE
-                                    + " and "
+                            "requested the unknown robot \"" + create.path() + " "
+                                    + String.join(" ", create.parameters()) + "\". Use " + CreateRobot.SCENE
+                                    + " or "
                                     + CreateRobot.SCENE_OF_TYPE + " with a type from 0 to 4.");
-        } else if (world.robots().size() >= MAXIMUM_ROBOTS) {
-            agent.connection().warn("crowd", "gets no robot, since there are " + MAXIMUM_ROBOTS + " robots already.");
+        } else if (world.robots().size() >= MAX_ROBOTS) {
+            agent.connection().warn("crowd", "gets no robot because there are already " + MAX_ROBOTS + " robots.");
         } else {
-            Vector3 place = freePlace(Robot.START_POSITION);
+            Vector3 position = freePosition(Robot.START_POSITION);
             Robot robot = world.addRobot(RobotType.values()[type]);
-            robot.moveTo(place);
+            robot.moveTo(position);
             agent.setId(nextId());
             agent.setRobot(robot);
             agent.setCamera(newCamera(random.nextLong()));
         }
     }
 
-    /** Finds a free place near the wanted one, since interpenetrating robots cost the engine much time. */
-    private Vector3 freePlace(Vector3 wanted) {
-        Vector3 place = wanted;
-        for (int i = 1; isOccupied(place); i++) {
+    /** Returns a free position near the wanted one; interpenetrating robots would slow down the physics. */
+    private Vector3 freePosition(Vector3 wanted) {
+        Vector3 position = wanted;
+        for (int i = 1; isOccupied(position); i++) {
             int column = i % 2 == 0 ? i / 2 : -(i + 1) / 2;
-            place = wanted.plus(new Vector3(column * ROOM, 0, 0));
+            position = wanted.plus(new Vector3(column * SPACING_METRES, 0, 0));
         }
-        return place;
+        return position;
     }
 
-    private boolean isOccupied(Vector3 place) {
+    private boolean isOccupied(Vector3 position) {
         return world.robots().stream()
                 .map(robot -> robot.torso().position())
-                .anyMatch(other -> PortableMath.hypot(other.x() - place.x(), other.y() - place.y()) < ROOM - 0.01);
+                .anyMatch(other ->
+                        PortableMath.hypot(other.x() - position.x(), other.y() - position.y()) < SPACING_METRES - 0.01);
     }
 
-    /** The wanted robot type; -1 for a robot that does not exist. */
+    /** The requested robot type; -1 if it does not exist. */
     private static int robotType(CreateRobot create) {
         if (create.path().equals(CreateRobot.SCENE)) {
             return 0;
@@ -230,7 +231,8 @@ final class Effectors implements Restorable {
             agent.connection()
                     .warn(
                             "init",
-                            "wants to join again; it stays " + agent.player().get() + ".");
+                            "tried to join a team again; it remains "
+                                    + agent.player().get() + ".");
             match.teams().putToStart(agent.player().get());
             return;
         }
@@ -239,7 +241,7 @@ final class Effectors implements Restorable {
             agent.join(match.teams().join(join.team(), join.number(), robot));
         } catch (JoinRefusedException e) {
             agent.connection().warn(String.valueOf(e.getMessage()), "cannot join: " + e.getMessage() + ".");
-            robot.moveUpright(freePlace(PLACE_OF_REFUSED), 0);
+            robot.moveUpright(freePosition(POSITION_OF_REFUSED), 0);
         }
     }
 
@@ -254,7 +256,7 @@ final class Effectors implements Restorable {
                 beam.pose().y() + spread(noise),
                 beam.pose().degrees() + spread(parameters.get(SoccerParameter.BEAM_NOISE_ANGLE)));
         if (!Double.isFinite(pose.x()) || !Double.isFinite(pose.y()) || !Double.isFinite(pose.degrees())) {
-            agent.connection().warn("beam", "wants to be beamed to " + beam.pose() + ", which is not a place.");
+            agent.connection().warn("beam", "requested a beam to " + beam.pose() + ", which is not a finite pose.");
             return;
         }
         agent.remember(new Beam(pose));
@@ -304,7 +306,7 @@ final class Effectors implements Restorable {
         return createdRobots;
     }
 
-    void countOnFrom(int robots) {
+    void setCreatedRobots(int robots) {
         createdRobots = robots;
     }
 

@@ -10,8 +10,8 @@ import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.protocol.perceptor.Heard;
 
 /**
- * What one robot has heard in one cycle: its own message, one of its team and one of the opponents. An ear that has heard a
- * message is deaf in the next cycle (SimSpark: {@code agentstate.cpp}).
+ * A robot's hear perceptor. Per cycle it receives at most the robot's own message, one message of a team mate and one of an
+ * opponent, and after a message it receives none of that kind in the next cycle (SimSpark: {@code agentstate.cpp}).
  */
 final class Hearing implements Restorable {
 
@@ -46,7 +46,7 @@ final class Hearing implements Restorable {
         (fromTeamMate ? teamMates : opponents).hear(new Message(team, OptionalDouble.of(directionDegrees), text));
     }
 
-    /** Takes out what was heard; called once in each cycle. */
+    /** Removes and returns the messages of this cycle. */
     List<Heard> collect(double playSeconds, boolean labelled) {
         Optional<Message> said = own;
         own = Optional.empty();

@@ -19,7 +19,7 @@ import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
-/** Asks all perceptors of a robot at the end of a cycle. */
+/** Generates the perceptor messages of robots at the end of a cycle. */
 final class PerceptorGenerator {
 
     private final SoccerWorld world;
@@ -31,23 +31,15 @@ final class PerceptorGenerator {
     }
 
     /**
-     * Takes the pictures of all cameras. As in SimSpark they see the world as its step has left it, before the referee moves
-     * anything.
+     * Takes the pictures of all cameras. As in SimSpark, they show the world after the physics step and before the referee
+     * moves anything.
      */
     void takePictures(List<AgentSession> agents) {
-        List<VisiblePlayer> players = isAnybodyLooking(agents) ? visiblePlayers() : List.of();
+        boolean isPictureDue = agents.stream().anyMatch(AgentSession::seesInThisCycle);
+        List<VisiblePlayer> players = isPictureDue ? visiblePlayers() : List.of();
         for (AgentSession agent : agents) {
             agent.setPicture(picture(agent, players));
         }
-    }
-
-    private static boolean isAnybodyLooking(List<AgentSession> agents) {
-        for (AgentSession agent : agents) {
-            if (agent.seesInThisCycle()) {
-                return true;
-            }
-        }
-        return false;
     }
 
     private List<VisiblePlayer> visiblePlayers() {
@@ -62,15 +54,15 @@ final class PerceptorGenerator {
         if (!agent.seesInThisCycle()
                 || agent.robot().isEmpty()
                 || agent.camera().isEmpty()
-                || isStillNobody(agent)) {
+                || isUnidentified(agent)) {
             return Optional.empty();
         }
         Optional<TeamSide> side = agent.player().map(Player::side);
         return Optional.of(agent.camera().get().look(agent.robot().get(), world, players, side));
     }
 
-    /** What an awaited agent sees from where its robot happened to appear would depend on who came first. */
-    private static boolean isStillNobody(AgentSession agent) {
+    /** An awaited agent sees nothing before it joins a team, since its view would depend on the order of connections. */
+    private static boolean isUnidentified(AgentSession agent) {
         return agent.connection().isAwaited() && agent.player().isEmpty();
     }
 
@@ -89,14 +81,13 @@ final class PerceptorGenerator {
     }
 
     private GameState gameState(AgentSession agent, double playSeconds) {
-        boolean tellTeam = agent.takeTeamToBeTold();
-        boolean tellScore = match.parameters().isOn(SoccerParameter.REPORT_SCORE);
-        Optional<Player> told = tellTeam ? agent.player() : Optional.empty();
+        boolean reportsScore = match.parameters().isOn(SoccerParameter.REPORT_SCORE);
+        Optional<Player> announced = agent.takeTeamAnnouncement() ? agent.player() : Optional.empty();
         return new GameState(
-                told.isPresent() ? OptionalInt.of(told.get().number()) : OptionalInt.empty(),
-                told.map(Player::side),
-                tellScore ? OptionalInt.of(match.state().score(TeamSide.LEFT)) : OptionalInt.empty(),
-                tellScore ? OptionalInt.of(match.state().score(TeamSide.RIGHT)) : OptionalInt.empty(),
+                announced.isPresent() ? OptionalInt.of(announced.get().number()) : OptionalInt.empty(),
+                announced.map(Player::side),
+                reportsScore ? OptionalInt.of(match.state().score(TeamSide.LEFT)) : OptionalInt.empty(),
+                reportsScore ? OptionalInt.of(match.state().score(TeamSide.RIGHT)) : OptionalInt.empty(),
                 playSeconds,
                 match.state().playMode().simSparkName());
     }

@@ -4,7 +4,7 @@ import java.util.HashSet;
 import java.util.Set;
 import org.robonewbie.simulator.Console;
 
-/** Reports the problems of one connection, each kind once, so that a noisy client cannot flood the console. */
+/** A logger for the problems of one connection. Each kind is logged once, so that a faulty client cannot flood the console. */
 public final class RateLimitedLogger {
 
     private static final int LIMIT = 20;
@@ -14,10 +14,10 @@ public final class RateLimitedLogger {
     private final Set<String> known = new HashSet<>();
 
     /**
-     * Creates an empty log.
+     * Creates a logger.
      *
-     * @param console where to tell the problems
-     * @param subject of the sentences, such as {@code The agent at 127.0.0.1:4711}
+     * @param console the output
+     * @param subject grammatical subject of the messages, such as {@code The agent at 127.0.0.1:4711}
      */
     public RateLimitedLogger(Console console, String subject) {
         this.console = console;
@@ -25,16 +25,16 @@ public final class RateLimitedLogger {
     }
 
     /**
-     * Reports a problem unless this kind of problem was reported before.
+     * Logs a problem unless its kind was logged before.
      *
-     * @param kind distinguishes this problem from others
-     * @param sentence what happened, with value and advice; begins with a verb, since the connection is its subject
+     * @param kind key of the kind of problem
+     * @param sentence the message without its subject
      */
     public void warn(String kind, String sentence) {
         if (known.size() < LIMIT && known.add(kind)) {
             console.say(subject + " " + sentence);
             if (known.size() == LIMIT) {
-                console.say(subject + " made " + LIMIT + " kinds of mistakes; more of its mistakes are not told.");
+                console.say(subject + " caused " + LIMIT + " kinds of warnings; further ones are suppressed.");
             }
         }
     }

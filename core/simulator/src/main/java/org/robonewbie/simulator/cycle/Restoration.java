@@ -8,11 +8,11 @@ import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.landscape.Thing;
 import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.RotationMatrix;
+import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.soccer.Player;
-import org.robonewbie.simulator.soccer.TrainerActions;
 import org.robonewbie.simulator.world.LinkMotion;
 
-/** Restores a world to a state that was seen before; velocities are those between two states. */
+/** Restores a world from two snapshots, whose difference gives the velocities. */
 final class Restoration {
 
     private final SimulationCycle cycle;
@@ -21,18 +21,18 @@ final class Restoration {
         this.cycle = cycle;
     }
 
-    void restore(WorldSnapshot before, WorldSnapshot moment) {
-        double seconds = moment.seconds() - before.seconds();
-        restoreGame(moment);
-        for (RobotSnapshot robot : moment.robots()) {
+    void restore(WorldSnapshot before, WorldSnapshot target) {
+        double seconds = target.seconds() - before.seconds();
+        restoreGame(target);
+        for (RobotSnapshot robot : target.robots()) {
             RobotSnapshot earlier = before.robots().stream()
                     .filter(each -> each.id() == robot.id() && each.type() == robot.type())
                     .findFirst()
                     .orElse(robot);
             player(robot).ifPresent(player -> player.robot().place(motions(earlier, robot, seconds)));
         }
-        cycle.world().ball().place(LinkMotion.between(ball(before), ball(moment), seconds));
-        restoreThings(before.things(), moment.things(), seconds);
+        cycle.world().ball().place(LinkMotion.between(ball(before), ball(target), seconds));
+        restoreThings(before.things(), target.things(), seconds);
     }
 
     private void restoreThings(List<Thing> before, List<Thing> now, double seconds) {
@@ -50,14 +50,14 @@ final class Restoration {
         }
     }
 
-    private void restoreGame(WorldSnapshot moment) {
-        TrainerActions trainer = new TrainerActions(cycle.match());
-        if (moment.playMode() != cycle.match().state().playMode()) {
-            cycle.match().setPlayMode(moment.playMode());
+    private void restoreGame(WorldSnapshot target) {
+        Match match = cycle.match();
+        if (target.playMode() != match.state().playMode()) {
+            match.setPlayMode(target.playMode());
         }
-        trainer.setHalf(moment.half());
-        trainer.setPlaySeconds(moment.gameTime());
-        trainer.setScore(moment.scoreLeft(), moment.scoreRight());
+        match.state().setHalf(target.half());
+        match.state().setPlaySeconds(target.gameTime());
+        match.state().setScore(target.scoreLeft(), target.scoreRight());
     }
 
     private Optional<Player> player(RobotSnapshot robot) {

@@ -5,7 +5,7 @@ import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.protocol.effector.EffectorCommand;
 
-/** Commands that have been read and not carried out yet, as bytes. */
+/** Serialisation of queued commands. */
 final class SavedCommand {
 
     private static final int KINDS = 6;

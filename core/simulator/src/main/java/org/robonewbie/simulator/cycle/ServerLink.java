@@ -5,65 +5,71 @@ import java.util.Optional;
 import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
-/** The simulator's end of an agent's connection. No method waits. */
+/** The simulator's end of an agent's connection. All methods are non-blocking; the defaults are those of an in-process agent. */
 public interface ServerLink {
 
-    /** The reason of an ordinary end. */
+    /** The {@link #closingReason} of an agent that disconnects. */
     String HAS_LEFT = "has left.";
 
     /**
-     * Takes the next complete message that has arrived.
+     * Receives the next complete message.
      *
-     * @param message takes the message
-     * @return false if none is there
+     * @param message receives the message
+     * @return false if none has arrived
      */
     boolean poll(MessageBuffer message);
 
     /**
-     * Sends a message, or throws it away if the agent has not yet taken the former ones.
+     * Sends a message, or drops it if the agent has not read the previous ones.
      *
      * @param message the message
-     * @return false if it was thrown away
+     * @return false if it was dropped
      */
     boolean offer(MessageBuffer message);
 
-    /** {@return whether the agent is still connected; false once the connection has ended from either side} */
+    /** {@return whether the connection is open; false once either side has closed it} */
     boolean isOpen();
 
-    /** {@return why the connection has ended, as part of a sentence such as "has left"} */
-    String closingReason();
+    /** {@return why the connection was closed, as the predicate of a sentence such as "has left."} */
+    default String closingReason() {
+        return HAS_LEFT;
+    }
 
-    /** Ends the connection. */
+    /** Closes the connection. */
     void close();
 
-    /** {@return whether the agent runs in this process, without a socket; such an agent is awaited as long as it lives} */
-    boolean isLocal();
+    /** {@return whether the agent runs in this process, without a socket; sync mode never drops such an agent} */
+    default boolean isLocal() {
+        return true;
+    }
 
     /** {@return the address of the other end, such as "at 127.0.0.1:4711"} */
-    String address();
+    default String address() {
+        return "in this process";
+    }
 
-    /** {@return the team to which the robot of this connection belongs, whatever the agent says; empty if it may choose} */
+    /** {@return the team of this connection's robot, whichever team the agent requests; empty if the agent may choose} */
     default Optional<String> team() {
         return Optional.empty();
     }
 
     /**
-     * Gives the messages that the agent has not taken yet, where they can be saved with the world.
+     * Returns the messages that the agent has not read yet, to be saved with the world.
      *
-     * @return copies of the messages, the oldest first; none where they are out of reach, as in a socket
+     * @return copies of the messages, oldest first; empty if they are not accessible, as in a socket
      */
     default List<byte[]> messagesForAgent() {
         return List.of();
     }
 
     /**
-     * Replaces the messages that the agent has not taken yet, where {@link #messagesForAgent} gives them.
+     * Replaces the messages that the agent has not read yet, if {@link #messagesForAgent} can access them.
      *
-     * @param messages the messages, the oldest first
+     * @param messages the messages, oldest first
      */
     default void setMessagesForAgent(List<byte[]> messages) {}
 
-    /** {@return the agent's own state, to be saved with the world; empty where it is out of reach} */
+    /** {@return the agent's own state, to be saved with the world; empty if it is not accessible} */
     default Optional<Restorable> agentState() {
         return Optional.empty();
     }

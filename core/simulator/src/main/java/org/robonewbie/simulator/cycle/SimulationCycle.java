@@ -9,7 +9,6 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.function.Consumer;
 import java.util.function.IntPredicate;
-import java.util.function.Predicate;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.nao.state.StateReader;
@@ -36,12 +35,13 @@ import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
 /**
- * One cycle of 20 ms after the other, without clock and threads: read the agents' messages, send them what was generated in
- * the cycle before, move the world, judge the game, generate the next messages (SimSpark: {@code simulationserver.cpp}).
+ * The simulation loop of 20 ms cycles, without clock and threads. A cycle reads the agents' messages, sends the messages generated
+ * in the previous cycle, steps the physics, runs the referee and generates the next messages (SimSpark: {@code
+ * simulationserver.cpp}).
  *
- * <p>So an agent's answer to message k is read when message k + 1 has already been generated, and shows its effect in message
- * k + 2. Agents are served in the order in which they connected or, in other processes, in the {@link TurnOrder}, so that
- * equal answers give equal games.
+ * <p>An agent's answer to message k is therefore read after message k + 1 is generated, and its effect shows in message k + 2.
+ * Agents are served in the order of their connections or, for agents of other processes, in the {@link TurnOrder}, so that equal
+ * answers give equal games.
  */
 public final class SimulationCycle implements Restorable {
 
@@ -60,11 +60,11 @@ public final class SimulationCycle implements Restorable {
     private long cycle;
 
     /**
-     * Prepares an empty pitch.
+     * Creates an empty pitch.
      *
-     * @param settings what the world is like
-     * @param recording where the recording of the run goes
-     * @param console where to tell people what happens
+     * @param settings the world to simulate
+     * @param recording receives the recording of the run
+     * @param console output for messages to the user
      */
     public SimulationCycle(WorldSettings settings, RecordingTarget recording, Console console) {
         Random seeds = new Random(settings.seed());
@@ -88,7 +88,7 @@ public final class SimulationCycle implements Restorable {
         return new SoccerWorld(parameters.field(), ball, new SparsePhysicsWorld(), settings.landscape());
     }
 
-    /** {@return what watches the run} */
+    /** {@return the recorder of the run} */
     public RunRecorder recorder() {
         return recorder;
     }
@@ -114,33 +114,32 @@ public final class SimulationCycle implements Restorable {
     }
 
     /**
-     * Takes in an agent.
+     * Adds an agent.
      *
      * @param link its connection
-     * @param strict whether in sync mode it is waited for from its first message on
+     * @param strict whether sync mode waits for it from its first message on
      */
     public void connect(ServerLink link, boolean strict) {
         agents.add(new AgentSession(new AgentChannel(link, synchronous, strict, console)));
     }
 
     /**
-     * Reports a connection that was closed at once since there are too many.
+     * Logs that a connection was refused because too many agents are connected.
      *
      * @param link the connection
-     * @param limit how many agents there may be
+     * @param limit maximum number of agents
      */
-    public void refused(ServerLink link, int limit) {
+    public void reportRefused(ServerLink link, int limit) {
         refusals.warn(
                 "limit",
-                "had to close the connection " + link.address() + ", since " + limit
-                        + " agents are connected already.");
+                "closed the connection " + link.address() + " because " + limit + " agents are already connected.");
     }
 
     /**
-     * Lists what robots and their agents have said to each other in the last cycle.
+     * Returns the messages exchanged in the last cycle.
      *
-     * @param robots whose messages are wanted, by the numbers of their connections
-     * @return the messages of those that have a robot
+     * @param robots selects robots by their ids
+     * @return the messages of the selected robots
      */
     public List<AgentMessages> messages(IntPredicate robots) {
         return agents.stream()
@@ -149,7 +148,7 @@ public final class SimulationCycle implements Restorable {
                 .toList();
     }
 
-    /** Resets ball, things, robots and score to the start of the game. */
+    /** Resets ball, objects, robots and score to the start of the game. */
     public void reset() {
         match.restart();
         world.things().reset();
@@ -159,7 +158,7 @@ public final class SimulationCycle implements Restorable {
     }
 
     /**
-     * Takes a player's robot off the pitch for good; its agent stays connected.
+     * Removes a player's robot permanently; its agent stays connected.
      *
      * @param player the player
      */
@@ -174,8 +173,8 @@ public final class SimulationCycle implements Restorable {
     }
 
     /**
-     * Reads what the agents have sent, and takes those that have left off the pitch: between two cycles, so that a world that
-     * waits for agents and has none left shows no robot of theirs.
+     * Reads the agents' messages and removes the robots of agents that have left. Called between two cycles, so that a world that
+     * is left waiting for agents shows no stale robots.
      */
     public void readMessages() {
         for (int i = 0; i < agents.size(); ) {
@@ -192,7 +191,7 @@ public final class SimulationCycle implements Restorable {
 
     private void disconnect(AgentSession agent) {
         ServerLink link = agent.connection().link();
-        boolean unnoticed = agent.robot().isEmpty() && !agent.connection().isHeardOf();
+        boolean unnoticed = agent.robot().isEmpty() && !agent.connection().hasSpoken();
         if (!unnoticed || !link.closingReason().equals(ServerLink.HAS_LEFT)) {
             console.say(agent + " " + link.closingReason());
         }
@@ -200,72 +199,69 @@ public final class SimulationCycle implements Restorable {
         agent.robot().ifPresent(world::removeRobot);
     }
 
-    /** {@return the first agent for whose answer a synchronous world waits} */
+    /** {@return the first agent that sync mode waits for} */
     public Optional<AgentSession> unsynchronisedAgent() {
-        return first(agent -> !agent.connection().isSynchronised());
+        return agents.stream()
+                .filter(agent -> !agent.connection().isSynchronised())
+                .findFirst();
     }
 
-    /** {@return the first agent that is still there and has not yet answered, or has not said anything at all} */
+    /** {@return the first connected agent that has not answered its last message or has never sent one} */
     public Optional<AgentSession> unansweredAgent() {
-        return first(agent -> agent.connection().link().isOpen()
-                && !(agent.connection().isHeardOf() && agent.connection().isSynchronised()));
+        return agents.stream()
+                .filter(agent -> agent.connection().link().isOpen())
+                .filter(agent ->
+                        !agent.connection().hasSpoken() || !agent.connection().isSynchronised())
+                .findFirst();
     }
 
-    private Optional<AgentSession> first(Predicate<AgentSession> wanted) {
-        for (int i = 0; i < agents.size(); i++) {
-            if (wanted.test(agents.get(i))) {
-                return Optional.of(agents.get(i));
-            }
-        }
-        return Optional.empty();
-    }
-
-    /** Ends the connections to all agents. */
+    /** Closes the connections to all agents. */
     public void closeConnections() {
         agents.forEach(agent -> agent.connection().link().close());
     }
 
     /**
-     * Takes a picture of the world.
+     * Takes a snapshot of the world.
      *
-     * @param paused whether the clock stands still
-     * @param speed simulated seconds per second that were asked for
-     * @param realTimeFactor simulated seconds per second, as measured
-     * @return the present state
+     * @param paused whether the clock is paused
+     * @param speed requested simulated seconds per real second
+     * @param realTimeFactor measured simulated seconds per real second
+     * @return the current state
      */
     public WorldSnapshot snapshot(boolean paused, double speed, double realTimeFactor) {
         return Snapshots.of(cycle, match, world, participants()).withPace(paused, speed, realTimeFactor);
     }
 
     /**
-     * Lets the world go on from a state that was seen before; robots that do not play now are left out.
+     * Continues from an earlier snapshot; robots that are not in the game now are skipped.
      *
-     * @param before an earlier state, from which the velocities are taken
-     * @param moment the state to go on from
+     * @param before a snapshot before {@code target}, used to derive velocities; the same snapshot for a world at rest
+     * @param target the snapshot to continue from
      */
-    public void restore(WorldSnapshot before, WorldSnapshot moment) {
-        new Restoration(this).restore(before, moment);
+    public void restore(WorldSnapshot before, WorldSnapshot target) {
+        new Restoration(this).restore(before, target);
     }
 
     /**
-     * Counts agents that are connected and have sent something.
+     * Counts the connected agents that have sent a message.
      *
-     * @param team the team whose door they came through; empty for those who came through none
+     * @param team the team whose entrance they used; empty for agents of the common port
      * @return their number
      */
-    public int heardAgents(Optional<String> team) {
+    public int speakingAgents(Optional<String> team) {
         return (int) agents.stream()
-                .filter(agent -> agent.connection().isHeardOf(team))
+                .filter(agent -> agent.connection().hasSpoken())
+                .filter(agent -> agent.connection().link().team().equals(team))
                 .count();
     }
 
-    /** {@return whether an agent is at the other end of any connection} */
-    public boolean isAnybodyConnected() {
+    /** {@return whether any connection is open} */
+    public boolean hasConnectedAgent() {
         return agents.stream().anyMatch(agent -> agent.connection().link().isOpen());
     }
 
     /**
-     * Sets the listener that is told of match events.
+     * Sets the listener for match events.
      *
      * @param newReporter the listener
      */
@@ -273,7 +269,7 @@ public final class SimulationCycle implements Restorable {
         reporter = newReporter;
     }
 
-    /** Does all that belongs to one cycle, with the messages that have been read. */
+    /** Runs one cycle with the messages read so far. */
     public void run() {
         for (AgentSession agent : agents) {
             effectors.execute(agent, agents);
@@ -281,7 +277,7 @@ public final class SimulationCycle implements Restorable {
         TurnOrder.arrange(agents);
         agents.forEach(agent -> agent.connection().send());
         for (AgentSession agent : agents) {
-            agent.cycleBegins();
+            agent.beginCycle();
             effectors.prepareStep(agent);
         }
         recorder.beforeStep(participants());
@@ -302,7 +298,7 @@ public final class SimulationCycle implements Restorable {
             for (MatchEvent event : match.events()) {
                 if (event instanceof MatchEvent.FoulCalled called && called.foul() == FoulType.SELF_COLLISION) {
                     console.say("Limbs of player " + called.number() + " of "
-                            + match.teams().name(called.side()) + " ran into each other.");
+                            + match.teams().name(called.side()) + " collided.");
                 }
             }
         }
@@ -328,18 +324,18 @@ public final class SimulationCycle implements Restorable {
         agent.connection().messageGenerated();
     }
 
-    /** {@return the state of world, game, agents and messages under way, from which a world like this one goes on to the bit} */
+    /** {@return the exact state of world, game, agents and messages in transit} */
     public WorldState save() {
         readMessages();
         return WorldState.of(settings, this);
     }
 
     /**
-     * Goes on from a saved state. Each agent of that time is looked for among those that are connected now, by team and number,
-     * then by the number of its robot, and at last any agent without robot takes its place; who is not found is stood in for by
-     * a robot that does not move. Agents for whom the state has no place stay connected without robot.
+     * Continues from a saved state. Each saved agent is matched to a connected one: by team and number, then by robot id, finally
+     * to any agent without a robot. A saved agent without a match is replaced by a robot that does not move. Connected agents
+     * without a match stay connected without a robot.
      *
-     * <p>A new recording begins, without file: the old one ends at this moment.
+     * <p>The recording ends; a new one without a file begins.
      *
      * @param state the state of a simulation with the same settings
      * @throws IllegalArgumentException if the settings differ or the state is damaged
@@ -370,11 +366,11 @@ public final class SimulationCycle implements Restorable {
     }
 
     /**
-     * Takes on a saved state as if it had come about just now: the count of cycles, the numbers of the robots and the recording
-     * go on. Messages that were under way are left out, since the time in them is over.
+     * Applies a saved state to the running simulation: the cycle counter, the robot ids and the recording continue. Saved messages
+     * in transit are dropped because their time stamps are outdated.
      *
      * @param state the state of a simulation with the same settings
-     * @return how many agents have taken on their own states as well
+     * @return the number of agents whose own state was restored too
      * @throws IllegalArgumentException if the settings differ or the state is damaged
      */
     public int resumeFrom(WorldState state) {
@@ -384,7 +380,7 @@ public final class SimulationCycle implements Restorable {
         agents.forEach(agent -> ids.put(agent, agent.id()));
         state.restore(settings, this);
         cycle = now;
-        effectors.countOnFrom(robots);
+        effectors.setCreatedRobots(robots);
         for (AgentSession agent : agents) {
             agent.connection().emptyMessage();
             int id = ids.getOrDefault(agent, 0);

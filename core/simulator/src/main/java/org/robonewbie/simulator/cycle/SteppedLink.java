@@ -10,8 +10,8 @@ import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
 /**
- * A connection between an agent and a world that share one thread: when the agent waits for a message and none is there, the world
- * runs its next cycle.
+ * A connection between an agent and a simulation on the same thread. While the agent waits for a message, the simulation runs its
+ * next cycle.
  */
 final class SteppedLink implements AgentLink {
 
@@ -20,22 +20,17 @@ final class SteppedLink implements AgentLink {
     private final Queue<MessageBuffer> toWorld = new ArrayDeque<>();
     private final Queue<MessageBuffer> toAgent = new ArrayDeque<>();
     private final Queue<MessageBuffer> spare = new ArrayDeque<>();
-    private final Runnable world;
-    private final ServerLink worldEnd = new WorldEnd();
+    private final Runnable nextCycle;
+    private final ServerLink serverEnd = new ServerEnd();
     private Optional<Restorable> agentState = Optional.empty();
     private boolean closed;
 
-    /**
-     * Creates the connection.
-     *
-     * @param world runs the next cycle
-     */
-    SteppedLink(Runnable world) {
-        this.world = world;
+    SteppedLink(Runnable nextCycle) {
+        this.nextCycle = nextCycle;
     }
 
-    ServerLink worldEnd() {
-        return worldEnd;
+    ServerLink serverEnd() {
+        return serverEnd;
     }
 
     @Override
@@ -48,7 +43,7 @@ final class SteppedLink implements AgentLink {
     @Override
     public boolean receive(MessageBuffer message) {
         while (toAgent.isEmpty() && !closed) {
-            world.run();
+            nextCycle.run();
         }
         return take(toAgent, message);
     }
@@ -86,7 +81,7 @@ final class SteppedLink implements AgentLink {
         return true;
     }
 
-    private final class WorldEnd implements ServerLink {
+    private final class ServerEnd implements ServerLink {
 
         @Override
         public List<byte[]> messagesForAgent() {
@@ -125,11 +120,6 @@ final class SteppedLink implements AgentLink {
         }
 
         @Override
-        public String closingReason() {
-            return HAS_LEFT;
-        }
-
-        @Override
         public void close() {
             closed = true;
         }
@@ -137,16 +127,6 @@ final class SteppedLink implements AgentLink {
         @Override
         public Optional<Restorable> agentState() {
             return agentState;
-        }
-
-        @Override
-        public boolean isLocal() {
-            return true;
-        }
-
-        @Override
-        public String address() {
-            return "in this process";
         }
     }
 }

@@ -19,18 +19,17 @@ import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.simulator.world.SoccerWorld;
 
 /**
- * A whole simulator in the hand of its owner: without thread, clock, port or file. The world goes on by {@link #cycle}, or by itself
- * when an agent waits for its next message.
+ * A simulator that its owner steps manually, without thread, clock, port or file. It advances by {@link #cycle}, or whenever an
+ * agent waits for its next message.
  *
  * <pre>{@code
  * SteppedSimulator simulator = SteppedSimulator.start(WorldSettings.beginner().withSeed(1), Console.silent());
  * AgentLink agent = simulator.connect();
  * agent.send(message);
- * agent.receive(message);   // runs as many cycles as it takes
+ * agent.receive(message);   // runs cycles until a message arrives
  * }</pre>
  *
- * <p>Several agents take turns: each of them sends its answer before the first one waits for the next message. Not for several
- * threads.
+ * <p>With several agents, each must send its answer before the first one waits for its next message. Not thread-safe.
  */
 public final class SteppedSimulator implements AutoCloseable {
 
@@ -46,10 +45,10 @@ public final class SteppedSimulator implements AutoCloseable {
     }
 
     /**
-     * Prepares the pitch.
+     * Creates a simulator without a recording.
      *
-     * @param settings what the world is like; it should be synchronous
-     * @param console where it tells people what happens
+     * @param settings the world to simulate; should be synchronous
+     * @param console output for messages to the user
      * @return the simulator, before its first cycle
      */
     public static SteppedSimulator start(WorldSettings settings, Console console) {
@@ -57,11 +56,11 @@ public final class SteppedSimulator implements AutoCloseable {
     }
 
     /**
-     * Prepares the pitch and begins a recording.
+     * Creates a simulator with a recording.
      *
-     * @param settings what the world is like; it should be synchronous
-     * @param recording where the recording goes
-     * @param console where it tells people what happens
+     * @param settings the world to simulate; should be synchronous
+     * @param recording receives the recording
+     * @param console output for messages to the user
      * @return the simulator, before its first cycle
      */
     public static SteppedSimulator start(WorldSettings settings, RecordingTarget recording, Console console) {
@@ -69,9 +68,9 @@ public final class SteppedSimulator implements AutoCloseable {
     }
 
     /**
-     * Lets the world end by itself.
+     * Sets the end of the simulation.
      *
-     * @param seconds simulated seconds after which agents receive no more messages
+     * @param seconds simulated seconds after which all agents are disconnected
      */
     public void endAfter(double seconds) {
         lastCycle = PortableMath.rint(seconds / Cycle.SECONDS);
@@ -87,14 +86,14 @@ public final class SteppedSimulator implements AutoCloseable {
     }
 
     /**
-     * Connects an agent among others of the same thread.
+     * Connects one of several agents of this thread.
      *
-     * @param turn called again and again while the agent waits for a message: lets the others answer, and calls {@link #cycle}
+     * @param turn called repeatedly while the agent waits for a message; must let the other agents answer and call {@link #cycle}
      * @return the agent's end
      */
     public AgentLink connect(Runnable turn) {
         SteppedLink link = new SteppedLink(turn);
-        cycle.connect(link.worldEnd(), true);
+        cycle.connect(link.serverEnd(), true);
         return link;
     }
 
@@ -107,7 +106,7 @@ public final class SteppedSimulator implements AutoCloseable {
         cycle.connect(link, true);
     }
 
-    /** {@return whether each agent has sent its answer, which ends with {@code (syn)}} */
+    /** {@return whether each agent has sent its answer ending with {@code (syn)}} */
     public boolean isReady() {
         return missingAgent().isEmpty();
     }
@@ -125,8 +124,9 @@ public final class SteppedSimulator implements AutoCloseable {
     public void cycle() {
         Optional<AgentSession> missing = missingAgent();
         if (missing.isPresent()) {
-            throw new IllegalStateException("The world cannot go on: " + missing.get()
-                    + " has not answered its last message. Agents of one thread take turns.");
+            throw new IllegalStateException(
+                    "The next cycle cannot start: " + missing.get()
+                            + " has not answered its last message. Let each agent of this thread answer before any agent waits.");
         }
         cycle.run();
         if (cycle.cycle() >= lastCycle || cycle.match().isProgramOver()) {
@@ -139,7 +139,7 @@ public final class SteppedSimulator implements AutoCloseable {
         return cycle.cycle();
     }
 
-    /** {@return the world with its robots in the order in which they were created} */
+    /** {@return the world with its robots in order of creation} */
     public SoccerWorld world() {
         return cycle.world();
     }
@@ -150,57 +150,57 @@ public final class SteppedSimulator implements AutoCloseable {
     }
 
     /**
-     * Takes a picture of the world, as observers of a running simulation get it.
+     * Takes a snapshot of the world for observers.
      *
-     * @param paused whether the owner holds the world
-     * @param speed simulated seconds per second, as the owner keeps it
-     * @return the present state
+     * @param paused whether the owner has paused the simulation
+     * @param speed simulated seconds per real second
+     * @return the current state
      */
     public WorldSnapshot snapshot(boolean paused, double speed) {
         return cycle.snapshot(paused, speed, speed);
     }
 
     /**
-     * Lists what robots and their agents have said to each other in the last cycle.
+     * Returns the messages exchanged in the last cycle.
      *
-     * @param robots whose messages are wanted, by the numbers of their connections
-     * @return the messages of those that have a robot
+     * @param robots selects robots by their ids
+     * @return the messages of the selected robots
      */
     public List<AgentMessages> messages(IntPredicate robots) {
         return cycle.messages(robots);
     }
 
     /**
-     * Carries out an order before the next cycle.
+     * Executes an order before the next cycle.
      *
-     * @param order the order; orders to the clock are those of its owner
+     * @param order the order; clock orders are ignored
      */
     public void order(Order order) {
         trainer.execute(order);
     }
 
     /**
-     * Reports what happens in the game.
+     * Sets the listener for match events.
      *
-     * @param reporter called within {@link #cycle}
+     * @param reporter called during {@link #cycle}
      */
     public void reportEventsTo(Consumer<MatchEvent> reporter) {
         cycle.reportEventsTo(reporter);
     }
 
-    /** {@return the true results so far, without the time that they took} */
+    /** {@return the results so far, without wall-clock times} */
     public RunReport report() {
         return cycle.recorder().report(settings.seed(), 0, 0);
     }
 
-    /** {@return the whole state, from which this simulator or one with the same settings goes on to the bit} */
+    /** {@return the exact state, for this simulator or one with the same settings} */
     public WorldState save() {
         return cycle.save();
     }
 
     /**
-     * Goes on from a saved state. Agents that are connected keep their connections and get back their robots; a new recording
-     * begins. What an agent remembers is its own business: see {@link org.robonewbie.nao.state.Restorable}.
+     * Continues from a saved state. Connected agents keep their connections and regain their robots; a new recording begins.
+     * An agent's own memory is restored only if it offers its state: see {@link org.robonewbie.nao.state.Restorable}.
      *
      * @param state the state of a simulation with the same settings
      * @throws IllegalArgumentException if the settings differ or the state is damaged
@@ -210,11 +210,11 @@ public final class SteppedSimulator implements AutoCloseable {
     }
 
     /**
-     * Goes on from a saved state as if it had come about just now: the count of cycles, the numbers of the robots and the recording
-     * go on. Messages that were under way are left out.
+     * Applies a saved state to the running simulation: the cycle counter, the robot ids and the recording continue. Saved messages
+     * in transit are dropped.
      *
      * @param state the state of a simulation with the same settings
-     * @return how many agents have taken on their own states as well
+     * @return the number of agents whose own state was restored too
      * @throws IllegalArgumentException if the settings differ or the state is damaged
      */
     public int resumeFrom(WorldState state) {
@@ -222,13 +222,13 @@ public final class SteppedSimulator implements AutoCloseable {
     }
 
     /**
-     * Goes on nearly from a state that was seen before; robots that do not play now are left out.
+     * Continues approximately from an earlier snapshot; robots that are not in the game now are skipped.
      *
-     * @param before an earlier state, from which the velocities are taken; the same state for a world at rest
-     * @param moment the state to go on from
+     * @param before a snapshot before {@code target}, used to derive velocities; the same snapshot for a world at rest
+     * @param target the snapshot to continue from
      */
-    public void resumeFrom(WorldSnapshot before, WorldSnapshot moment) {
-        cycle.restore(before, moment);
+    public void resumeFrom(WorldSnapshot before, WorldSnapshot target) {
+        cycle.restore(before, target);
     }
 
     @Override

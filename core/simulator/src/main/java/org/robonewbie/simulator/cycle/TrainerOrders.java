@@ -7,47 +7,44 @@ import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.soccer.Player;
-import org.robonewbie.simulator.soccer.TrainerActions;
 import org.robonewbie.simulator.world.Ball;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * Carries out orders between two cycles. Orders that refer to no robot do nothing, as in rcssserver3d (SimSpark: {@code
+ * Executes trainer orders between two cycles. Orders for a missing robot have no effect, as in rcssserver3d (SimSpark: {@code
  * trainercommandparser.cpp}).
  */
 public final class TrainerOrders {
 
     private final SimulationCycle cycle;
     private final Match match;
-    private final TrainerActions trainer;
     private final Runnable fullState;
     private final Runnable end;
     private Optional<PlayerNumber> selection = Optional.empty();
 
     /**
-     * Prepares for orders.
+     * Creates the executor.
      *
-     * @param cycle what is changed
-     * @param fullState lets monitors have the whole scene
+     * @param cycle the simulation to change
+     * @param fullState requests a full message to all monitors
      * @param end ends the simulation
      */
     public TrainerOrders(SimulationCycle cycle, Runnable fullState, Runnable end) {
         this.cycle = cycle;
         this.match = cycle.match();
-        this.trainer = new TrainerActions(match);
         this.fullState = fullState;
         this.end = end;
     }
 
-    /** {@return the player that is selected} */
+    /** {@return the selected player} */
     public Optional<Player> selected() {
         return selection.flatMap(this::player);
     }
 
     /**
-     * Carries out an order.
+     * Executes an order.
      *
-     * @param order the order; orders to the clock are those of its owner
+     * @param order the order; clock orders are ignored
      */
     public void execute(Order order) {
         if (order instanceof Order.EndSimulation) {
@@ -78,9 +75,9 @@ public final class TrainerOrders {
         } else if (order instanceof Order.DropBall) {
             match.dropBall();
         } else if (order instanceof Order.SetTime time) {
-            trainer.setPlaySeconds(time.seconds());
+            match.state().setPlaySeconds(time.seconds());
         } else if (order instanceof Order.SetScore score) {
-            trainer.setScore(score.left(), score.right());
+            match.state().setScore(score.left(), score.right());
         }
     }
 
@@ -104,11 +101,11 @@ public final class TrainerOrders {
         } else if (order instanceof Order.PushRobot push) {
             player(push.player()).ifPresent(player -> player.robot().push(push.newtons()));
         } else if (order instanceof Order.RepelSelectedRobot) {
-            selected().ifPresent(trainer::moveTowardsOwnGoal);
+            selected().ifPresent(match::moveTowardsOwnGoal);
         } else if (order instanceof Order.KillRobot kill) {
             forPlayer(kill.player(), cycle::removeRobot);
         } else if (order instanceof Order.RepositionRobot reposition) {
-            forPlayer(reposition.player(), trainer::putBesidePitch);
+            forPlayer(reposition.player(), match::putBesidePitch);
         }
     }
 

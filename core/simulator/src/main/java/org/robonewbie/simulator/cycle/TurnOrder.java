@@ -8,12 +8,10 @@ import org.robonewbie.protocol.effector.EffectorCommand.CreateRobot;
 import org.robonewbie.protocol.effector.EffectorCommand.JoinTeam;
 
 /**
- * Makes a game independent of which connection came first, for agents of other processes that the world awaits before it
- * begins: their robots are created sorted by robot type, and once they have said who they are, they are served in the order of
- * their teams' names and numbers.
+ * A canonical order of awaited agents of other processes, which makes a game independent of the order of their connections. Their
+ * robots are created sorted by robot type; after joining, agents are served in the order of team names and uniform numbers.
  *
- * <p>Until then their robots are alike, so that it does not matter whose is whose; each joining agent gets the first one of its
- * type.
+ * <p>Before they join, robots of one type are interchangeable. Each joining agent gets the first robot of its type.
  */
 final class TurnOrder {
 
@@ -25,12 +23,12 @@ final class TurnOrder {
     private TurnOrder() {}
 
     /**
-     * Sorts those who will get a robot or join a team in this cycle.
+     * Sorts the agents that get a robot or join a team in this cycle.
      *
-     * @param agents all agents; changed
+     * @param agents all agents; sorted in place
      */
     static void arrange(List<AgentSession> agents) {
-        if (isNobodyAwaited(agents)) {
+        if (agents.stream().noneMatch(agent -> agent.connection().isAwaited())) {
             return;
         }
         sort(
@@ -44,29 +42,20 @@ final class TurnOrder {
         distributeBodies(joining);
     }
 
-    private static boolean isNobodyAwaited(List<AgentSession> agents) {
-        for (int i = 0; i < agents.size(); i++) {
-            if (agents.get(i).connection().isAwaited()) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    /** Sorts those of interest among themselves; they keep their places in the list as a group. */
+    /** Sorts the selected agents within the list positions that they occupy as a group. */
     private static List<AgentSession> sort(
-            List<AgentSession> agents, Predicate<AgentSession> interest, Comparator<AgentSession> order) {
-        List<Integer> places = new ArrayList<>();
+            List<AgentSession> agents, Predicate<AgentSession> selected, Comparator<AgentSession> order) {
+        List<Integer> positions = new ArrayList<>();
         List<AgentSession> sorted = new ArrayList<>();
         for (int i = 0; i < agents.size(); i++) {
-            if (agents.get(i).connection().isAwaited() && interest.test(agents.get(i))) {
-                places.add(i);
+            if (agents.get(i).connection().isAwaited() && selected.test(agents.get(i))) {
+                positions.add(i);
                 sorted.add(agents.get(i));
             }
         }
         sorted.sort(order);
-        for (int i = 0; i < places.size(); i++) {
-            agents.set(places.get(i), sorted.get(i));
+        for (int i = 0; i < positions.size(); i++) {
+            agents.set(positions.get(i), sorted.get(i));
         }
         return sorted;
     }

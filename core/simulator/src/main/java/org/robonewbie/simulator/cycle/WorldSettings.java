@@ -7,34 +7,34 @@ import org.robonewbie.simulator.sensing.CameraSettings;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
- * All that has an influence on what happens in a world: equal settings and equal agents give equal runs.
+ * The parameters that determine a run: equal settings and equal agents give equal runs.
  *
  * <pre>{@code
  * WorldSettings settings = WorldSettings.beginner().withSeed(7).withNoise(false);
  * }</pre>
  *
- * @param parameters pitch, rules and noise of beams
- * @param synchronous whether the world waits for the agents; else it runs on the clock
- * @param camera how robots see: noise, and what no camera could know
- * @param landscape what stands on the pitch
- * @param seed start of all random numbers
+ * @param parameters pitch, rules and beam noise
+ * @param synchronous whether each cycle waits for all agents; otherwise the simulation runs in real time
+ * @param camera camera noise and ground truth in camera pictures
+ * @param landscape objects on the pitch
+ * @param seed seed of all random numbers
  */
 public record WorldSettings(
         SoccerParameters parameters, boolean synchronous, CameraSettings camera, Landscape landscape, long seed) {
 
     /**
-     * Begins with pitch, rules and noise of the league.
+     * Returns the settings of the league.
      *
-     * @return settings of a world that waits for its agents, with seed 0
+     * @return synchronous settings with pitch, rules and noise of the league and seed 0
      */
     public static WorldSettings league() {
         return of(SoccerParameters.league());
     }
 
     /**
-     * Begins with the beginners' pitch and rules.
+     * Returns the settings for beginners.
      *
-     * @return settings of a world that waits for its agents, with seed 0
+     * @return synchronous settings with the beginners' pitch and rules and seed 0
      */
     public static WorldSettings beginner() {
         return of(SoccerParameters.beginner());
@@ -47,48 +47,48 @@ public record WorldSettings(
     /**
      * Changes pitch and rules.
      *
-     * @param value the new ones
-     * @return the same settings otherwise
+     * @param value the new parameters
+     * @return a changed copy
      */
     public WorldSettings withParameters(SoccerParameters value) {
         return new WorldSettings(value, synchronous, camera, landscape, seed);
     }
 
     /**
-     * Chooses between waiting for agents and running on the clock.
+     * Selects sync mode or real time.
      *
-     * @param value whether the world waits
-     * @return the same settings otherwise
+     * @param value whether each cycle waits for all agents
+     * @return a changed copy
      */
     public WorldSettings withSynchronous(boolean value) {
         return new WorldSettings(parameters, value, camera, landscape, seed);
     }
 
     /**
-     * Changes how robots see.
+     * Changes the cameras.
      *
-     * @param value the new settings of all cameras
-     * @return the same settings otherwise
+     * @param value settings of all cameras
+     * @return a changed copy
      */
     public WorldSettings withCamera(CameraSettings value) {
         return new WorldSettings(parameters, synchronous, value, landscape, seed);
     }
 
     /**
-     * Switches the noise of cameras.
+     * Switches camera noise on or off.
      *
-     * @param on whether robots see with noise
-     * @return the same settings otherwise
+     * @param on whether camera readings are noisy
+     * @return a changed copy
      */
     public WorldSettings withNoise(boolean on) {
         return withCamera(camera.withNoise(on));
     }
 
     /**
-     * Changes what stands on the pitch.
+     * Changes the objects on the pitch.
      *
      * @param value the new landscape
-     * @return the same settings otherwise
+     * @return a changed copy
      */
     public WorldSettings withLandscape(Landscape value) {
         return new WorldSettings(parameters, synchronous, camera, value, seed);
@@ -97,21 +97,21 @@ public record WorldSettings(
     /**
      * Changes the seed.
      *
-     * @param value start of all random numbers
-     * @return the same settings otherwise
+     * @param value seed of all random numbers
+     * @return a changed copy
      */
     public WorldSettings withSeed(long value) {
         return new WorldSettings(parameters, synchronous, camera, landscape, value);
     }
 
-    /** {@return the settings as lines of the form {@code name=value}, as recordings begin with them} */
+    /** {@return the settings as {@code name=value} lines for the header of a recording} */
     public List<String> description() {
         List<String> lines = new ArrayList<>();
         lines.add("seed=" + seed);
         lines.add("synchronous=" + synchronous);
         lines.add("noise=" + camera.noise());
         lines.add("truth=" + camera.ownPosition() + "," + camera.ownOrientation() + "," + camera.ballPosition());
-        lines.add("physics=fast"); // recordings of former versions may say "exact" here
+        lines.add("physics=fast"); // "exact" in some recordings of earlier versions
         if (!landscape.isBare()) {
             lines.add("scene=" + landscape.name());
         }

@@ -10,18 +10,19 @@ import org.robonewbie.protocol.embedded.SimulatorProvider;
 import org.robonewbie.protocol.embedded.SimulatorRequest;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.simulator.landscape.Landscape;
+import org.robonewbie.simulator.sensing.CameraSettings;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 
 /**
- * Starts simulators for beginners: a small pitch, simple rules, and a world that waits for its agents. It is found by {@link
- * ServiceLoader}.
+ * The provider of simulators for beginners, with a small pitch, simple rules and sync mode. {@link ServiceLoader} finds it.
  */
 public final class BeginnersSimulatorProvider implements SimulatorProvider {
 
-    private static final long SEEDS = 1_000_000;
+    private static final int SEEDS = 1_000_000;
 
     /** Creates the provider. */
     public BeginnersSimulatorProvider() {}
@@ -44,18 +45,19 @@ public final class BeginnersSimulatorProvider implements SimulatorProvider {
     }
 
     private static SimulatorSettings settings(SimulatorRequest request) throws IOException {
-        return SimulatorSettings.beginner()
-                .agentPort(request.agentPort())
-                .synchronous(true)
-                .speed(request.fast() ? SimulationControl.AS_FAST_AS_POSSIBLE : 1)
-                .seed(request.seed().orElseGet(() -> (long) new Random().nextInt((int) SEEDS)))
-                .truth(request.truth())
-                .landscape(landscape(request))
-                .awaitedAgents(request.awaitedAgents())
-                .seconds(request.seconds())
-                .recording(request.recording().map(Path::of).or(() -> shelved(request)))
-                .report(request.report().map(Path::of))
-                .build();
+        boolean truth = request.truth();
+        WorldSettings world = WorldSettings.beginner()
+                .withSeed(request.seed().orElseGet(() -> (long) new Random().nextInt(SEEDS)))
+                .withCamera(CameraSettings.STANDARD.withTruth(truth, truth, truth))
+                .withLandscape(landscape(request));
+        return SimulatorSettings.of(world)
+                .withAgentPort(request.agentPort())
+                .withSpeed(request.fast() ? SimulationControl.AS_FAST_AS_POSSIBLE : 1)
+                .withAwaitedAgents(request.awaitedAgents())
+                .withSeconds(request.seconds().orElse(Double.POSITIVE_INFINITY))
+                .withOutput(
+                        request.recording().map(Path::of).or(() -> automaticRecording(request)),
+                        request.report().map(Path::of));
     }
 
     private static Landscape landscape(SimulatorRequest request) throws IOException {
@@ -66,11 +68,11 @@ public final class BeginnersSimulatorProvider implements SimulatorProvider {
         }
     }
 
-    /** Runs that people watch are recorded, so that they can look at them again. */
-    private static Optional<Path> shelved(SimulatorRequest request) {
+    /** Runs with a view are recorded for replay. */
+    private static Optional<Path> automaticRecording(SimulatorRequest request) {
         return request.headless()
                 ? Optional.empty()
-                : RecordingRepository.ofUser().flatMap(shelf -> shelf.next(request.agent()));
+                : RecordingRepository.ofUser().flatMap(recordings -> recordings.next(request.agent()));
     }
 
     private static Optional<Viewer.View> openView(Simulator simulator) throws IOException {

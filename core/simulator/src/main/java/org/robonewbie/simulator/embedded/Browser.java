@@ -10,26 +10,26 @@ import java.util.concurrent.locks.LockSupport;
 import org.robonewbie.simulator.Console;
 
 /**
- * Opens the user's browser with the command of the operating system; where that fails, people open it themselves. The command names
- * a {@link RedirectPage} and never an address, since every account of a computer can read the command lines of all others.
+ * Opens the user's browser with the command of the operating system. The command contains a {@link RedirectPage} instead of the
+ * address, because all accounts of a computer can read its command lines.
  */
 public final class Browser {
 
-    private static final long PATIENCE_MILLISECONDS = 1200;
-    private static final long LOOK_MILLISECONDS = 50;
+    private static final long RECONNECT_MILLISECONDS = 1200;
+    private static final long POLL_MILLISECONDS = 50;
 
     private Browser() {}
 
     /**
-     * Opens a view in the browser, unless a page of an earlier run is still open and reconnects by itself. Returns at once.
+     * Opens a view in the browser, unless a page of an earlier run is still open and reconnects. Non-blocking.
      *
      * @param view the view
-     * @param console prints the address if the browser cannot be opened
+     * @param console output for the address if the browser cannot be opened
      */
     public static void openUnlessWatched(Viewer.View view, Console console) {
         Thread opener = new Thread(
                 () -> {
-                    if (!comesBack(view)) {
+                    if (!reconnects(view)) {
                         open(view.oneTimeAddress(), console);
                     }
                 },
@@ -38,9 +38,9 @@ public final class Browser {
         opener.start();
     }
 
-    private static boolean comesBack(Viewer.View view) {
-        for (long waited = 0; waited < PATIENCE_MILLISECONDS && !view.isWatched(); waited += LOOK_MILLISECONDS) {
-            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(LOOK_MILLISECONDS));
+    private static boolean reconnects(Viewer.View view) {
+        for (long waited = 0; waited < RECONNECT_MILLISECONDS && !view.isWatched(); waited += POLL_MILLISECONDS) {
+            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(POLL_MILLISECONDS));
         }
         return view.isWatched();
     }
@@ -48,8 +48,8 @@ public final class Browser {
     /**
      * Opens an address in the browser.
      *
-     * @param address the address, which other users of this computer must not see
-     * @param console prints the address if the browser cannot be opened
+     * @param address the address, which must stay secret from other users of this computer
+     * @param console output for the address if the browser cannot be opened
      */
     public static void open(URI address, Console console) {
         try {
@@ -58,7 +58,7 @@ public final class Browser {
                     .redirectOutput(ProcessBuilder.Redirect.DISCARD)
                     .start();
         } catch (IOException e) {
-            console.say("The browser could not be opened. Open " + address + " yourself.");
+            console.say("The browser could not be started. Open " + address + " manually.");
         }
     }
 

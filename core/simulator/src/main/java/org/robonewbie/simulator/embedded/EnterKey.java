@@ -7,23 +7,23 @@ import java.net.URI;
 import java.util.Arrays;
 import java.util.function.Supplier;
 
-/** Prints another address of a view whenever Enter is pressed in the terminal, since an address lets one browser in only once. */
+/** Prints a new address of a view whenever Enter is pressed in the terminal, because each address is valid for one use. */
 public final class EnterKey {
 
-    /** Set by the launcher, which also sees to it that a process in the background is not stopped when it reads. */
+    /** System property set by the launcher, which also prevents a background process from being stopped when it reads. */
     private static final String TERMINAL = "robonewbie.terminal";
 
-    private static final String HINT = " (opens once; press Enter here for another address)";
-    private static final int LONGEST_LINE = 4096;
+    private static final String HINT = " (valid once; press Enter here for a new address)";
+    private static final int MAX_LINE_BYTES = 4096;
 
     private EnterKey() {}
 
     /**
-     * Starts to listen, if the launcher has started this process in a terminal; ends with the process. A program of this process
-     * that reads the standard input receives it from then on.
+     * Starts listening if the launcher has started this process in a terminal. Once a program in this process reads standard
+     * input, it receives the lines instead.
      *
      * @param view the view
-     * @return what to print after the first address; empty if nothing listens
+     * @return a hint to print after the first address; empty if not listening
      */
     public static String listen(Viewer.View view) {
         if (!Boolean.getBoolean(TERMINAL)) {
@@ -38,9 +38,9 @@ public final class EnterKey {
         return HINT;
     }
 
-    /** Prints an address for each line until the input ends, or hands the lines to the program that reads them. */
+    /** Prints an address for each line until the input ends, or passes the lines to the program if it reads. */
     static void listen(InputStream keyboard, SharedInput program, Supplier<URI> addresses, PrintStream terminal) {
-        byte[] line = new byte[LONGEST_LINE];
+        byte[] line = new byte[MAX_LINE_BYTES];
         try (program) {
             for (int length = keyboard.read(line); length >= 0; length = keyboard.read(line)) {
                 if (!program.offer(Arrays.copyOf(line, length)) && line[length - 1] == '\n') {

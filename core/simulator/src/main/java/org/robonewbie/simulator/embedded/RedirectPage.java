@@ -17,18 +17,17 @@ import java.util.Locale;
 import java.util.Set;
 
 /**
- * A page file that sends a browser on to an address. Only this user can read it, whereas the command line of a browser is shown to
- * every account of the computer.
+ * A local HTML file that redirects a browser to an address. Only the current user can read it, unlike the command line of a browser.
  *
- * <p>On Linux it lies in a visible folder of the home directory: browsers from snap and flatpak see neither hidden folders nor
- * {@code /tmp}. File and folder are gone when this process ends.
+ * <p>On Linux it lies in a visible folder of the home directory, because browsers from Snap and Flatpak can read neither hidden
+ * folders nor {@code /tmp}. File and folder are deleted when this process ends.
  */
 public final class RedirectPage {
 
     /** Name of the folder in the home directory. */
     static final String FOLDER = "robonewbie-browser";
 
-    /** How long an address lets a browser in. */
+    /** Validity of an address. */
     private static final Duration LIFETIME = Duration.ofMinutes(10);
 
     private static final String PREFIX = "open-";
@@ -40,9 +39,9 @@ public final class RedirectPage {
     /**
      * Writes a page.
      *
-     * @param address where it leads to
+     * @param address target of the redirect
      * @return the file
-     * @throws IOException if there is no folder for it
+     * @throws IOException if it cannot be written
      */
     public static Path write(URI address) throws IOException {
         String system = System.getProperty("os.name", "").toLowerCase(Locale.ROOT);
@@ -51,7 +50,7 @@ public final class RedirectPage {
                 : writeInto(Files.createTempDirectory(FOLDER), address);
     }
 
-    /** Writes a page into a folder of the home directory, or into a temporary one where that is not possible. */
+    /** Writes a page to a folder in the home directory, or to a temporary folder if that fails. */
     static Path write(URI address, Path home) throws IOException {
         try {
             return writeInto(folderIn(home), address);
@@ -69,7 +68,7 @@ public final class RedirectPage {
         return folder;
     }
 
-    /** Pages of programs that were killed lead nowhere any more. */
+    /** Deletes expired pages left by killed processes. */
     private static void deleteOldPagesIn(Path folder) throws IOException {
         FileTime limit = FileTime.from(Instant.now().minus(LIFETIME));
         try (DirectoryStream<Path> pages = Files.newDirectoryStream(folder, PREFIX + "*" + SUFFIX)) {
@@ -83,7 +82,7 @@ public final class RedirectPage {
 
     private static Path writeInto(Path folder, URI address) throws IOException {
         folder.toFile().deleteOnExit();
-        Path page = Files.createTempFile(folder, PREFIX, SUFFIX); // which only this user may read
+        Path page = Files.createTempFile(folder, PREFIX, SUFFIX); // readable by the owner only
         page.toFile().deleteOnExit();
         return Files.writeString(page, text(address));
     }
@@ -105,7 +104,7 @@ public final class RedirectPage {
                 <html lang="en"><meta charset="utf-8"><title>RoboNewbie Studio</title>
                 <meta name="referrer" content="no-referrer">
                 <meta http-equiv="refresh" content="0; url='%s'">
-                <p>The studio opens. If it does not: <a href="%s">RoboNewbie Studio</a></p>
+                <p>Opening the studio. If nothing happens, click here: <a href="%s">RoboNewbie Studio</a></p>
                 """.formatted(link, link);
     }
 }

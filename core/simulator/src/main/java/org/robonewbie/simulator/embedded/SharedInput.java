@@ -6,18 +6,14 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.InterruptedIOException;
 
-/** The standard input of a program that shares the terminal: it receives what is offered after it has begun to read. */
+/** The standard input of a program that shares the terminal. It receives the bytes offered after its first read. */
 final class SharedInput extends InputStream {
 
     private ByteArrayInputStream pending = new ByteArrayInputStream(new byte[0]);
     private boolean isRead;
     private boolean isClosed;
 
-    /**
-     * Offers bytes to the program.
-     *
-     * @return whether the program reads
-     */
+    /** Offers bytes to the program; returns false if it has not started reading. */
     synchronized boolean offer(byte[] bytes) {
         if (isRead) {
             ByteArrayOutputStream all = new ByteArrayOutputStream();
@@ -47,7 +43,8 @@ final class SharedInput extends InputStream {
             }
         } catch (InterruptedException stop) {
             Thread.currentThread().interrupt();
-            throw (IOException) new InterruptedIOException("The program was stopped.").initCause(stop);
+            throw (IOException)
+                    new InterruptedIOException("The program was interrupted while reading.").initCause(stop);
         }
         return pending.read(bytes, offset, length);
     }

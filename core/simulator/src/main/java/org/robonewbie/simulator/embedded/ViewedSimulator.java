@@ -16,11 +16,6 @@ final class ViewedSimulator implements EmbeddedSimulator {
     private final String hint;
     private final Optional<TelemetryServer> telemetryServer;
 
-    /**
-     * Joins simulator and view.
-     *
-     * @param hint what to print after an address of the view
-     */
     ViewedSimulator(Simulator simulator, Optional<Viewer.View> view, String hint) {
         this.simulator = simulator;
         this.view = view;
@@ -28,7 +23,7 @@ final class ViewedSimulator implements EmbeddedSimulator {
         this.telemetryServer = view.flatMap(opened -> listen(simulator.agentPort(), opened.telemetry()));
     }
 
-    /** Robots of other processes play as well without a listener, so a port that is taken is no reason not to start. */
+    /** Starts the telemetry server. Robots of other processes work without it, so a port in use is not an error. */
     private static Optional<TelemetryServer> listen(int agentPort, TelemetrySink sink) {
         try {
             return Optional.of(TelemetryServer.open(TelemetryServer.portFor(agentPort), sink));

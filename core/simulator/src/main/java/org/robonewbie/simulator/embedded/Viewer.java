@@ -5,28 +5,28 @@ import java.net.URI;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.SimulationControl;
 
-/** Shows simulations to people. The studio registers one with {@link java.util.ServiceLoader}. */
+/** A user interface for simulations. The studio registers one with {@link java.util.ServiceLoader}. */
 public interface Viewer {
 
     /**
-     * Starts to show a simulation.
+     * Opens a view of a simulation.
      *
-     * @param simulation what to show and steer
-     * @param port TCP port on 127.0.0.1, 0 for the usual one, or any other if that is taken
+     * @param simulation the simulation to show and control
+     * @param port TCP port on 127.0.0.1; 0 for the default port, or any free one if that is in use
      * @return the open view
      * @throws IOException if the port cannot be opened
      */
     View open(SimulationControl simulation, int port) throws IOException;
 
-    /** A view that is open. */
+    /** An open view. */
     interface View extends AutoCloseable {
 
-        /** {@return the address of the view for a browser that has been let in} */
+        /** {@return the address of the view for an authorised browser} */
         URI address();
 
         /**
-         * Returns an address that lets a browser in: it holds a code that works once and for ten minutes. Print it for people;
-         * {@link Browser} opens it without showing the code to other users of the computer.
+         * Returns an address that authorises a browser: it contains a code that is valid once, for ten minutes. {@link Browser}
+         * opens it without revealing the code to other users of the computer.
          *
          * @return a new address in each call
          */
@@ -36,8 +36,8 @@ public interface Viewer {
         boolean isWatched();
 
         /**
-         * Returns the sink for what robots think. Robots of this process and, through a {@link
-         * org.robonewbie.protocol.tcp.TelemetryServer}, of other processes call it from several threads.
+         * Returns the sink for the telemetry of robots. It must be thread-safe: robots of this process and, through a {@link
+         * org.robonewbie.protocol.tcp.TelemetryServer}, of other processes use it.
          *
          * @return receives log lines, beliefs and drawings; {@link TelemetrySink#NONE} if this view does not show them
          */
@@ -45,7 +45,7 @@ public interface Viewer {
             return TelemetrySink.NONE;
         }
 
-        /** Closes the view; browsers that look at it say so. */
+        /** Closes the view; connected pages show that it is closed. */
         @Override
         void close();
     }

@@ -1,5 +1,5 @@
 /**
- * How an agent gets a simulator inside its own process. Read {@link
+ * The simulator inside an agent's process, with its view in the browser. Read {@link
  * org.robonewbie.simulator.embedded.BeginnersSimulatorProvider} first.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.

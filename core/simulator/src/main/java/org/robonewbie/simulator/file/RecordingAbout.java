@@ -14,17 +14,17 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.file.RegularFile;
 
 /**
- * What is known of a recording beside what it holds, kept next to it as {@code NAME.about}: where it comes from, and what people
- * have noted. The recording itself is the same for the same seed, whoever made it.
+ * The metadata of a recording in a sidecar file {@code NAME.about}: its origin and the user's annotations. The recording itself
+ * contains none of it, so that equal runs give equal recordings.
  *
- * @param agent name of the program that was run, empty if it is not known
- * @param project folder in which it was run, empty if it is not known
- * @param starred whether it is to be kept when recordings make room
- * @param bookmarks moments that are worth coming back to, the earliest first
+ * @param agent name of the program, empty if unknown
+ * @param project working directory of the program, empty if unknown
+ * @param starred whether the recording is exempt from automatic deletion
+ * @param bookmarks the user's bookmarks, earliest first
  */
 public record RecordingAbout(String agent, String project, boolean starred, List<Bookmark> bookmarks) {
 
-    /** What is known of a recording of which nobody has said anything. */
+    /** The metadata of a recording without a sidecar file. */
     public static final RecordingAbout NOTHING = new RecordingAbout("", "", false, List.of());
 
     private static final int MAX_NOTE_LETTERS = 300;
@@ -32,14 +32,14 @@ public record RecordingAbout(String agent, String project, boolean starred, List
     private static final int MAX_BYTES = 1 << 20;
 
     /**
-     * A moment with a note.
+     * A bookmark.
      *
-     * @param seconds since the begin of the recording
-     * @param note what is to be seen there, may be empty
+     * @param seconds time since the start of the recording
+     * @param note the user's note, may be empty
      */
     public record Bookmark(double seconds, String note) {}
 
-    /** What a file holds; what is missing there is null. */
+    /** The contents of a file; missing values are null. */
     private record Written(
             @Nullable String agent,
             @Nullable String project,
@@ -52,14 +52,14 @@ public record RecordingAbout(String agent, String project, boolean starred, List
     }
 
     /**
-     * Reads what is known of a recording.
+     * Reads the metadata of a recording.
      *
-     * @param recording its file
-     * @return what is known; {@link #NOTHING} if there is no such file, or a damaged one
+     * @param recording the recording file
+     * @return the metadata; {@link #NOTHING} if the sidecar file is missing or damaged
      */
     public static RecordingAbout of(Path recording) {
         try {
-            Path file = RecordingGroup.of(recording).beside(RecordingGroup.ABOUT);
+            Path file = new RecordingGroup(recording).beside(RecordingGroup.ABOUT);
             Written written = new Gson()
                     .fromJson(new String(RegularFile.read(file, MAX_BYTES), StandardCharsets.UTF_8), Written.class);
             return new RecordingAbout(
@@ -73,38 +73,38 @@ public record RecordingAbout(String agent, String project, boolean starred, List
     }
 
     /**
-     * Keeps this beside a recording.
+     * Writes the sidecar file of a recording.
      *
-     * @param recording its file
+     * @param recording the recording file
      * @throws IOException if it cannot be written
      */
     public void write(Path recording) throws IOException {
-        AtomicFile.write(RecordingGroup.of(recording).beside(RecordingGroup.ABOUT), new Gson().toJson(this));
+        AtomicFile.write(new RecordingGroup(recording).beside(RecordingGroup.ABOUT), new Gson().toJson(this));
     }
 
     /**
-     * Changes the star.
+     * Adds or removes the star.
      *
-     * @param isStarred whether it is to be kept
-     * @return the same with or without a star
+     * @param isStarred whether the recording is exempt from automatic deletion
+     * @return a changed copy
      */
     public RecordingAbout withStar(boolean isStarred) {
         return new RecordingAbout(agent, project, isStarred, bookmarks);
     }
 
     /**
-     * Adds a bookmark, in the place of one at the same moment.
+     * Adds a bookmark or replaces the one at the same time.
      *
-     * @param seconds since the begin of the recording
-     * @param note what is to be seen there; cut after 300 letters
-     * @return the same with the bookmark
-     * @throws IllegalArgumentException if there are 500 bookmarks already; the message is meant for people
+     * @param seconds time since the start of the recording
+     * @param note the user's note, truncated to 300 characters
+     * @return a changed copy
+     * @throws IllegalArgumentException if there are already 500 bookmarks; the message is suitable for the user
      */
     public RecordingAbout withBookmark(double seconds, String note) {
         List<Bookmark> all = new ArrayList<>(withoutBookmark(seconds).bookmarks());
         if (all.size() >= MAX_BOOKMARKS) {
-            throw new IllegalArgumentException(
-                    "A recording has " + MAX_BOOKMARKS + " bookmarks at most. Delete one that is not needed any more.");
+            throw new IllegalArgumentException("A recording can have at most " + MAX_BOOKMARKS
+                    + " bookmarks. Delete one that is no longer needed.");
         }
         all.add(new Bookmark(seconds, note.substring(0, Math.min(note.length(), MAX_NOTE_LETTERS))));
         all.sort(Comparator.comparingDouble(Bookmark::seconds));
@@ -112,10 +112,10 @@ public record RecordingAbout(String agent, String project, boolean starred, List
     }
 
     /**
-     * Takes a bookmark away.
+     * Removes a bookmark.
      *
-     * @param seconds its moment
-     * @return the same without it
+     * @param seconds its time
+     * @return a changed copy
      */
     public RecordingAbout withoutBookmark(double seconds) {
         return new RecordingAbout(

@@ -14,33 +14,34 @@ import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.simulator.recording.RecordingTarget;
 
 /**
- * A recording as a compressed file. It grows as {@code NAME.part}, so that a program that is killed leaves what it has recorded,
- * and gets its name at the end.
+ * A recording as a gzip file. It is written as {@code NAME.part} and renamed when it is closed, so that a killed program leaves a
+ * readable part.
  */
 public final class RecordingFile implements RecordingTarget {
 
     private static final int BUFFER_BYTES = 1 << 14;
-    private static final int FLUSHES_PER_TIDYING = 30;
+    private static final int FLUSHES_PER_SIZE_CHECK = 30;
 
     private final Path file;
-    private final Optional<RecordingRepository> shelf;
+    private final Optional<RecordingRepository> repository;
     private final Consumer<String> console;
     private @Nullable OutputStream out;
     private long flushes;
 
-    private RecordingFile(Path file, OutputStream out, Optional<RecordingRepository> shelf, Consumer<String> console) {
+    private RecordingFile(
+            Path file, OutputStream out, Optional<RecordingRepository> repository, Consumer<String> console) {
         this.file = file;
         this.out = out;
-        this.shelf = shelf;
+        this.repository = repository;
         this.console = console;
     }
 
     /**
-     * Begins a file.
+     * Creates a file.
      *
      * @param file the file to write
-     * @param console takes sentences for people
-     * @return the file, still empty
+     * @param console output for messages to the user
+     * @return the empty recording
      * @throws IOException if it cannot be written; the message says what to do
      */
     public static RecordingFile open(Path file, Consumer<String> console) throws IOException {
@@ -48,21 +49,21 @@ public final class RecordingFile implements RecordingTarget {
     }
 
     /**
-     * Begins a file if one is wanted.
+     * Creates a file if one is given.
      *
      * @param file the file to write; empty for none
-     * @param console takes sentences for people
-     * @return where the recording goes
+     * @param console output for messages to the user
+     * @return the target of the recording
      * @throws IOException if the file cannot be written; the message says what to do
      */
     public static RecordingTarget openIfWanted(Optional<Path> file, Consumer<String> console) throws IOException {
         return file.isPresent() ? open(file.get(), console) : RecordingTarget.NONE;
     }
 
-    static RecordingFile open(Path file, Optional<RecordingRepository> shelf, Consumer<String> console)
+    static RecordingFile open(Path file, Optional<RecordingRepository> repository, Consumer<String> console)
             throws IOException {
         OutputStream raw = AtomicFile.begin(file);
-        return new RecordingFile(file, new GZIPOutputStream(raw, BUFFER_BYTES, true), shelf, console);
+        return new RecordingFile(file, new GZIPOutputStream(raw, BUFFER_BYTES, true), repository, console);
     }
 
     /**
@@ -70,7 +71,7 @@ public final class RecordingFile implements RecordingTarget {
      *
      * @param file a recording
      * @return the reader, before the first cycle
-     * @throws IOException if the file cannot be read or is no recording; the message says so
+     * @throws IOException if the file cannot be read or is not a recording
      */
     public static RecordingReader read(Path file) throws IOException {
         InputStream raw = Files.newInputStream(file);
@@ -91,10 +92,9 @@ public final class RecordingFile implements RecordingTarget {
     public void flush() {
         attempt(OutputStream::flush);
         flushes++;
-        if (flushes % FLUSHES_PER_TIDYING == 0 && out != null && !isWithinLimit()) {
-            console.accept(
-                    "The recording " + file
-                            + " ends here because recordings have taken all the room that they may take. The simulation goes on.");
+        if (flushes % FLUSHES_PER_SIZE_CHECK == 0 && out != null && !isWithinLimit()) {
+            console.accept("The recording " + file
+                    + " ends here because it has reached the size limit for recordings. The simulation continues.");
             close();
         }
     }
@@ -107,22 +107,22 @@ public final class RecordingFile implements RecordingTarget {
     }
 
     private boolean isWithinLimit() {
-        return shelf.isEmpty() || shelf.get().keepLimit(file);
+        return repository.isEmpty() || repository.get().keepLimit(file);
     }
 
-    /** What has been recorded stays, unless that is nothing. */
+    /** Closes the stream and deletes the file if it is empty. */
     private void abandon(OutputStream broken) {
         try {
             broken.close();
-        } catch (IOException again) {
-            console.accept("The rest of the recording is lost.");
+        } catch (IOException e) {
+            console.accept("The last part of the recording could not be written.");
         }
         try {
             if (Files.size(AtomicFile.part(file)) == 0) {
                 Files.delete(AtomicFile.part(file));
             }
-        } catch (IOException gone) {
-            // Then there is nothing to tidy up.
+        } catch (IOException missing) {
+            // There is nothing to delete.
         }
     }
 
@@ -130,7 +130,7 @@ public final class RecordingFile implements RecordingTarget {
         void on(OutputStream stream) throws IOException;
     }
 
-    /** A full disk ends the recording, never the simulation. */
+    /** Performs an action. A failure, such as a full disk, ends the recording but not the simulation. */
     private void attempt(Action action) {
         if (out != null) {
             try {
@@ -139,7 +139,7 @@ public final class RecordingFile implements RecordingTarget {
                 abandon(out);
                 out = null;
                 console.accept("The recording " + file + " ends here because it cannot be written. " + e.getMessage()
-                        + " The simulation goes on.");
+                        + " The simulation continues.");
             }
         }
     }

@@ -8,34 +8,24 @@ import java.util.stream.Stream;
 import org.robonewbie.nao.file.AtomicFile;
 
 /**
- * A recording with the files that are kept beside it under the same name: they are moved and deleted together.
+ * A recording with its sidecar files of the same name, which are moved and deleted together.
  *
- * @param recording the recording; ends with {@code .part} while it grows
+ * @param recording the recording file; ends with {@code .part} while it is written
  */
 public record RecordingGroup(Path recording) {
 
-    /** How the names of files end that hold what robots logged and drew. */
+    /** Extension of files with log lines and drawings of robots. */
     public static final String NOTES = ".notes";
 
-    /** How the names of files end that say where everything is in a recording. */
+    /** Extension of files with an index of the recording. */
     public static final String INDEX = ".index";
 
-    /** How the names of files end that hold what people have noted. */
+    /** Extension of files with metadata and the user's annotations. */
     public static final String ABOUT = ".about";
 
-    private static final List<String> BESIDE = List.of(NOTES, INDEX, ABOUT);
+    private static final List<String> SIDECARS = List.of(NOTES, INDEX, ABOUT);
 
-    /**
-     * Finds the files of a recording.
-     *
-     * @param recording its file
-     * @return it and what lies beside it
-     */
-    public static RecordingGroup of(Path recording) {
-        return new RecordingGroup(recording);
-    }
-
-    /** {@return the name of the recording, as people see it} */
+    /** {@return the name of the recording without extension} */
     public String name() {
         String file = String.valueOf(recording.getFileName());
         String finished = withoutEnd(file, AtomicFile.UNFINISHED);
@@ -47,27 +37,27 @@ public record RecordingGroup(Path recording) {
     }
 
     /**
-     * Names a file beside the recording.
+     * Returns the path of a sidecar file.
      *
-     * @param ending such as {@link #NOTES}
+     * @param extension such as {@link #NOTES}
      * @return the file, which need not exist
      */
-    public Path beside(String ending) {
-        return recording.resolveSibling(name() + ending);
+    public Path beside(String extension) {
+        return recording.resolveSibling(name() + extension);
     }
 
     /**
-     * Moves all of them, the recording last, and keeps the times of change.
+     * Moves all files, the recording last, and preserves their modification times.
      *
-     * @param folder where to; it must exist
-     * @param newName how they are called there
-     * @return the same recording there
+     * @param folder the target folder; must exist
+     * @param newName the new name without extension
+     * @return the moved recording
      * @throws IOException if they cannot be moved
      */
     public RecordingGroup moveTo(Path folder, String newName) throws IOException {
-        String ending = String.valueOf(recording.getFileName()).substring(name().length());
-        Path target = folder.resolve(newName + ending);
-        for (String each : BESIDE) {
+        String extension = String.valueOf(recording.getFileName()).substring(name().length());
+        Path target = folder.resolve(newName + extension);
+        for (String each : SIDECARS) {
             if (Files.exists(beside(each))) {
                 Files.move(beside(each), folder.resolve(newName + each));
             }
@@ -77,27 +67,21 @@ public record RecordingGroup(Path recording) {
     }
 
     /**
-     * Deletes all of them.
+     * Deletes all files.
      *
      * @throws IOException if they cannot be deleted
      */
     public void delete() throws IOException {
         Files.deleteIfExists(recording);
-        for (String each : BESIDE) {
+        for (String each : SIDECARS) {
             Files.deleteIfExists(beside(each));
         }
     }
 
-    /**
-     * Finds files whose recording is gone.
-     *
-     * @param folder where recordings are
-     * @return the files, which nobody needs any more
-     * @throws IOException if the folder cannot be read
-     */
-    static List<Path> leftOver(Path folder) throws IOException {
+    /** Returns the sidecar files in a folder whose recording no longer exists. */
+    static List<Path> orphans(Path folder) throws IOException {
         try (Stream<Path> files = Files.list(folder)) {
-            return files.filter(file -> BESIDE.stream().anyMatch(file.toString()::endsWith))
+            return files.filter(file -> SIDECARS.stream().anyMatch(file.toString()::endsWith))
                     .filter(file -> !hasRecording(file))
                     .toList();
         }

@@ -15,27 +15,27 @@ import java.util.stream.Stream;
 import org.robonewbie.nao.file.AtomicFile;
 
 /**
- * The folder in which the runs of this user are recorded. It never holds more than a given number of bytes: the oldest recordings
- * make room, also while a run is recorded. Those with a star stay and do not count.
+ * The folder for automatic recordings, with a size limit. The oldest recordings are deleted to stay within the limit, even while a
+ * run is recorded. Starred recordings are kept and do not count.
  *
- * @param folder where the recordings are; it need not exist
- * @param mostBytes how much all of them may take
+ * @param folder the folder, which need not exist
+ * @param maxBytes maximum total size of the recordings
  */
-public record RecordingRepository(Path folder, long mostBytes) {
+public record RecordingRepository(Path folder, long maxBytes) {
 
-    /** Environment variable: {@code off} records nothing, anything else is another folder. */
+    /** Environment variable that switches automatic recording {@code off} or selects another folder. */
     public static final String SWITCH = "ROBONEWBIE_RECORDINGS";
 
-    /** How the names of recordings end. */
+    /** Extension of recordings. */
     public static final String ENDING = ".rec";
 
     private static final long DEFAULT_BYTES = 300_000_000;
     private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("yyyy-MM-dd HH-mm-ss", Locale.ROOT);
 
     /**
-     * Returns the shelf of this user.
+     * Returns the repository of the current user.
      *
-     * @return the shelf in {@code .robonewbie/recordings} of the home directory or where the environment says; empty if
+     * @return the repository in {@code .robonewbie/recordings} of the home directory or in the folder of {@link #SWITCH}; empty if
      *     recording is switched off
      */
     public static Optional<RecordingRepository> ofUser() {
@@ -43,20 +43,20 @@ public record RecordingRepository(Path folder, long mostBytes) {
         if (choice.equalsIgnoreCase("off")) {
             return Optional.empty();
         }
-        Path usual = Path.of(System.getProperty("user.home", "."), ".robonewbie", "recordings");
-        return Optional.of(new RecordingRepository(choice.isEmpty() ? usual : Path.of(choice), DEFAULT_BYTES));
+        Path standard = Path.of(System.getProperty("user.home", "."), ".robonewbie", "recordings");
+        return Optional.of(new RecordingRepository(choice.isEmpty() ? standard : Path.of(choice), DEFAULT_BYTES));
     }
 
     /**
-     * Makes room for the next recording and names it after the time.
+     * Allocates the next recording and deletes old ones if necessary.
      *
-     * @param agent name of the program that is run, empty if it is not known
-     * @return its file, which does not exist yet; empty if the folder cannot be used
+     * @param agent name of the program, empty if unknown
+     * @return the file, named after the current time, which does not exist yet; empty if the folder cannot be used
      */
     public Optional<Path> next(String agent) {
         try {
             Files.createDirectories(folder);
-            makeRoom();
+            deleteOldest();
             String name = LocalDateTime.now(ZoneId.systemDefault()).format(TIME);
             Path file = folder.resolve(name + ENDING);
             for (int i = 2; Files.exists(file) || Files.exists(AtomicFile.part(file)); i++) {
@@ -72,7 +72,7 @@ public record RecordingRepository(Path folder, long mostBytes) {
     /**
      * Lists the recordings.
      *
-     * @return their files, the newest first; unfinished ones end with {@code .part}
+     * @return the files, newest first; unfinished ones end with {@code .part}
      * @throws IOException if the folder cannot be read
      */
     public List<Path> list() throws IOException {
@@ -86,48 +86,45 @@ public record RecordingRepository(Path folder, long mostBytes) {
     }
 
     /**
-     * Removes what lies beside recordings that are gone.
+     * Deletes the sidecar files of recordings that no longer exist.
      *
      * @throws IOException if the folder cannot be read
      */
     public void tidyUp() throws IOException {
-        for (Path file : RecordingGroup.leftOver(folder)) {
+        for (Path file : RecordingGroup.orphans(folder)) {
             Files.deleteIfExists(file);
         }
     }
 
-    /** Removes the oldest recordings if all together take too much; the newest stays. */
-    private void makeRoom() throws IOException {
+    /** Deletes the oldest recordings beyond the size limit, but never the newest one. */
+    private void deleteOldest() throws IOException {
         long bytes = 0;
         for (Path file : list()) {
             long size = Files.exists(file) && !RecordingAbout.of(file).starred() ? Files.size(file) : 0;
-            if (bytes > 0 && bytes + size > mostBytes) {
-                RecordingGroup.of(file).delete();
+            if (bytes > 0 && bytes + size > maxBytes) {
+                new RecordingGroup(file).delete();
             } else {
                 bytes += size;
             }
         }
     }
 
-    /**
-     * Keeps the limit while a run is recorded: older recordings make room.
-     *
-     * @param file the recording, as {@link #next} has named it
-     * @return whether it may grow; false if it takes all the room alone, or does not lie on this shelf's disk any more
-     */
+    /** Enforces the size limit during a recording; returns false if this recording alone exceeds it or has disappeared. */
     boolean keepLimit(Path file) {
         try {
-            makeRoom();
-            return Files.size(AtomicFile.part(file)) < mostBytes;
-        } catch (IOException gone) {
+            deleteOldest();
+            return Files.size(AtomicFile.part(file)) < maxBytes;
+        } catch (IOException missing) {
             return false;
         }
     }
 
-    /** Returns the shelf that a file belongs to. */
+    /** Returns the user's repository if it contains the file. */
     static Optional<RecordingRepository> of(Path file) {
-        return ofUser().filter(shelf ->
-                shelf.folder().toAbsolutePath().equals(file.toAbsolutePath().getParent()));
+        return ofUser().filter(repository -> repository
+                .folder()
+                .toAbsolutePath()
+                .equals(file.toAbsolutePath().getParent()));
     }
 
     private static boolean isRecording(Path file) {
@@ -138,7 +135,7 @@ public record RecordingRepository(Path folder, long mostBytes) {
     private static long modified(Path file) {
         try {
             return Files.getLastModifiedTime(file).toMillis();
-        } catch (IOException gone) {
+        } catch (IOException missing) {
             return 0;
         }
     }

@@ -6,16 +6,16 @@ import java.nio.file.Path;
 import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.simulator.state.WorldState;
 
-/** The state of a world as a file. */
+/** Reads and writes saved world states. */
 public final class StateFile {
 
-    /** How the names of these files end. */
+    /** File extension. */
     public static final String ENDING = ".state";
 
     private StateFile() {}
 
     /**
-     * Writes a state, as a whole or not at all; a file of the same name is replaced.
+     * Writes a state atomically; an existing file is replaced.
      *
      * @param state the state
      * @param file the file
@@ -31,7 +31,7 @@ public final class StateFile {
      * @param file the file
      * @return the state
      * @throws IOException if it cannot be read
-     * @throws IllegalArgumentException if it is no state, of another version, or damaged; the message names file and byte
+     * @throws IllegalArgumentException if it is not a state, has another version or is damaged; the message contains file and byte
      */
     public static WorldState read(Path file) throws IOException {
         try {

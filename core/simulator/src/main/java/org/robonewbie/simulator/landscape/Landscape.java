@@ -2,7 +2,6 @@ package org.robonewbie.simulator.landscape;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.Collectors;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.Pose;
@@ -10,16 +9,16 @@ import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * What stands on the pitch: nothing in a soccer match, else things to walk around, to climb or to push. On the command line it is
- * chosen by {@code --scene}.
+ * Set of things on the pitch: none in a soccer match, otherwise obstacles to walk around, climb or push. The command line option
+ * is {@code --scene}.
  *
  * <pre>{@code
  * WorldSettings settings = WorldSettings.beginner().withLandscape(Landscape.SLOPE);
  * }</pre>
  *
- * @param name its name on the command line
- * @param description what is there, as a part of a sentence
- * @param things the things at the beginning, in their order
+ * @param name name on the command line
+ * @param description short description for help texts
+ * @param things the things in their initial poses
  */
 public record Landscape(String name, String description, List<Thing> things) {
 
@@ -42,17 +41,16 @@ public record Landscape(String name, String description, List<Thing> things) {
     /** The bare pitch. */
     public static final Landscape SOCCER = new Landscape("soccer", "the bare pitch", List.of());
 
-    /** Two walls and two posts, each light enough that it shows when something has run into it. */
+    /** Two walls and two posts, light enough that a collision visibly moves them. */
     public static final Landscape OBSTACLES = new Landscape(
             "obstacles",
-            "two walls and two posts, to be passed on a winding path",
+            "two walls and two posts to walk around",
             List.of(wall(-3.6, 0.7), post(-3.6, -1.3), wall(-2.2, -0.7), post(-2.2, 1.3)));
 
-    /** A hill: a slope to walk up, a level top, and steps down behind it. */
-    public static final Landscape SLOPE =
-            new Landscape("slope", "a hill with a slope before it and steps behind it", hill());
+    /** A hill with a slope, a level top and steps down. */
+    public static final Landscape SLOPE = new Landscape("slope", "a hill with a slope up and steps down", hill());
 
-    /** A box that is wide enough for two robots to push it side by side. */
+    /** A box that is wide enough for two robots to push side by side. */
     public static final Landscape BOX = new Landscape(
             "box",
             "a wide box that robots can push, alone or together",
@@ -61,7 +59,7 @@ public record Landscape(String name, String description, List<Thing> things) {
     /** All landscapes, the bare pitch first. */
     public static final List<Landscape> ALL = List.of(SOCCER, OBSTACLES, SLOPE, BOX);
 
-    /** Copies the list. */
+    /** Copies the list of things. */
     public Landscape {
         things = List.copyOf(things);
     }
@@ -69,27 +67,19 @@ public record Landscape(String name, String description, List<Thing> things) {
     /**
      * Looks up a landscape.
      *
-     * @param name its name
-     * @return the landscape; empty if there is none of this name
-     */
-    public static Optional<Landscape> find(String name) {
-        return ALL.stream().filter(each -> each.name.equals(name)).findFirst();
-    }
-
-    /**
-     * Looks up a landscape that a user has named.
-     *
-     * @param name its name
+     * @param name name as given by the user
      * @return the landscape
-     * @throws IllegalArgumentException if there is none of this name; the message lists all of them
+     * @throws IllegalArgumentException if the name is unknown; the message lists all names
      */
     public static Landscape named(String name) {
-        return find(name)
+        return ALL.stream()
+                .filter(landscape -> landscape.name.equals(name))
+                .findFirst()
                 .orElseThrow(() -> new IllegalArgumentException("There is no scene \"" + name + "\". Choose one of "
                         + ALL.stream().map(Landscape::name).collect(Collectors.joining(", ")) + "."));
     }
 
-    /** {@return whether nothing stands on the pitch} */
+    /** {@return whether the pitch is bare} */
     public boolean isBare() {
         return things.isEmpty();
     }
@@ -104,7 +94,7 @@ public record Landscape(String name, String description, List<Thing> things) {
                 "post", new Vector3(POST_WIDTH, POST_WIDTH, POST_HEIGHT), new Vector3(x, y, POST_HEIGHT / 2), POST_KG);
     }
 
-    /** A slope that rises towards positive x, a level top, and steps that lead down again. */
+    /** A slope that rises towards positive x, a level top, and steps down. */
     private static List<Thing> hill() {
         double radians = PortableMath.toRadians(SLOPE_DEGREES);
         double cosine = PortableMath.cos(radians);

@@ -1,5 +1,5 @@
 /**
- * What stands on the pitch besides goals and ball. Read {@link org.robonewbie.simulator.landscape.Landscape} first.
+ * Things on the pitch besides goals and ball. Read {@link org.robonewbie.simulator.landscape.Landscape} first.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

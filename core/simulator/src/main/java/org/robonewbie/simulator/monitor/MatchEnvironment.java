@@ -10,10 +10,10 @@ import org.robonewbie.protocol.monitor.Environment.Measure;
 import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
-/** What monitors receive about pitch and rules, in the order of rcssserver3d 0.7.3. */
-public final class MatchEnvironment {
+/** The environment message about pitch and rules, in the order of rcssserver3d 0.7.3. */
+final class MatchEnvironment {
 
-    private static final List<SoccerParameter> TOLD = List.of(
+    private static final List<SoccerParameter> REPORTED = List.of(
             SoccerParameter.FIELD_LENGTH,
             SoccerParameter.FIELD_WIDTH,
             SoccerParameter.FIELD_HEIGHT,
@@ -34,15 +34,9 @@ public final class MatchEnvironment {
 
     private MatchEnvironment() {}
 
-    /**
-     * Describes a match.
-     *
-     * @param parameters its parameters
-     * @return the environment that monitors receive
-     */
-    public static Environment of(SoccerParameters parameters) {
+    static Environment of(SoccerParameters parameters) {
         List<Measure> measures = new ArrayList<>();
-        for (SoccerParameter parameter : TOLD) {
+        for (SoccerParameter parameter : REPORTED) {
             measures.add(new Measure(parameter.simSparkName(), parameters.get(parameter)));
         }
         addPenaltyArea(parameters.field(), measures);
@@ -51,7 +45,7 @@ public final class MatchEnvironment {
                 Arrays.stream(PlayMode.values()).map(PlayMode::simSparkName).toList());
     }
 
-    /** Monitors draw the league's penalty area unless they receive another one. */
+    /** Adds the penalty area if it differs from the league's, which monitors draw by default. */
     private static void addPenaltyArea(SoccerField field, List<Measure> measures) {
         double width = field.penaltyWidth() + field.goalWidth();
         double leagueWidth = SoccerField.LEAGUE.penaltyWidth() + SoccerField.LEAGUE.goalWidth();

@@ -1,33 +1,32 @@
 package org.robonewbie.simulator.monitor;
 
 import java.util.List;
-import org.robonewbie.nao.SoccerField;
 import org.robonewbie.protocol.frame.MessageBuffer;
-import org.robonewbie.protocol.monitor.Environment;
 import org.robonewbie.protocol.monitor.MonitorMessageWriter;
+import org.robonewbie.simulator.soccer.SoccerParameters;
 
-/** Sends the latest state to all monitors of a server: changes to those that know the scene, everything to the others. */
+/** Sends states to all monitors: partial messages to monitors that are up to date, full messages to the others. */
 final class MonitorBroadcast {
 
     private final SoccerScene scene;
     private final MonitorMessageWriter writer;
 
-    MonitorBroadcast(Environment environment, SoccerField field, double ballRadius) {
-        scene = new SoccerScene(field, ballRadius);
-        writer = new MonitorMessageWriter(environment);
+    MonitorBroadcast(SoccerParameters parameters) {
+        scene = new SoccerScene(parameters);
+        writer = new MonitorMessageWriter(MatchEnvironment.of(parameters));
     }
 
     void send(MonitorSnapshot snapshot, boolean fullWanted, List<MonitorConnection> connections) {
         boolean changed = scene.update(snapshot);
-        List<MonitorConnection> informed =
+        List<MonitorConnection> upToDate =
                 connections.stream().filter(MonitorConnection::isUpToDate).toList();
-        if (changed || fullWanted || informed.isEmpty()) {
+        if (changed || fullWanted || upToDate.isEmpty()) {
             MessageBuffer message = writer.writeFull(snapshot.game(), snapshot.fouls(), scene.nodes());
             connections.forEach(connection -> connection.send(message));
         } else {
             sendToNewcomers(snapshot, connections);
             MessageBuffer message = writer.writePartial(snapshot.game(), snapshot.fouls(), scene.nodes());
-            informed.forEach(connection -> connection.send(message));
+            upToDate.forEach(connection -> connection.send(message));
         }
     }
 

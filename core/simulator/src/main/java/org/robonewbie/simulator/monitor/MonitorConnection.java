@@ -14,8 +14,8 @@ import org.robonewbie.protocol.tcp.FrameEncoder;
 import org.robonewbie.protocol.tcp.FrameTooLongException;
 
 /**
- * The simulator's end of one monitor's connection. While a message is not fully sent, newer ones are dropped; a monitor that
- * missed one gets everything next time, so that its picture is right again.
+ * The simulator's end of a monitor's connection. While a message is being sent, newer ones are dropped; a monitor that missed a
+ * message gets a full one next.
  */
 final class MonitorConnection {
 
@@ -71,21 +71,21 @@ final class MonitorConnection {
         return commands;
     }
 
-    /** Sends a message, or drops it if the one before is still under way. */
+    /** Sends a message, or drops it if the previous one is still being sent. */
     void send(MessageBuffer message) {
         try {
             upToDate = encoder.send(channel, message);
-            waitForRoomIfNeeded();
+            updateInterest();
         } catch (IOException broken) {
             close();
         }
     }
 
-    /** Sends more of the message that is under way. */
+    /** Sends more of the pending message. */
     void flush() {
         try {
             encoder.flush(channel);
-            waitForRoomIfNeeded();
+            updateInterest();
         } catch (IOException broken) {
             close();
         }
@@ -97,11 +97,11 @@ final class MonitorConnection {
         try {
             channel.close();
         } catch (IOException broken) {
-            // The connection is given up anyway.
+            // The connection is abandoned anyway.
         }
     }
 
-    private void waitForRoomIfNeeded() {
+    private void updateInterest() {
         key.interestOps(encoder.isPending() ? SelectionKey.OP_READ | SelectionKey.OP_WRITE : SelectionKey.OP_READ);
     }
 }

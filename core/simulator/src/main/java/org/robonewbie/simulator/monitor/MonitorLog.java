@@ -9,12 +9,13 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.monitor.MonitorMessageWriter;
+import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
- * A log in the format of rcssserver3d, which RoboViz and rcssmonitor3d replay: one monitor message per line each 0.2 s, a full one
- * at least every 3 s and whenever the scene has changed.
+ * A log in the format of rcssserver3d for replay in RoboViz and rcssmonitor3d. It has one line per 0.2 s with a monitor message,
+ * which is a full one at least every 3 s and whenever the scene has changed.
  *
- * <p>Each line is in the file as soon as it is written, so a server that dies leaves a good log.
+ * <p>Each line is flushed, so that a server that is killed leaves a valid log.
  */
 public final class MonitorLog implements AutoCloseable {
 
@@ -29,27 +30,27 @@ public final class MonitorLog implements AutoCloseable {
     private long nextFullLine;
     private boolean open = true;
 
-    private MonitorLog(String name, OutputStream out, MonitorSettings settings, Consumer<String> console) {
+    MonitorLog(String name, OutputStream out, SoccerParameters parameters, Consumer<String> console) {
         this.name = name;
         this.out = out;
         this.console = console;
-        scene = new SoccerScene(settings.field(), settings.ballRadius());
-        writer = new MonitorMessageWriter(settings.environment());
+        scene = new SoccerScene(parameters);
+        writer = new MonitorMessageWriter(MatchEnvironment.of(parameters));
     }
 
     /**
-     * Begins a log; a file of the same name is replaced.
+     * Creates a log file, replacing an existing one.
      *
      * @param file the file
-     * @param settings what to tell
-     * @param console takes sentences for people
+     * @param parameters pitch and rules
+     * @param console output for messages to the user
      * @return the log
      * @throws IOException if the file cannot be written; the message says what to do
      */
-    public static MonitorLog open(Path file, MonitorSettings settings, Consumer<String> console) throws IOException {
+    public static MonitorLog open(Path file, SoccerParameters parameters, Consumer<String> console) throws IOException {
         try {
             OutputStream out = new BufferedOutputStream(Files.newOutputStream(file));
-            return new MonitorLog(file.toString(), out, settings, console);
+            return new MonitorLog(file.toString(), out, parameters, console);
         } catch (IOException e) {
             throw new IOException(
                     "Log \"" + file + "\" cannot be written (" + e.getMessage()
@@ -58,16 +59,11 @@ public final class MonitorLog implements AutoCloseable {
         }
     }
 
-    /** Begins a log that goes to a stream. */
-    static MonitorLog to(OutputStream out, MonitorSettings settings) {
-        return new MonitorLog("", out, settings, problem -> {});
-    }
-
     /**
-     * Writes a line if it is time for it. To be called on the simulation's thread only.
+     * Writes a line if one is due. Call only on the simulation thread.
      *
      * @param cycle number of the cycle
-     * @param snapshot makes the snapshot, if needed
+     * @param snapshot supplies the snapshot if needed
      */
     public void cycleEnded(long cycle, Supplier<MonitorSnapshot> snapshot) {
         if (open && cycle % CYCLES_PER_LINE == 0) {
@@ -75,7 +71,6 @@ public final class MonitorLog implements AutoCloseable {
         }
     }
 
-    /** Ends the log. */
     @Override
     public void close() {
         open = false;
@@ -106,6 +101,6 @@ public final class MonitorLog implements AutoCloseable {
 
     private void warn(IOException cause) {
         console.accept("The log " + name + " ends here because it cannot be written (" + cause.getMessage()
-                + "). Is the disk full? The simulation goes on.");
+                + "). Is the disk full? The simulation continues.");
     }
 }

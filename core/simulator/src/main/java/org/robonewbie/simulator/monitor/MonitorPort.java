@@ -21,10 +21,10 @@ import java.util.function.Supplier;
 import org.robonewbie.protocol.order.Order;
 
 /**
- * The TCP port at which monitors such as RoboViz watch the world and trainers change it.
+ * The TCP port for monitors such as RoboViz and for trainers.
  *
- * <p>All work is done in a background thread: the simulation only hands over snapshots, and only while a monitor is connected.
- * Slow monitors lose messages; they never hold up the world or each other.
+ * <p>A background thread serves the connections. The simulation thread only queues snapshots, and only while a monitor is
+ * connected. Slow monitors miss messages; they never block the simulation or other monitors.
  *
  * <pre>{@code
  * MonitorPort monitors = MonitorPort.open(settings, console, trainerCommands::add);
@@ -33,7 +33,7 @@ import org.robonewbie.protocol.order.Order;
  */
 public final class MonitorPort implements AutoCloseable {
 
-    private static final int WAITING_SNAPSHOTS = 64;
+    private static final int MAX_QUEUED_SNAPSHOTS = 64;
     private static final int MAX_MONITORS = 500;
     private static final int BACKLOG = 1024;
     private static final int MAX_WARNINGS = 20;
@@ -45,7 +45,7 @@ public final class MonitorPort implements AutoCloseable {
     private final ServerSocketChannel channel;
     private final Selector selector;
     private final MonitorBroadcast broadcast;
-    private final BlockingQueue<Shown> waiting = new ArrayBlockingQueue<>(WAITING_SNAPSHOTS);
+    private final BlockingQueue<Update> updates = new ArrayBlockingQueue<>(MAX_QUEUED_SNAPSHOTS);
     private final List<MonitorConnection> connections = new ArrayList<>();
     private final Set<String> warnings = new HashSet<>();
     private final Thread thread = new Thread(this::run, "monitor-port");
@@ -53,7 +53,7 @@ public final class MonitorPort implements AutoCloseable {
     private volatile boolean closed;
     private boolean fullWanted;
 
-    private record Shown(MonitorSnapshot snapshot, boolean fullWanted) {}
+    private record Update(MonitorSnapshot snapshot, boolean fullWanted) {}
 
     private MonitorPort(
             MonitorSettings settings,
@@ -66,15 +66,15 @@ public final class MonitorPort implements AutoCloseable {
         this.trainer = trainer;
         this.channel = channel;
         this.selector = selector;
-        broadcast = new MonitorBroadcast(settings.environment(), settings.field(), settings.ballRadius());
+        broadcast = new MonitorBroadcast(settings.parameters());
     }
 
     /**
      * Opens the port.
      *
-     * @param settings where to listen and what to tell
-     * @param console takes sentences for people
-     * @param trainer takes the commands of monitors, on the port's thread; must not wait
+     * @param settings the configuration
+     * @param console output for messages to the user
+     * @param trainer receives the orders of monitors on the port's thread; must not block
      * @return the open port
      * @throws IOException if the port cannot be opened; the message says what to do
      */
@@ -96,7 +96,7 @@ public final class MonitorPort implements AutoCloseable {
         }
     }
 
-    /** {@return the number of the TCP port} */
+    /** {@return the TCP port} */
     public int number() {
         return channel.socket().getLocalPort();
     }
@@ -106,7 +106,7 @@ public final class MonitorPort implements AutoCloseable {
         return monitors;
     }
 
-    /** Waits until as many monitors are connected. */
+    /** Waits until {@code count} monitors are connected. */
     synchronized void awaitMonitors(int count) throws InterruptedException {
         while (monitors != count) {
             wait();
@@ -114,11 +114,11 @@ public final class MonitorPort implements AutoCloseable {
     }
 
     /**
-     * Sends a cycle to the monitors if one is due and a monitor is connected; returns at once. Must be called on the
-     * simulation's thread.
+     * Sends the state after a cycle if a message is due and a monitor is connected. Non-blocking; call only on the simulation
+     * thread.
      *
      * @param cycle number of the cycle
-     * @param snapshot makes the snapshot, if needed
+     * @param snapshot supplies the snapshot if needed
      */
     public void cycleEnded(long cycle, Supplier<MonitorSnapshot> snapshot) {
         if (monitors > 0 && cycle % settings.cyclesPerMessage() == 0) {
@@ -127,18 +127,18 @@ public final class MonitorPort implements AutoCloseable {
     }
 
     /**
-     * Sends a state out of turn, for example while the clock is stopped. Must be called on the simulation's thread.
+     * Sends a state immediately, for example while the clock is paused. Call only on the simulation thread.
      *
      * @param snapshot the state
      */
     public void show(MonitorSnapshot snapshot) {
-        if (monitors > 0 && waiting.offer(new Shown(snapshot, fullWanted))) {
+        if (monitors > 0 && updates.offer(new Update(snapshot, fullWanted))) {
             fullWanted = false;
             selector.wakeup();
         }
     }
 
-    /** Makes the next message a full one for all monitors. Must be called on the simulation's thread. */
+    /** Makes the next message a full one for all monitors. Call only on the simulation thread. */
     public void requestFullState() {
         fullWanted = true;
     }
@@ -159,12 +159,12 @@ public final class MonitorPort implements AutoCloseable {
         try {
             while (!closed) {
                 selector.select(this::serve);
-                showWaiting();
+                sendUpdates();
                 connections.removeIf(connection -> !connection.isOpen());
                 count();
             }
         } catch (IOException | RuntimeException e) {
-            console.accept("The monitor port has stopped working (" + e + "); the simulation goes on.");
+            console.accept("The monitor port has failed (" + e + "). The simulation continues.");
         } finally {
             closeAll();
         }
@@ -178,8 +178,8 @@ public final class MonitorPort implements AutoCloseable {
             try {
                 serve(key, connection);
             } catch (RuntimeException unexpected) {
-                warn("A monitor was disconnected since its message could not be handled (" + unexpected
-                        + "); please report this.");
+                warn("A monitor was disconnected because its message caused an internal error (" + unexpected
+                        + "). Please report this.");
                 connection.close();
             }
         } else {
@@ -199,7 +199,7 @@ public final class MonitorPort implements AutoCloseable {
     private void accept() {
         try {
             for (SocketChannel client = channel.accept(); client != null; client = channel.accept()) {
-                welcome(client);
+                admit(client);
             }
         } catch (IOException e) {
             warn("A monitor could not be accepted (" + e.getMessage() + ").");
@@ -207,9 +207,9 @@ public final class MonitorPort implements AutoCloseable {
         }
     }
 
-    private void welcome(SocketChannel client) throws IOException {
+    private void admit(SocketChannel client) throws IOException {
         if (connections.size() >= MAX_MONITORS) {
-            warn("A monitor was refused because " + MAX_MONITORS + " are connected already.");
+            warn("A monitor was refused because " + MAX_MONITORS + " are already connected.");
             client.close();
             return;
         }
@@ -235,16 +235,16 @@ public final class MonitorPort implements AutoCloseable {
         notifyAll();
     }
 
-    /** Reports each kind of problem once, however often it occurs. */
+    /** Reports each problem once. */
     private void warn(String sentence) {
         if (warnings.size() < MAX_WARNINGS && warnings.add(sentence)) {
             console.accept(sentence);
         }
     }
 
-    private void showWaiting() {
-        for (Shown shown = waiting.poll(); shown != null; shown = waiting.poll()) {
-            broadcast.send(shown.snapshot(), shown.fullWanted(), connections);
+    private void sendUpdates() {
+        for (Update update = updates.poll(); update != null; update = updates.poll()) {
+            broadcast.send(update.snapshot(), update.fullWanted(), connections);
         }
     }
 
@@ -263,7 +263,7 @@ public final class MonitorPort implements AutoCloseable {
         InetSocketAddress address = new InetSocketAddress(settings.bindAddress(), settings.port());
         if (address.isUnresolved()) {
             throw new UnknownHostException("Address \"" + settings.bindAddress()
-                    + "\" is unknown. Use 127.0.0.1 for monitors on this computer or 0.0.0.0 for all.");
+                    + "\" is unknown. Use 127.0.0.1 for monitors on this computer only or 0.0.0.0 for all interfaces.");
         }
         return address;
     }

@@ -1,30 +1,21 @@
 package org.robonewbie.simulator.monitor;
 
 import org.robonewbie.nao.Cycle;
-import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.math.PortableMath;
-import org.robonewbie.protocol.monitor.Environment;
+import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
- * Where monitors connect and what they receive about the world besides its state.
+ * The configuration of a monitor port.
  *
- * @param bindAddress address of this computer at which to listen, such as 127.0.0.1
- * @param port the TCP port, or 0 for any free one
- * @param stepSeconds time between two messages; rounded to whole cycles of 0.02 s
- * @param environment what stays constant during the match
- * @param field the pitch
- * @param ballRadius of the ball in metres
+ * @param bindAddress local address to listen on, such as 127.0.0.1
+ * @param port TCP port, 0 for any free port
+ * @param stepSeconds simulated seconds between two messages; rounded to whole cycles of 0.02 s
+ * @param parameters pitch and rules
  */
-public record MonitorSettings(
-        String bindAddress,
-        int port,
-        double stepSeconds,
-        Environment environment,
-        SoccerField field,
-        double ballRadius) {
+public record MonitorSettings(String bindAddress, int port, double stepSeconds, SoccerParameters parameters) {
 
-    /** Time between two messages of rcssserver3d. */
-    public static final double STANDARD_STEP_SECONDS = 0.04;
+    /** Seconds between two messages of rcssserver3d. */
+    public static final double DEFAULT_STEP_SECONDS = 0.04;
 
     int cyclesPerMessage() {
         return (int) Math.max(1, PortableMath.round(stepSeconds / Cycle.SECONDS));

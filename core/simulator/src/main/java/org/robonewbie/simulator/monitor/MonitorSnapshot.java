@@ -8,33 +8,39 @@ import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.world.SoccerWorld;
 
 /**
- * What monitors receive about one cycle.
+ * The state that monitors receive after a cycle.
  *
  * @param game the state of the match
- * @param fouls fouls of the match in order; monitors receive those that are new to them, so old ones may be omitted
- * @param ballPlace 16 numbers as in a scene's transform; not to be changed
- * @param things what else stands on the pitch
- * @param robots all robots in the order in which they connected
+ * @param fouls fouls of the match in order; old ones may be omitted, since monitors receive new ones only
+ * @param ballTransform transform of the ball, a 4 × 4 matrix in column-major order; not to be modified
+ * @param things other objects on the pitch
+ * @param robots all robots in the order of their connections
  */
 @SuppressWarnings("ArrayRecordComponent")
 public record MonitorSnapshot(
-        MonitoredGame game, List<Foul> fouls, float[] ballPlace, List<Thing> things, List<MonitoredRobotState> robots) {
+        MonitoredGame game,
+        List<Foul> fouls,
+        float[] ballTransform,
+        List<Thing> things,
+        List<MonitoredRobotState> robots) {
 
     /**
-     * Copies what monitors need from the world.
+     * Takes a snapshot of the world for monitors.
      *
      * @param game the state of the match
      * @param fouls fouls of the match in order
-     * @param world ball and things
-     * @param robots all robots in the order in which they connected
-     * @return the present state
+     * @param world the world with ball and other objects
+     * @param robots all robots in the order of their connections
+     * @return the current state
      */
     public static MonitorSnapshot of(
             MonitoredGame game, List<Foul> fouls, SoccerWorld world, List<MonitoredRobotState> robots) {
-        float[] place = new float[16];
-        MonitoredRobotState.writePlace(
-                new BodyPose(world.ball().position(), world.ball().rotation()), place, 0);
+        BodyPose ball = new BodyPose(world.ball().position(), world.ball().rotation());
         return new MonitorSnapshot(
-                game, List.copyOf(fouls), place, world.things().now(), List.copyOf(robots));
+                game,
+                List.copyOf(fouls),
+                MonitoredRobotState.transform(ball),
+                world.things().now(),
+                List.copyOf(robots));
     }
 }

@@ -10,28 +10,28 @@ import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * What monitors receive about one robot.
+ * The state of one robot that monitors receive.
  *
- * @param id number of its connection, unique while the simulator runs
+ * @param id id of the robot, unique while the simulator runs
  * @param type its robot type
  * @param player its team and number, empty before it joined a team
  * @param selected whether a trainer has selected it
- * @param places 16 numbers for each link as in a scene's transform, in the order of the robot's links; not to be changed
+ * @param transforms transforms of the links, 4 × 4 matrices in column-major order; not to be modified
  */
 @SuppressWarnings("ArrayRecordComponent")
 public record MonitoredRobotState(
-        int id, RobotType type, Optional<PlayerNumber> player, boolean selected, float[] places) {
+        int id, RobotType type, Optional<PlayerNumber> player, boolean selected, float[] transforms) {
 
-    private static final int PLACE_SIZE = 16;
+    static final int TRANSFORM_SIZE = 16;
 
     /**
-     * Copies what monitors need from a robot of the world.
+     * Takes the state of a robot.
      *
-     * @param id number of its connection
+     * @param id id of the robot
      * @param robot the robot
      * @param player its team and number, empty before it joined a team
      * @param selected whether a trainer has selected it
-     * @return its present state
+     * @return its current state
      */
     public static MonitoredRobotState of(int id, Robot robot, Optional<PlayerNumber> player, boolean selected) {
         List<BodyPose> links = IntStream.range(0, robot.model().links().size())
@@ -40,24 +40,23 @@ public record MonitoredRobotState(
         return of(id, robot.model().type(), links, player, selected);
     }
 
-    /** What monitors need from a robot whose links have these poses. */
     static MonitoredRobotState of(
             int id, RobotType type, List<BodyPose> links, Optional<PlayerNumber> player, boolean selected) {
-        float[] places = new float[PLACE_SIZE * links.size()];
+        float[] transforms = new float[TRANSFORM_SIZE * links.size()];
         for (int i = 0; i < links.size(); i++) {
-            writePlace(links.get(i), places, PLACE_SIZE * i);
+            writeTransform(links.get(i), transforms, TRANSFORM_SIZE * i);
         }
-        return new MonitoredRobotState(id, type, player, selected, places);
+        return new MonitoredRobotState(id, type, player, selected, transforms);
     }
 
-    /**
-     * Writes a pose as a scene's transform has it.
-     *
-     * @param pose the pose
-     * @param target takes 16 numbers
-     * @param offset index of the first of them
-     */
-    static void writePlace(BodyPose pose, float[] target, int offset) {
+    static float[] transform(BodyPose pose) {
+        float[] transform = new float[TRANSFORM_SIZE];
+        writeTransform(pose, transform, 0);
+        return transform;
+    }
+
+    /** Writes a pose as a 4 × 4 matrix in column-major order to the 16 elements from {@code offset} on. */
+    private static void writeTransform(BodyPose pose, float[] target, int offset) {
         writeColumn(pose.rotation().axisX(), target, offset);
         writeColumn(pose.rotation().axisY(), target, offset + 4);
         writeColumn(pose.rotation().axisZ(), target, offset + 8);

@@ -9,10 +9,12 @@ import org.robonewbie.protocol.monitor.MeshNode;
 import org.robonewbie.protocol.monitor.MeshNode.MeshFile;
 import org.robonewbie.protocol.monitor.MeshNode.StandardShape;
 import org.robonewbie.protocol.monitor.TransformNode;
+import org.robonewbie.simulator.soccer.SoccerParameter;
+import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
- * The 36 outermost nodes of the empty scene in their order: lights, ground, sky, goals, walls, flags, lines, ball. Monitors count on
- * it. Source: a recording of rcssserver3d 0.7.3 and SimSpark's {@code soccer.rsg}, {@code goal.rsg}, {@code ball.rsg}.
+ * The 36 top-level nodes of the empty scene: lights, ground, sky, goals, walls, flags, lines and ball. Monitors rely on this order.
+ * Source: a recording of rcssserver3d 0.7.3 and SimSpark's {@code soccer.rsg}, {@code goal.rsg}, {@code ball.rsg}.
  */
 final class PitchScene {
 
@@ -36,13 +38,14 @@ final class PitchScene {
     private final List<TransformNode> nodes = new ArrayList<>();
     private final TransformNode ball;
 
-    PitchScene(SoccerField field, double ballRadius) {
+    PitchScene(SoccerParameters parameters) {
+        SoccerField field = parameters.field();
         length = (float) field.length();
         width = (float) field.width();
         goalWidth = (float) field.goalWidth();
         goalDepth = (float) field.goalDepth();
         goalHeight = (float) field.goalHeight();
-        float radius = (float) ballRadius;
+        float radius = (float) parameters.get(SoccerParameter.BALL_RADIUS);
         ball = TransformNode.at(
                 0,
                 0,
@@ -71,7 +74,7 @@ final class PitchScene {
     }
 
     private void addGroundAndSky() {
-        float[] lying = SceneRotation.placeAt(0, 0, 0, 90, 180, 0);
+        float[] lying = SceneRotation.transform(0, 0, 0, 90, 180, 0);
         List<String> grass = List.of("None_rcs-naofield.png");
         nodes.add(new TransformNode(lying, List.of(mesh("naosoccerfield", length / 12, 1, width / 8, grass, false))));
         nodes.add(new TransformNode(lying, List.of(mesh("skybox", 10, 10, 10, SKY_MATERIALS, false))));
@@ -81,11 +84,11 @@ final class PitchScene {
         float x = length / 2 + goalDepth / 2;
         float z = goalHeight / 2;
         nodes.add(TransformNode.at(-x, 0, z).with(goalParts("leftsoccergoal", "yellow")));
-        nodes.add(
-                new TransformNode(SceneRotation.placeAt(x, 0, z, 0, 0, 180), goalParts("rightsoccergoal", "sky-blue")));
+        nodes.add(new TransformNode(
+                SceneRotation.transform(x, 0, z, 0, 0, 180), goalParts("rightsoccergoal", "sky-blue")));
     }
 
-    /** The net, and the empty nodes of three walls, the top and both posts. */
+    /** Returns the net and the empty nodes of three walls, the crossbar and both posts. */
     private List<TransformNode> goalParts(String name, String colour) {
         float halfDepth = goalDepth / 2;
         float halfWidth = goalWidth / 2;
@@ -99,7 +102,7 @@ final class PitchScene {
                 List.of("naogoalnet", colour),
                 true);
         return List.of(
-                new TransformNode(SceneRotation.placeAt(halfDepth, 0, -halfHeight, 90, 90, 0), List.of(net)),
+                new TransformNode(SceneRotation.transform(halfDepth, 0, -halfHeight, 90, 90, 0), List.of(net)),
                 TransformNode.at(0, -(halfWidth + halfWall), 0),
                 TransformNode.at(0, halfWidth + halfWall, 0),
                 TransformNode.at(-(halfDepth - halfWall), 0, 0),
@@ -111,10 +114,10 @@ final class PitchScene {
     private void addWalls() {
         float x = length / 2 + BORDER_PER_LENGTH * length;
         float y = width / 2 + BORDER_PER_WIDTH * width;
-        nodes.add(TransformNode.at(-x, 0, 0, wall(1, 2 * y + 1)));
-        nodes.add(TransformNode.at(x, 0, 0, wall(1, 2 * y + 1)));
-        nodes.add(TransformNode.at(0, y, 0, wall(2 * x + 1, 1)));
-        nodes.add(TransformNode.at(0, -y, 0, wall(2 * x + 1, 1)));
+        nodes.add(TransformNode.at(-x, 0, 0, box(1, 2 * y + 1, 1)));
+        nodes.add(TransformNode.at(x, 0, 0, box(1, 2 * y + 1, 1)));
+        nodes.add(TransformNode.at(0, y, 0, box(2 * x + 1, 1, 1)));
+        nodes.add(TransformNode.at(0, -y, 0, box(2 * x + 1, 1, 1)));
     }
 
     private void addFlagsAndLines() {
@@ -127,9 +130,10 @@ final class PitchScene {
         }
     }
 
-    private static MeshNode wall(float sizeX, float sizeY) {
+    /** Returns a grey box as SimSpark describes the outer walls. */
+    static MeshNode box(float sizeX, float sizeY, float sizeZ) {
         return new MeshNode(
-                new StandardShape("StdUnitBox", List.of()), sizeX, sizeY, 1, List.of("matGrey"), false, true);
+                new StandardShape("StdUnitBox", List.of()), sizeX, sizeY, sizeZ, List.of("matGrey"), false, true);
     }
 
     private static MeshNode mesh(

@@ -24,10 +24,9 @@ import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
-/** Turns a recording into a log that RoboViz and rcssmonitor3d replay. */
+/** Converts a recording to a log for replay in RoboViz and rcssmonitor3d. */
 public final class RecordedLog {
 
-    private static final int PLACE_SIZE = 16;
     private static final String FOUL = "foul ";
     private static final Pattern NUMBER = Pattern.compile("[0-9]{1,3}");
 
@@ -36,30 +35,30 @@ public final class RecordedLog {
     private RecordedLog() {}
 
     /**
-     * Writes the log of a recording.
+     * Converts a recording to a log file.
      *
      * @param recording the recording
-     * @param log the log; a file of the same name is replaced
-     * @throws DamagedRecordingException if the recording is none or is damaged; the message says so
-     * @throws IOException if one of the files cannot be used; the message says which
+     * @param log the log file; an existing file is replaced
+     * @throws DamagedRecordingException if the file is not a recording or is damaged
+     * @throws IOException if a file cannot be read or written; the message says which
      */
     public static void write(Path recording, Path log) throws IOException {
         try (RecordingReader reader = RecordingFile.read(recording);
-                MonitorLog lines = MonitorLog.open(log, settings(reader.header()), problem -> {})) {
+                MonitorLog lines = MonitorLog.open(log, parameters(reader.header()), problem -> {})) {
             write(reader, lines);
         }
     }
 
     /**
-     * Writes the log of a recording.
+     * Converts a recording to a log.
      *
      * @param recording the recording, before its first cycle
-     * @param log the log; closed at its end
-     * @throws DamagedRecordingException if the recording is damaged; the message says so
+     * @param log receives the log; closed at its end
+     * @throws DamagedRecordingException if the recording is damaged
      * @throws IOException if it cannot be read
      */
     public static void write(RecordingReader recording, OutputStream log) throws IOException {
-        try (MonitorLog lines = MonitorLog.to(log, settings(recording.header()))) {
+        try (MonitorLog lines = new MonitorLog("", log, parameters(recording.header()), problem -> {})) {
             write(recording, lines);
         }
     }
@@ -72,12 +71,12 @@ public final class RecordedLog {
                 cycle.get().events().forEach(converter::noteFoul);
                 lines.cycleEnded(state.cycle(), () -> converter.snapshot(state));
             }
-        } catch (IllegalArgumentException senseless) {
-            throw new DamagedRecordingException("The recording is damaged. " + senseless.getMessage(), senseless);
+        } catch (IllegalArgumentException invalid) {
+            throw new DamagedRecordingException("The recording is damaged. " + invalid.getMessage(), invalid);
         }
     }
 
-    private static MonitorSettings settings(Map<String, String> header) {
+    private static SoccerParameters parameters(Map<String, String> header) {
         SoccerParameters parameters = SoccerParameters.league();
         for (SoccerParameter parameter : SoccerParameter.values()) {
             String value = header.get(parameter.simSparkName());
@@ -85,16 +84,10 @@ public final class RecordedLog {
                 parameters = parameters.with(parameter.simSparkName() + "=" + value);
             }
         }
-        return new MonitorSettings(
-                "",
-                0,
-                MonitorSettings.STANDARD_STEP_SECONDS,
-                MatchEnvironment.of(parameters),
-                parameters.field(),
-                parameters.get(SoccerParameter.BALL_RADIUS));
+        return parameters;
     }
 
-    /** Reads what {@code MatchEvent.FoulCalled} wrote. */
+    /** Parses an event written by {@code MatchEvent.FoulCalled}. */
     private void noteFoul(String event) {
         String[] words = event.split(" ", -1);
         if (!event.startsWith(FOUL)
@@ -111,9 +104,7 @@ public final class RecordedLog {
     }
 
     private MonitorSnapshot snapshot(WorldSnapshot state) {
-        float[] ball = new float[PLACE_SIZE];
-        MonitoredRobotState.writePlace(
-                new BodyPose(state.ballPosition(), RotationMatrix.of(state.ballRotation())), ball, 0);
+        BodyPose ball = new BodyPose(state.ballPosition(), RotationMatrix.of(state.ballRotation()));
         MonitoredGame game = new MonitoredGame(
                 state.gameTime(),
                 Optional.of(state.teamLeft()).filter(name -> !name.isEmpty()),
@@ -127,7 +118,7 @@ public final class RecordedLog {
         return new MonitorSnapshot(
                 game,
                 List.copyOf(fouls),
-                ball,
+                MonitoredRobotState.transform(ball),
                 state.things(),
                 state.robots().stream().map(RecordedLog::robot).toList());
     }

@@ -13,10 +13,9 @@ import org.robonewbie.protocol.monitor.SceneNode;
 import org.robonewbie.protocol.monitor.TransformNode;
 import org.robonewbie.protocol.order.PlayerNumber;
 
-/** A robot in the scene: below one outermost node all its links side by side, each at its place in the world. */
+/** A robot in the scene: one top-level node with a child for each link, in world coordinates. */
 final class RobotFigure {
 
-    private static final int PLACE_SIZE = 16;
     private static final String ANY_TEAM = "matTeam";
     private static final String ANY_NUMBER = "matNum";
 
@@ -50,10 +49,10 @@ final class RobotFigure {
         return type;
     }
 
-    /** Takes the newest state; returns whether the robot has got other colours, which only a full message can show. */
+    /** Updates the nodes; returns whether the colours have changed, which requires a full message. */
     boolean update(MonitoredRobotState state) {
         for (int i = 0; i < parts.size(); i++) {
-            parts.get(i).moveTo(state.places(), PLACE_SIZE * i);
+            parts.get(i).moveTo(state.transforms(), MonitoredRobotState.TRANSFORM_SIZE * i);
         }
         marker.setVisible(state.selected());
         boolean recoloured = !state.player().equals(player);
@@ -65,11 +64,11 @@ final class RobotFigure {
     }
 
     private List<SceneNode> contents(Link link) {
-        RobotMeshes.Look look = RobotMeshes.of(type).look(link);
+        RobotMeshes.Look look = new RobotMeshes(type).look(link);
         MeshNode mesh = look.mesh();
         coloured.add(new ColouredMesh(mesh, mesh.materials()));
         SceneNode shown =
-                look.lying() ? new TransformNode(SceneRotation.placeAt(0, 0, 0, -90, 0, 180), List.of(mesh)) : mesh;
+                look.lying() ? new TransformNode(SceneRotation.transform(0, 0, 0, -90, 0, 180), List.of(mesh)) : mesh;
         return link.name().equals(NaoModel.TORSO) ? List.of(shown, TransformNode.at(0, 0, 0, marker)) : List.of(shown);
     }
 

@@ -12,8 +12,8 @@ import org.robonewbie.protocol.monitor.MeshNode.StandardShape;
 import org.robonewbie.protocol.sexp.SexpWriter;
 
 /**
- * How the links of a robot look: mesh files with the names that monitors know, and small shapes inside the joints. Source: a
- * recording of rcssserver3d 0.7.3 and SimSpark's NAO scene files.
+ * The meshes of a robot's links: mesh files of the monitors, and primitive shapes inside the joints. Source: a recording of
+ * rcssserver3d 0.7.3 and SimSpark's NAO scene files.
  */
 final class RobotMeshes {
 
@@ -24,25 +24,22 @@ final class RobotMeshes {
     private final String materialOfType;
     private final int typeNumber;
 
-    private RobotMeshes(RobotType type) {
+    RobotMeshes(RobotType type) {
         typeNumber = type.ordinal();
         materialOfType = "matType" + typeNumber;
     }
 
-    static RobotMeshes of(RobotType type) {
-        return new RobotMeshes(type);
-    }
-
-    /** The picture of a link; some mesh files were drawn lying on the back. */
+    /** The mesh of a link; some mesh files are modelled lying on the back. */
     record Look(MeshNode mesh, boolean lying) {}
 
     Look look(Link link) {
         String name = link.name();
         if (name.equals(NaoModel.TORSO)) {
-            return lying(mesh("nao" + name + typeNumber, 0.1f, "matNum", "matTeam", materialOfType, "naowhite"));
+            return new Look(
+                    mesh("nao" + name + typeNumber, 0.1f, "matNum", "matTeam", materialOfType, "naowhite"), true);
         }
         if (name.equals("head")) {
-            return lying(mesh("naohead", 0.1f, "matTeam", "naoblack", "naogrey", "naowhite"));
+            return new Look(mesh("naohead", 0.1f, "matTeam", "naoblack", "naogrey", "naowhite"), true);
         }
         return new Look(name.equals("neck") ? neck(link.shape()) : limb(link), false);
     }
@@ -60,14 +57,14 @@ final class RobotMeshes {
         };
     }
 
-    /** Only the right thigh carries the number. */
+    /** Returns the mesh of a thigh; only the right one shows the number. */
     private static MeshNode thigh(String name) {
         return name.startsWith("r")
                 ? mesh(name, 0.07f, "matNum", "matTeam", "naowhite")
                 : mesh(name, 0.07f, "matTeam", "naowhite");
     }
 
-    /** One mesh serves for foot and toe; it is cut to the part's length and height. */
+    /** Returns the foot mesh scaled to the length and height of a foot or toe. */
     private static MeshNode foot(String name, Shape.Box box) {
         return new MeshNode(
                 new MeshFile(path(name), List.of()),
@@ -89,10 +86,6 @@ final class RobotMeshes {
         float radius = (float) ((Shape.Sphere) shape).radius();
         return new MeshNode(
                 new StandardShape("StdUnitSphere", List.of()), radius, radius, radius, List.of(material), false, true);
-    }
-
-    private static Look lying(MeshNode mesh) {
-        return new Look(mesh, true);
     }
 
     private static MeshNode mesh(String name, float scale, String... materials) {

@@ -3,8 +3,8 @@ package org.robonewbie.simulator.monitor;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * Places of fixed scene nodes, turned about x, then y, then z in single precision. SimSpark's rounding of sine and cosine is part of
- * what monitors receive, so the same sums are made in the same order.
+ * Single-precision transforms of fixed scene nodes, rotated about x, then y, then z. The operations have SimSpark's order, so that
+ * monitors receive the same rounding errors.
  */
 final class SceneRotation {
 
@@ -22,19 +22,19 @@ final class SceneRotation {
         matrix = new float[] {1, 0, 0, 0, 0, cosine, sine, 0, 0, -sine, cosine, 0, 0, 0, 0, 1};
     }
 
-    /** The 16 numbers of a transform that is rotated by three angles. */
-    static float[] placeAt(float x, float y, float z, float degreesX, float degreesY, float degreesZ) {
+    /** Returns the 4 × 4 matrix, in column-major order, of a position and three rotations. */
+    static float[] transform(float x, float y, float z, float degreesX, float degreesY, float degreesZ) {
         SceneRotation rotation = new SceneRotation(degreesX);
-        rotation.turn(Z, X, degreesY);
-        rotation.turn(X, Y, degreesZ);
+        rotation.rotate(Z, X, degreesY);
+        rotation.rotate(X, Y, degreesZ);
         rotation.matrix[POSITION] = x;
         rotation.matrix[POSITION + 1] = y;
         rotation.matrix[POSITION + 2] = z;
         return rotation.matrix;
     }
 
-    /** Mixes two columns: the first turns towards the second. */
-    private void turn(int first, int second, float degrees) {
+    /** Rotates the first column towards the second. */
+    private void rotate(int first, int second, float degrees) {
         float cosine = cosine(degrees);
         float sine = sine(degrees);
         for (int row = 0; row < ROWS; row++) {

@@ -4,12 +4,11 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.robonewbie.nao.SoccerField;
 import org.robonewbie.protocol.monitor.TransformNode;
+import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
- * The scene that monitors draw: the pitch, the ball, behind them what else stands there, and the robots in the order in
- * which they connected.
+ * The scene that monitors draw: pitch, ball, other objects, and robots in the order of their connections.
  */
 final class SoccerScene {
 
@@ -18,19 +17,19 @@ final class SoccerScene {
     private final ThingFigures things = new ThingFigures();
     private List<TransformNode> nodes;
 
-    SoccerScene(SoccerField field, double ballRadius) {
-        pitch = new PitchScene(field, ballRadius);
+    SoccerScene(SoccerParameters parameters) {
+        pitch = new PitchScene(parameters);
         nodes = List.copyOf(pitch.nodes());
     }
 
-    /** The outermost nodes. */
+    /** The top-level nodes. */
     List<TransformNode> nodes() {
         return nodes;
     }
 
-    /** Takes the newest state; returns whether the scene has changed beyond movement, which only a full message can show. */
+    /** Updates the nodes; returns whether anything but poses has changed, which requires a full message. */
     boolean update(MonitorSnapshot snapshot) {
-        pitch.ball().moveTo(snapshot.ballPlace(), 0);
+        pitch.ball().moveTo(snapshot.ballTransform(), 0);
         List<Integer> ids =
                 snapshot.robots().stream().map(MonitoredRobotState::id).toList();
         boolean changed = figures.keySet().retainAll(ids);

@@ -2,13 +2,13 @@ package org.robonewbie.simulator.monitor;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.monitor.MeshNode;
-import org.robonewbie.protocol.monitor.MeshNode.StandardShape;
 import org.robonewbie.protocol.monitor.TransformNode;
 import org.robonewbie.simulator.landscape.Thing;
 import org.robonewbie.simulator.physics.BodyPose;
 
-/** The things of a landscape in the scene: a grey box for each, in the words in which SimSpark describes the outer walls. */
+/** The objects of a landscape in the scene, drawn as grey boxes like the outer walls. */
 final class ThingFigures {
 
     private List<Thing> shown = List.of();
@@ -18,7 +18,7 @@ final class ThingFigures {
         return nodes;
     }
 
-    /** Takes the newest state; returns whether there are other things than before, which only a full message can show. */
+    /** Updates the nodes; returns whether number or sizes of the objects have changed, which requires a full message. */
     boolean update(List<Thing> things) {
         boolean changed = things.size() != shown.size();
         for (int i = 0; !changed && i < things.size(); i++) {
@@ -26,25 +26,20 @@ final class ThingFigures {
         }
         if (changed) {
             nodes.clear();
-            things.forEach(thing -> nodes.add(TransformNode.at(0, 0, 0, box(thing))));
+            for (Thing thing : things) {
+                Vector3 size = thing.size();
+                MeshNode box = PitchScene.box((float) size.x(), (float) size.y(), (float) size.z());
+                nodes.add(TransformNode.at(0, 0, 0, box));
+            }
         }
         shown = things;
         for (int i = 0; i < things.size(); i++) {
-            float[] place = new float[16];
-            MonitoredRobotState.writePlace(BodyPose.of(things.get(i).pose()), place, 0);
-            nodes.get(i).moveTo(place, 0);
+            nodes.get(i)
+                    .moveTo(
+                            MonitoredRobotState.transform(
+                                    BodyPose.of(things.get(i).pose())),
+                            0);
         }
         return changed;
-    }
-
-    private static MeshNode box(Thing thing) {
-        return new MeshNode(
-                new StandardShape("StdUnitBox", List.of()),
-                (float) thing.size().x(),
-                (float) thing.size().y(),
-                (float) thing.size().z(),
-                List.of("matGrey"),
-                false,
-                true);
     }
 }

@@ -1,6 +1,6 @@
 /**
- * What the simulator shows to monitors: the scene as SimSpark builds it, the monitor port with its trainer commands, and logs
- * for RoboViz. Read {@link org.robonewbie.simulator.monitor.MonitorPort} first.
+ * The output for monitors: SimSpark's scene graph, the monitor port with its trainer commands, and logs for RoboViz. Read {@link
+ * org.robonewbie.simulator.monitor.MonitorPort} first.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

@@ -3,62 +3,62 @@ package org.robonewbie.simulator.physics;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.Shape;
 
-/** Parts that belong together and, but for the scenery, never touch each other: the links of a robot, a goal's walls. */
+/** Group of bodies and colliders, such as a robot or a goal. Its parts do not collide with each other, except in the scenery. */
 public interface Assembly {
 
     /**
-     * Adds a body at rest that is parallel to the world's axes.
+     * Adds a body at rest whose axes are parallel to the world axes.
      *
-     * @param mass how heavy it is and how hard to turn
-     * @param position its centre of mass in metres
+     * @param mass mass and inertia
+     * @param position centre of mass in metres
      * @return the new body
      */
     RigidBody addBody(MassDistribution mass, Vector3 position);
 
     /**
-     * Joins two bodies; the hinge's angle is 0 in their present pose.
+     * Connects two bodies by a hinge whose angle is 0 in their present pose.
      *
-     * @param child the outer body; a positive angle turns it against the parent by the right-hand rule
+     * @param child the outer body; a positive angle rotates it relative to the parent by the right-hand rule
      * @param parent the inner body
-     * @param definition where the hinge is and how far and strong it turns
-     * @return the new hinge, its motor at speed 0
+     * @param definition geometry, stops and motor of the hinge
+     * @return the new hinge with motor speed 0
      */
     MotorHinge addHinge(RigidBody child, RigidBody parent, HingeDefinition definition);
 
     /**
-     * Attaches a collision shape to a body, centred in it.
+     * Attaches a collision shape to the centre of a body.
      *
      * @param body the body
-     * @param shape its shape
-     * @param material the material of its surface
-     * @param owner what it belongs to, see {@link Collider#owner()}
+     * @param shape the shape
+     * @param material material of the surface
+     * @param owner the object it belongs to, see {@link Collider#owner()}
      * @return the new collider
      */
     Collider addCollider(RigidBody body, Shape shape, Material material, Object owner);
 
     /**
-     * Adds something that never moves.
+     * Adds a static collider.
      *
-     * @param pose where its centre is and how it is turned
-     * @param shape its shape
-     * @param material what its surface is made of
-     * @param owner what it belongs to, see {@link Collider#owner()}
+     * @param pose pose of its centre
+     * @param shape the shape
+     * @param material material of the surface
+     * @param owner the object it belongs to, see {@link Collider#owner()}
      * @return the new collider
      */
     Collider addFixture(BodyPose pose, Shape shape, Material material, Object owner);
 
     /**
-     * Adds a volume that reports what is inside it and lets everything through.
+     * Adds a static trigger, which reports contacts without exerting forces.
      *
-     * @param pose where its centre is and how it is turned
-     * @param shape its shape
-     * @param owner what it belongs to, see {@link Collider#owner()}
+     * @param pose pose of its centre
+     * @param shape the shape
+     * @param owner the object it belongs to, see {@link Collider#owner()}
      * @return the new collider
      */
     Collider addTrigger(BodyPose pose, Shape shape, Object owner);
 
     /**
-     * Takes all parts out of the world; they must not be used afterwards.
+     * Removes all parts from the world. They must not be used afterwards.
      *
      * @throws UnsupportedOperationException for the scenery
      */

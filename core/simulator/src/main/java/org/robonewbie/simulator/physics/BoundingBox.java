@@ -4,19 +4,19 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.Shape;
 
 /**
- * The smallest box along the world's axes that holds something.
+ * Axis-aligned bounding box in the world frame.
  *
- * @param min the corner with the smallest coordinates, metres
- * @param max the corner with the largest coordinates, metres
+ * @param min minimum corner in metres
+ * @param max maximum corner in metres
  */
 public record BoundingBox(Vector3 min, Vector3 max) {
 
     /**
-     * Measures a shape in a pose.
+     * Computes the bounding box of a shape.
      *
      * @param shape the shape
-     * @param pose where its centre is and how it is turned
-     * @return the box around it
+     * @param pose pose of its centre
+     * @return its bounding box
      */
     public static BoundingBox of(Shape shape, BodyPose pose) {
         Vector3 half = halfExtents(shape, pose.rotation());
@@ -24,10 +24,10 @@ public record BoundingBox(Vector3 min, Vector3 max) {
     }
 
     /**
-     * Widens this box until it holds another one.
+     * Combines two boxes.
      *
-     * @param other the other box
-     * @return the smallest box around both
+     * @param other another box
+     * @return the bounding box of both
      */
     public BoundingBox union(BoundingBox other) {
         return new BoundingBox(
@@ -41,13 +41,19 @@ public record BoundingBox(Vector3 min, Vector3 max) {
                         Math.max(max.z(), other.max.z())));
     }
 
-    private static Vector3 halfExtents(Shape shape, RotationMatrix turn) {
+    private static Vector3 halfExtents(Shape shape, RotationMatrix rotation) {
         if (shape instanceof Shape.Box box) {
             Vector3 half = box.size().times(0.5);
             return new Vector3(
-                    Math.abs(turn.xx()) * half.x() + Math.abs(turn.xy()) * half.y() + Math.abs(turn.xz()) * half.z(),
-                    Math.abs(turn.yx()) * half.x() + Math.abs(turn.yy()) * half.y() + Math.abs(turn.yz()) * half.z(),
-                    Math.abs(turn.zx()) * half.x() + Math.abs(turn.zy()) * half.y() + Math.abs(turn.zz()) * half.z());
+                    Math.abs(rotation.xx()) * half.x()
+                            + Math.abs(rotation.xy()) * half.y()
+                            + Math.abs(rotation.xz()) * half.z(),
+                    Math.abs(rotation.yx()) * half.x()
+                            + Math.abs(rotation.yy()) * half.y()
+                            + Math.abs(rotation.yz()) * half.z(),
+                    Math.abs(rotation.zx()) * half.x()
+                            + Math.abs(rotation.zy()) * half.y()
+                            + Math.abs(rotation.zz()) * half.z());
         }
         if (shape instanceof Shape.Sphere sphere) {
             return new Vector3(sphere.radius(), sphere.radius(), sphere.radius());
@@ -55,8 +61,8 @@ public record BoundingBox(Vector3 min, Vector3 max) {
         Shape.Capsule capsule = (Shape.Capsule) shape;
         double half = capsule.length() / 2;
         return new Vector3(
-                capsule.radius() + Math.abs(turn.xz()) * half,
-                capsule.radius() + Math.abs(turn.yz()) * half,
-                capsule.radius() + Math.abs(turn.zz()) * half);
+                capsule.radius() + Math.abs(rotation.xz()) * half,
+                capsule.radius() + Math.abs(rotation.yz()) * half,
+                capsule.radius() + Math.abs(rotation.zz()) * half);
     }
 }

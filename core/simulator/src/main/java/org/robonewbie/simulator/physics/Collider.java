@@ -1,8 +1,8 @@
 package org.robonewbie.simulator.physics;
 
-/** The surface of something that can touch or be touched. */
+/** Shape that takes part in collision detection. */
 public interface Collider {
 
-    /** {@return the object that the collider belongs to, as given when it was created; shows in a contact who touched whom} */
+    /** {@return the object that the collider belongs to, as passed on creation; identifies the partners of a contact} */
     Object owner();
 }

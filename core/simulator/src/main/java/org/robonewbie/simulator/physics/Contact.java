@@ -2,7 +2,7 @@ package org.robonewbie.simulator.physics;
 
 import org.robonewbie.nao.Vector3;
 
-/** One point where two colliders touch during one step. */
+/** Contact point of two colliders in one step. */
 public interface Contact {
 
     /** {@return one of the two colliders} */
@@ -11,31 +11,14 @@ public interface Contact {
     /** {@return the other collider} */
     Collider second();
 
-    /** {@return the point of contact in metres, as found before the step} */
+    /** {@return the contact point in metres, from before the step} */
     Vector3 position();
 
     /**
-     * Measures how the step pushed the first collider's body, friction included.
+     * Adds the contact force to weighted sums. The force acts on the body of the first collider and includes friction. It is zero
+     * before the step, for a trigger, and between sleeping bodies.
      *
-     * @return newtons; zero before the step, for a trigger and between sleeping bodies
+     * @param sums seven elements, to which force, position times magnitude of the force, and magnitude are added, in newtons
      */
-    Vector3 forceOnFirst();
-
-    /**
-     * Adds up contacts.
-     *
-     * @param sums to these are added the force, its place times its strength, and its strength, seven numbers
-     */
-    default void addTo(double[] sums) {
-        Vector3 force = forceOnFirst();
-        Vector3 place = position();
-        double strength = force.length();
-        sums[0] += force.x();
-        sums[1] += force.y();
-        sums[2] += force.z();
-        sums[3] += strength * place.x();
-        sums[4] += strength * place.y();
-        sums[5] += strength * place.z();
-        sums[6] += strength;
-    }
+    void addTo(double[] sums);
 }

@@ -3,25 +3,25 @@ package org.robonewbie.simulator.physics;
 import java.util.function.IntConsumer;
 
 /**
- * Does work that falls into independent pieces, on as many threads as it has.
+ * Executor of independent tasks, on any number of threads.
  *
- * <p>What comes out must not depend on who does which piece, nor when: pieces write to nothing that another one reads or writes.
+ * <p>The result must not depend on the order or the threads: a task must not write to anything that another task accesses.
  */
 public interface Crew {
 
-    /** Does all work on the thread that asks, one piece after the other. */
-    Crew ALONE = (pieces, work) -> {
-        for (int piece = 0; piece < pieces; piece++) {
-            work.accept(piece);
+    /** Runs all tasks sequentially on the calling thread. */
+    Crew ALONE = (count, task) -> {
+        for (int index = 0; index < count; index++) {
+            task.accept(index);
         }
     };
 
     /**
-     * Does each piece once, and returns when all are done. What was written before is seen by all pieces, and what they write is
-     * seen afterwards.
+     * Runs a task for each index and returns when all are done. Earlier writes of the caller are visible to all tasks, and their
+     * writes are visible to the caller afterwards.
      *
-     * @param pieces how many there are, at least 0
-     * @param work receives the number of a piece, from 0 on
+     * @param count number of tasks, at least 0
+     * @param task receives the index of a task, from 0 on
      */
-    void divide(int pieces, IntConsumer work);
+    void divide(int count, IntConsumer task);
 }

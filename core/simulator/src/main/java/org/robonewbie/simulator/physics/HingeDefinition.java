@@ -3,25 +3,24 @@ package org.robonewbie.simulator.physics;
 import org.robonewbie.nao.Vector3;
 
 /**
- * A hinge with a motor and two soft stops.
+ * Parameters of a hinge with a motor and two soft stops.
  *
  * @param anchor a point on the axis in the world frame, metres
- * @param axis direction of the axis in the world frame, length 1
+ * @param axis direction of the axis in the world frame, unit length
  * @param minRadians lower stop
  * @param maxRadians upper stop
- * @param maxTorque strength of the motor in newton metres
- * @param softness constraint force mixing (ODE: CFM) of hinge and stops
- * @param stopErrorReduction share of an overshoot at a stop that is corrected per step (ODE: stop ERP)
- * @param stopBounce share of the speed that a stop gives back
- * @param fudgeFactor ODE's factor against jumps when the motor leaves a stop
+ * @param maxTorque maximum motor torque in newton metres
+ * @param stopBounce coefficient of restitution of the stops
  */
 public record HingeDefinition(
-        Vector3 anchor,
-        Vector3 axis,
-        double minRadians,
-        double maxRadians,
-        double maxTorque,
-        double softness,
-        double stopErrorReduction,
-        double stopBounce,
-        double fudgeFactor) {}
+        Vector3 anchor, Vector3 axis, double minRadians, double maxRadians, double maxTorque, double stopBounce) {
+
+    /** Constraint force mixing of hinge and stops (ODE: CFM). */
+    public static final double SOFTNESS = 1e-8;
+
+    /** Fraction of an overshoot at a stop that is corrected per step (ODE: stop ERP). */
+    public static final double STOP_ERROR_REDUCTION = 0.8;
+
+    /** Factor that reduces the motor torque away from a stop (ODE: fudge factor). */
+    public static final double FUDGE_FACTOR = 1e-5;
+}

@@ -4,19 +4,19 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.Shape;
 
 /**
- * How heavy a body is and how hard to turn about its three axes.
+ * Mass and principal moments of inertia of a body.
  *
  * @param massKg mass in kilograms
- * @param inertia principal moments about the body's x, y and z axis in kg m²
+ * @param inertia moments about the body's x, y and z axis in kg m²
  */
 public record MassDistribution(double massKg, Vector3 inertia) {
 
     /**
-     * Spreads a mass evenly over a solid shape.
+     * Computes the inertia of a homogeneous solid shape (formulas: ODE manual, mass functions).
      *
      * @param shape the shape
      * @param massKg mass in kilograms
-     * @return the mass with the shape's moments of inertia (formulas: ODE manual, mass functions)
+     * @return mass and inertia
      */
     public static MassDistribution of(Shape shape, double massKg) {
         if (shape instanceof Shape.Box box) {

@@ -4,32 +4,32 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * How a surface behaves in contact; friction is unlimited, and slip makes it give way.
+ * Contact properties of a surface. Friction is unlimited but slips under load.
  *
- * <p>An empty value means that the surface leaves the matter to the other side; when both do, the engine's default
- * holds. Source: SimSpark's contact joint handler on top of ODE's contact parameters.
+ * <p>For an empty value the other surface decides; if both are empty, the engine's default applies. Source: SimSpark's contact
+ * joint handler and ODE's contact parameters.
  *
- * @param bounce how it bounces
- * @param errorReduction share of a penetration that is corrected per step (ODE: soft ERP)
+ * @param bounce restitution
+ * @param errorReduction fraction of a penetration that is corrected per step (ODE: soft ERP)
  * @param softness constraint force mixing of the contact (ODE: soft CFM)
- * @param slip velocity in metres per second by which the contact slips per newton of tangential force (ODE: slip1, slip2)
+ * @param slip slip speed in metres per second per newton of tangential force (ODE: slip1, slip2)
  */
 public record Material(
         Optional<Bounce> bounce, OptionalDouble errorReduction, OptionalDouble softness, OptionalDouble slip) {
 
     /**
-     * How a surface throws back.
+     * Restitution of a surface.
      *
-     * @param restitution share of the speed that is given back, 0 to 1
-     * @param minimumVelocity slowest approach in metres per second that bounces at all
+     * @param restitution coefficient of restitution, 0 to 1
+     * @param minimumVelocity minimum approach speed in metres per second for a bounce
      */
     public record Bounce(double restitution, double minimumVelocity) {}
 
     /**
-     * Mixes two surfaces: a value that only one side has is taken, of two values the mean.
+     * Combines two surfaces: the mean of two values, or the only value.
      *
-     * @param other the other side
-     * @return how both behave in contact
+     * @param other the other surface
+     * @return the properties of their contact
      */
     public Material mixedWith(Material other) {
         return new Material(

@@ -1,19 +1,15 @@
 package org.robonewbie.simulator.physics;
 
-/** A hinge whose motor holds a speed within the limits of its torque. */
+/** Hinge with a motor that keeps a target speed within its torque limit. */
 public interface MotorHinge {
 
-    /**
-     * Measures the angle of the child against the parent.
-     *
-     * @return radians, 0 in the pose in which the hinge was made
-     */
+    /** {@return the angle of the child relative to the parent in radians, 0 in the pose in which the hinge was created} */
     double angleRadians();
 
     /**
-     * Sets the speed that the motor tries to hold until the next call; it does not wake a sleeping body.
+     * Sets the target speed of the motor. Does not wake a sleeping body.
      *
-     * @param radiansPerSecond the speed; 0 holds the angle
+     * @param radiansPerSecond target speed; 0 holds the angle
      */
     void setSpeed(double radiansPerSecond);
 }

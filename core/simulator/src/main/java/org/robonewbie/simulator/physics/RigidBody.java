@@ -3,17 +3,17 @@ package org.robonewbie.simulator.physics;
 import org.robonewbie.nao.Vector3;
 
 /**
- * One rigid body; its origin is its centre of mass.
+ * Rigid body whose origin is its centre of mass.
  *
- * <p>A body that has rested for a while falls asleep with all that it is joined to, and is left out until {@link
- * #wake()} or a contact with a body that is awake. Moving it does not wake it.
+ * <p>After some time at rest a body falls asleep and is skipped until {@link #wake()} or contact with a body that is awake.
+ * Setting its position does not wake it.
  */
 public interface RigidBody {
 
-    /** {@return the position of the body's centre in metres} */
+    /** {@return the position of the centre in metres} */
     Vector3 position();
 
-    /** {@return the rotation from the body's own axes to the world's} */
+    /** {@return the rotation from body to world axes} */
     RotationMatrix rotation();
 
     /** {@return the body's position and orientation} */
@@ -21,114 +21,99 @@ public interface RigidBody {
         return new BodyPose(position(), rotation());
     }
 
-    /** {@return the direction of the body's own y axis in the world} */
-    default Vector3 axisY() {
-        return rotation().axisY();
-    }
+    /** {@return the direction of the body's y axis in the world frame} */
+    Vector3 axisY();
 
-    /** {@return how far the body's own z axis looks upwards: 1 if upright, -1 if upside down} */
-    default double upwards() {
-        return rotation().zz();
-    }
+    /** {@return the vertical component of the body's z axis: 1 if upright, -1 if upside down} */
+    double upwards();
 
     /**
-     * Sees a direction of the world along the body's own axes.
+     * Rotates a vector from world to body axes.
      *
-     * @param x first component of a vector in the world frame
-     * @param y its second component
-     * @param z its third component
-     * @return the same vector along the axes of the body
+     * @param x x component in the world frame
+     * @param y y component in the world frame
+     * @param z z component in the world frame
+     * @return the vector in body axes
      */
-    default Vector3 directionToLocal(double x, double y, double z) {
-        return rotation().applyInverse(new Vector3(x, y, z));
-    }
+    Vector3 directionToLocal(double x, double y, double z);
 
-    /** {@return the angular velocity in radians per second about the body's own axes} */
-    default Vector3 ownAngularVelocity() {
-        Vector3 spin = angularVelocity();
-        return directionToLocal(spin.x(), spin.y(), spin.z());
-    }
+    /** {@return the angular velocity about the body's axes in radians per second} */
+    Vector3 localAngularVelocity();
 
     /**
-     * Checks that the body is not too far away.
+     * Returns whether the body is near the origin.
      *
-     * @param metres a limit for the absolute value of each coordinate
-     * @return whether each coordinate of the centre is below the limit; false if one is not a number
+     * @param metres limit for the absolute value of each coordinate
+     * @return whether each coordinate of the centre is below the limit; false if one is NaN
      */
-    default boolean isWithin(double metres) {
-        Vector3 place = position();
-        return Math.abs(place.x()) < metres && Math.abs(place.y()) < metres && Math.abs(place.z()) < metres;
-    }
+    boolean isWithin(double metres);
 
     /** {@return the velocity of the centre in metres per second} */
     Vector3 velocity();
 
-    /** {@return the angular velocity in radians per second about the world's axes} */
+    /** {@return the angular velocity about the world axes in radians per second} */
     Vector3 angularVelocity();
 
     /**
-     * Moves the centre.
+     * Sets the position of the centre.
      *
-     * @param position metres
+     * @param position position in metres
      */
     void setPosition(Vector3 position);
 
     /**
      * Sets the orientation.
      *
-     * @param rotation from its own axes to the world's
+     * @param rotation rotation from body to world axes
      */
     void setRotation(RotationMatrix rotation);
 
     /**
-     * Sets the speed of the centre.
+     * Sets the velocity of the centre.
      *
-     * @param metresPerSecond the velocity
+     * @param metresPerSecond velocity in the world frame
      */
     void setVelocity(Vector3 metresPerSecond);
 
     /**
-     * Sets how fast the body turns.
+     * Sets the angular velocity.
      *
-     * @param radiansPerSecond about the world's axes
+     * @param radiansPerSecond angular velocity about the world axes
      */
     void setAngularVelocity(Vector3 radiansPerSecond);
 
     /**
-     * Pushes at the centre during the next step.
+     * Adds a force at the centre for the next step.
      *
-     * @param newtons the force, added to others
+     * @param newtons force in the world frame
      */
     void addForce(Vector3 newtons);
 
     /**
-     * Twists during the next step.
+     * Adds a torque for the next step.
      *
-     * @param newtonMetres the torque, added to others
+     * @param newtonMetres torque in the world frame
      */
     void addTorque(Vector3 newtonMetres);
 
     /**
-     * Resists the body's motion during the next step, in proportion to its speed.
+     * Adds linear damping for the next step.
      *
      * @param linear newtons per metre per second
      * @param angular newton metres per radian per second
      */
-    default void resist(double linear, double angular) {
-        addForce(velocity().times(-linear));
-        addTorque(angularVelocity().times(-angular));
-    }
+    void addDamping(double linear, double angular);
 
     /**
-     * Makes the body heavier or lighter than it was made, and harder or easier to turn in proportion.
+     * Scales mass and inertia.
      *
-     * @param factor the mass as a multiple of the first one, above 0
+     * @param factor multiple of the initial mass, above 0
      */
     void setMassFactor(double factor);
 
-    /** {@return whether the body rests and is left out of the step} */
+    /** {@return whether the body is asleep and skipped in the step} */
     boolean isAsleep();
 
-    /** Wakes the body, so that it takes part in the step again. */
+    /** Wakes the body. */
     void wake();
 }

@@ -1,10 +1,11 @@
 package org.robonewbie.simulator.physics;
 
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * A rotation as matrix; the columns are the turned axes. Components are named by row and column.
+ * Rotation matrix whose columns are the rotated axes. Elements are named by row and column.
  *
  * @param xx row x, column x
  * @param xy row x, column y
@@ -23,7 +24,7 @@ public record RotationMatrix(
     public static final RotationMatrix IDENTITY = new RotationMatrix(1, 0, 0, 0, 1, 0, 0, 0, 1);
 
     /**
-     * Turns about the z axis.
+     * Creates a rotation about the z axis.
      *
      * @param radians angle by the right-hand rule, counter-clockwise seen from above
      * @return the rotation
@@ -35,15 +36,16 @@ public record RotationMatrix(
     }
 
     /**
-     * Creates the rotation of a quaternion.
+     * Converts a quaternion.
      *
-     * @param w real part
-     * @param x first imaginary part
-     * @param y second imaginary part
-     * @param z third imaginary part; the length need not be exactly 1
+     * @param quaternion a quaternion, not necessarily of unit length
      * @return the rotation; the identity for a quaternion of length 0
      */
-    public static RotationMatrix ofQuaternion(double w, double x, double y, double z) {
+    public static RotationMatrix of(Rotation quaternion) {
+        double w = quaternion.w();
+        double x = quaternion.x();
+        double y = quaternion.y();
+        double z = quaternion.z();
         double square = w * w + x * x + y * y + z * z;
         if (!(square > 0)) {
             return IDENTITY;
@@ -62,10 +64,10 @@ public record RotationMatrix(
     }
 
     /**
-     * Turns a vector.
+     * Rotates a vector.
      *
-     * @param v any vector
-     * @return the turned vector
+     * @param v a vector
+     * @return the rotated vector
      */
     public Vector3 apply(Vector3 v) {
         return new Vector3(
@@ -75,23 +77,10 @@ public record RotationMatrix(
     }
 
     /**
-     * Turns a vector back.
+     * Composes two rotations.
      *
-     * @param v any vector
-     * @return the vector that {@link #apply} turns to v
-     */
-    public Vector3 applyInverse(Vector3 v) {
-        return new Vector3(
-                xx * v.x() + yx * v.y() + zx * v.z(),
-                xy * v.x() + yy * v.y() + zy * v.z(),
-                xz * v.x() + yz * v.y() + zz * v.z());
-    }
-
-    /**
-     * Chains two rotations.
-     *
-     * @param first the rotation that is done first
-     * @return the rotation that does both
+     * @param first the rotation that is applied first
+     * @return the product of this rotation and the first
      */
     public RotationMatrix after(RotationMatrix first) {
         Vector3 x = apply(first.axisX());
@@ -100,11 +89,7 @@ public record RotationMatrix(
         return new RotationMatrix(x.x(), y.x(), z.x(), x.y(), y.y(), z.y(), x.z(), y.z(), z.z());
     }
 
-    /**
-     * Turns the other way.
-     *
-     * @return the inverse rotation
-     */
+    /** {@return the inverse rotation} */
     public RotationMatrix inverse() {
         return new RotationMatrix(xx, yx, zx, xy, yy, zy, xz, yz, zz);
     }
@@ -124,18 +109,8 @@ public record RotationMatrix(
         return new Vector3(xz, yz, zz);
     }
 
-    /**
-     * Writes the rotation as a quaternion of length 1.
-     *
-     * @return w, x, y, z with w at least 0
-     */
-    public double[] toQuaternion() {
-        org.robonewbie.nao.kinematics.Rotation turn = toTurn();
-        return new double[] {turn.w(), turn.x(), turn.y(), turn.z()};
-    }
-
-    /** {@return the same rotation as the quaternion of {@link #toQuaternion}} */
-    public org.robonewbie.nao.kinematics.Rotation toTurn() {
+    /** {@return the unit quaternion of this rotation, with w at least 0} */
+    public Rotation toQuaternion() {
         double w = 1 + xx + yy + zz;
         double x = 1 + xx - yy - zz;
         double y = 1 - xx + yy - zz;
@@ -149,18 +124,8 @@ public record RotationMatrix(
         return y >= z ? normalised(xz - zx, xy + yx, y, yz + zy) : normalised(yx - xy, xz + zx, yz + zy, z);
     }
 
-    /**
-     * Makes a rotation of a quaternion.
-     *
-     * @param quaternion the quaternion; its length need not be exactly 1
-     * @return the same rotation
-     */
-    public static RotationMatrix of(org.robonewbie.nao.kinematics.Rotation quaternion) {
-        return ofQuaternion(quaternion.w(), quaternion.x(), quaternion.y(), quaternion.z());
-    }
-
-    private static org.robonewbie.nao.kinematics.Rotation normalised(double w, double x, double y, double z) {
+    private static Rotation normalised(double w, double x, double y, double z) {
         double factor = (w < 0 ? -1 : 1) / Math.sqrt(w * w + x * x + y * y + z * z);
-        return new org.robonewbie.nao.kinematics.Rotation(w * factor, x * factor, y * factor, z * factor);
+        return new Rotation(w * factor, x * factor, y * factor, z * factor);
     }
 }

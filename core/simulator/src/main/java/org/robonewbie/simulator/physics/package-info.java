@@ -1,9 +1,9 @@
 /**
- * What the world needs from a rigid-body engine, and nothing more, so that engines can be exchanged. Read {@link
+ * Minimal interface to a rigid body engine, so that engines can be exchanged. Read {@link
  * org.robonewbie.simulator.physics.PhysicsWorld} first.
  *
- * <p>Angles are in radians here, all other quantities in metres, kilograms, seconds and newtons; every vector is in the
- * world frame unless a method says otherwise.
+ * <p>Angles are in radians, all other quantities in metres, kilograms, seconds and newtons. Vectors are in the world frame
+ * unless a method states otherwise.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

@@ -5,13 +5,13 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * What the ball has really done: the way that it rolled and flew over the ground, without being placed by the referee, and
- * how near its centre came to the mouth of the goal that the left team attacks (0 once it is in).
+ * The true results of the ball: the distance that it rolled and flew, excluding moves by the referee, and the minimum distance of its
+ * centre from the mouth of the goal that the left team attacks, 0 once it is in the goal.
  */
 final class BallStatistics {
 
-    /** Slower than 5 mm/s is trembling, not moving. */
-    private static final double MIN_WAY = 1e-4;
+    /** Movements below 5 mm/s are jitter. */
+    private static final double MIN_STEP_METRES = 1e-4;
 
     private final SoccerField field;
     private Vector3 start = Vector3.ZERO;
@@ -29,9 +29,9 @@ final class BallStatistics {
 
     void afterStep(Vector3 ball) {
         position = ball;
-        double way = PortableMath.hypot(ball.x() - start.x(), ball.y() - start.y());
-        if (way >= MIN_WAY) {
-            metresMoved += way;
+        double step = PortableMath.hypot(ball.x() - start.x(), ball.y() - start.y());
+        if (step >= MIN_STEP_METRES) {
+            metresMoved += step;
         }
         leastDistanceToGoal = Math.min(leastDistanceToGoal, distanceToGoal(ball));
     }

@@ -3,7 +3,7 @@ package org.robonewbie.simulator.recording;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/** Collects numbers and texts as bytes: small numbers take one byte. */
+/** A growable byte buffer for variable-length integers (LEB128) and texts. */
 final class ByteSink {
 
     private byte[] bytes = new byte[256];
@@ -36,7 +36,7 @@ final class ByteSink {
         length += count;
     }
 
-    /** Writes the 64 bits of a number without sign, seven bits per byte, the lowest first. */
+    /** Appends an unsigned 64-bit number, seven bits per byte, lowest first. */
     void putUnsigned(long value) {
         long rest = value;
         while ((rest & ~0x7FL) != 0) {
@@ -46,7 +46,7 @@ final class ByteSink {
         putByte((int) rest);
     }
 
-    /** Writes any number; those near 0 take one byte. */
+    /** Appends a signed number in zigzag encoding. */
     void putSigned(long value) {
         putUnsigned((value << 1) ^ (value >> 63));
     }

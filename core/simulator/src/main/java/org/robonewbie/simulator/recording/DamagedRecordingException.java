@@ -2,7 +2,7 @@ package org.robonewbie.simulator.recording;
 
 import java.io.IOException;
 
-/** A recording that makes no sense; the message is a sentence for people. */
+/** Thrown for a file that is not a recording or is damaged. The message is suitable for the user. */
 public final class DamagedRecordingException extends IOException {
 
     private static final long serialVersionUID = 1;
@@ -10,7 +10,7 @@ public final class DamagedRecordingException extends IOException {
     /**
      * Creates the exception.
      *
-     * @param message what makes no sense
+     * @param message the problem as a sentence
      */
     public DamagedRecordingException(String message) {
         super(message);
@@ -19,8 +19,8 @@ public final class DamagedRecordingException extends IOException {
     /**
      * Creates the exception.
      *
-     * @param message what makes no sense
-     * @param cause what was noticed
+     * @param message the problem as a sentence
+     * @param cause the cause
      */
     public DamagedRecordingException(String message, Throwable cause) {
         super(message, cause);

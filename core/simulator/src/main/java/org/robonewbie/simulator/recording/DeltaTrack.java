@@ -1,13 +1,12 @@
 package org.robonewbie.simulator.recording;
 
-import java.io.IOException;
 import org.jspecify.annotations.Nullable;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.math.PortableMath;
 
-/** Numbers of which each cycle only the changes are kept. */
+/** Delta encoding of a fixed number of values in fixed-point steps. */
 final class DeltaTrack {
 
     private final long[] last;
@@ -16,7 +15,7 @@ final class DeltaTrack {
         last = new long[count];
     }
 
-    /** The track of a robot, or the first one if none is known or it belongs to a robot with another number of joints. */
+    /** Returns the known track, or a new one if it is null or has another size. */
     static DeltaTrack fitting(@Nullable DeltaTrack known, int count) {
         return known != null && known.last.length == count ? known : new DeltaTrack(count);
     }
@@ -27,7 +26,7 @@ final class DeltaTrack {
         last[index] = steps;
     }
 
-    /** Writes the seven numbers of a pose from an index on: position, and rotation as quaternion. */
+    /** Writes position and quaternion of a pose to the values from an index on. */
     void putPose(int index, Pose pose, ByteSink sink) {
         Vector3 position = pose.position();
         put(index, position.x(), RecordingFormat.STEPS_PER_METRE, sink);
@@ -40,13 +39,13 @@ final class DeltaTrack {
         put(index + 6, rotation.z(), RecordingFormat.STEPS_PER_TURN, sink);
     }
 
-    double get(int index, double stepsPerUnit, ByteSource source) throws IOException {
+    double get(int index, double stepsPerUnit, RecordCursor source) {
         last[index] += source.getSigned();
         return last[index] / stepsPerUnit;
     }
 
-    /** Reads the seven numbers of a pose from the beginning on; the quaternion gets its length of 1 again. */
-    Pose getPose(ByteSource source) throws IOException {
+    /** Reads a pose from the first seven values and normalises its quaternion. */
+    Pose getPose(RecordCursor source) {
         double[] numbers = new double[RecordingFormat.NUMBERS_PER_POSE];
         for (int i = 0; i < numbers.length; i++) {
             numbers[i] = get(i, i < 3 ? RecordingFormat.STEPS_PER_METRE : RecordingFormat.STEPS_PER_TURN, source);
@@ -61,8 +60,8 @@ final class DeltaTrack {
                         : new Rotation(numbers[3] * scale, numbers[4] * scale, numbers[5] * scale, numbers[6] * scale));
     }
 
-    /** Reads a pose that is written as it is, not as a change. */
-    static Pose readPose(ByteSource source) throws IOException {
+    /** Reads a pose that is not delta-encoded. */
+    static Pose readPose(RecordCursor source) {
         return new DeltaTrack(RecordingFormat.NUMBERS_PER_POSE).getPose(source);
     }
 }

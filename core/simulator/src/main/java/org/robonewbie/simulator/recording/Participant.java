@@ -9,11 +9,11 @@ import org.robonewbie.simulator.world.Robot;
 /**
  * A robot in one cycle of a run.
  *
- * @param id number of its agent's connection
- * @param player its place in a team, empty before it has one
- * @param robot its body
- * @param commands what its agent commanded in this cycle
- * @param unansweredMessages messages so far to which the agent's answer came too late
+ * @param id id of the robot
+ * @param player the player, empty before it joined a team
+ * @param robot the body
+ * @param commands the agent's commands executed in this cycle
+ * @param unansweredMessages number of messages so far that the agent did not answer in time
  */
 public record Participant(
         int id, Optional<Player> player, Robot robot, List<EffectorCommand> commands, long unansweredMessages) {}

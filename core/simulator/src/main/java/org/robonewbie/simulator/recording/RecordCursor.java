@@ -2,7 +2,7 @@ package org.robonewbie.simulator.recording;
 
 import java.nio.charset.StandardCharsets;
 
-/** Reads numbers and texts from bytes that are already there, as a {@link ByteSink} has written them. */
+/** A reader of bytes that a {@link ByteSink} has written. It throws an {@link IndexOutOfBoundsException} at the end. */
 final class RecordCursor {
 
     private final byte[] bytes;
@@ -47,7 +47,7 @@ final class RecordCursor {
         return (value >>> 1) ^ -(value & 1);
     }
 
-    /** Goes on behind some bytes, and returns where they began. */
+    /** Skips bytes and returns the index of the first one. */
     int skip(long count) {
         if (count < 0 || count > end - at) {
             throw new IndexOutOfBoundsException(at);
@@ -57,13 +57,21 @@ final class RecordCursor {
         return begin;
     }
 
-    /** A number of things that follow, each of which takes a byte at least. */
+    /** Reads the number of elements that follow, of at least one byte each. */
     int getCount() {
         long count = getUnsigned();
         if (count < 0 || count > end - at) {
             throw new IndexOutOfBoundsException(at);
         }
         return (int) count;
+    }
+
+    int getIndex(int size) {
+        long index = getUnsigned();
+        if (index < 0 || index >= size) {
+            throw new IndexOutOfBoundsException(at);
+        }
+        return (int) index;
     }
 
     String getText() {

@@ -1,23 +1,32 @@
 package org.robonewbie.simulator.recording;
 
 import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
+import java.util.HexFormat;
 import java.util.List;
 import org.robonewbie.nao.PlayMode;
 
-/** Writes records, each preceded by its kind and length, to the stream of a recording. */
+/** A writer of records, each preceded by its kind and length. It also computes the checksum of the recording. */
 final class RecordSink {
 
-    private final RecordingStream stream;
+    private final RecordingTarget target;
+    private final MessageDigest digest;
     private final ByteSink records = new ByteSink();
     private final ByteSink payload = new ByteSink();
     private byte[] lastGame = {};
 
-    RecordSink(RecordingStream stream) {
-        this.stream = stream;
+    RecordSink(RecordingTarget target) {
+        this.target = target;
+        try {
+            digest = MessageDigest.getInstance("SHA-256");
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("This Java runtime does not support SHA-256", e);
+        }
     }
 
-    /** Writes what every recording begins with. */
+    /** Writes magic, version and header. */
     void begin(List<String> header) {
         byte[] magic = RecordingFormat.MAGIC.getBytes(StandardCharsets.US_ASCII);
         records.putBytes(magic, magic.length);
@@ -27,13 +36,13 @@ final class RecordSink {
         send();
     }
 
-    /** Begins a record; {@link #put} ends it. */
+    /** Starts a record; {@link #put} ends it. */
     ByteSink newPayload() {
         payload.clear();
         return payload;
     }
 
-    /** Ends the record that was begun last. */
+    /** Ends the current record. */
     void put(int kind) {
         records.putByte(kind);
         records.putUnsigned(payload.length());
@@ -59,9 +68,18 @@ final class RecordSink {
         }
     }
 
-    /** Hands all records since the last call to the stream. */
+    /** Sends all records since the last call to the target. */
     void send() {
-        stream.write(records);
+        digest.update(records.bytes(), 0, records.length());
+        target.write(records.bytes(), records.length());
         records.clear();
+    }
+
+    String sha256() {
+        try {
+            return HexFormat.of().formatHex(((MessageDigest) digest.clone()).digest());
+        } catch (CloneNotSupportedException e) {
+            throw new IllegalStateException("The checksum cannot be read", e);
+        }
     }
 }

@@ -6,9 +6,9 @@ import org.robonewbie.simulator.WorldSnapshot;
 /**
  * One cycle of a recording.
  *
- * @param snapshot the world at its end, as an observer of the run saw it
- * @param commands what agents commanded
- * @param events what happened, such as {@code goal left Stars}
+ * @param snapshot the world at the end of the cycle
+ * @param commands the commands of the agents
+ * @param events match events, such as {@code goal left Stars}
  */
 public record RecordedCycle(WorldSnapshot snapshot, List<RobotCommands> commands, List<String> events) {
 

@@ -1,6 +1,9 @@
 package org.robonewbie.simulator.recording;
 
-/** The numbers that writer and reader of a recording agree on; {@code docs/recording-format.md} describes them. */
+import java.util.HashMap;
+import java.util.Map;
+
+/** Constants of the recording format, which {@code docs/recording-format.md} describes. */
 final class RecordingFormat {
 
     static final String MAGIC = "RoboNewbie recording\n";
@@ -13,32 +16,46 @@ final class RecordingFormat {
     static final int EVENT = 5;
     static final int CYCLE = 6;
 
-    /** Stands only before a part of a recording that is sent to a page, never in a file. */
+    /** State record at the start of an excerpt that is sent to a page; never in a file. */
     static final int STATE = 7;
 
-    /** What else stands on the pitch; not in the recording of a soccer match. */
+    /** All objects on the pitch; absent in a soccer match. */
     static final int THINGS = 8;
 
-    /** A thing that has been moved. */
+    /** The new pose of one object. */
     static final int MOVED_THING = 9;
 
-    /** Positions are kept in steps of 0.1 mm. */
+    /** Resolution of positions: 0.1 mm. */
     static final double STEPS_PER_METRE = 10_000;
 
-    /** Parts of a quaternion are kept in steps of 1/20000. */
+    /** Resolution of quaternion components: 1/20000. */
     static final double STEPS_PER_TURN = 20_000;
 
-    /** Joint angles are kept in steps of 0.01 degrees. */
+    /** Resolution of joint angles: 0.01 degrees. */
     static final double STEPS_PER_DEGREE = 100;
 
-    /** Commanded speeds are kept in steps of 0.0001 rad/s. */
+    /** Resolution of commanded speeds: 0.0001 rad/s. */
     static final double STEPS_PER_RADIAN = 10_000;
 
-    /** Masses are kept in grams. */
+    /** Resolution of masses: 1 g. */
     static final double STEPS_PER_KILOGRAM = 1000;
 
-    /** Numbers of a place: three of the position, four of the rotation. */
+    static final int MAX_RECORD_BYTES = 1 << 24;
+
+    /** Values of a pose: position and quaternion. */
     static final int NUMBERS_PER_POSE = 7;
 
     private RecordingFormat() {}
+
+    /** Reads the {@code name=value} lines of a header record. */
+    static Map<String, String> readHeader(RecordCursor content) {
+        Map<String, String> header = new HashMap<>();
+        for (String line : content.getText().split("\n", -1)) {
+            int equals = line.indexOf('=');
+            if (equals > 0) {
+                header.put(line.substring(0, equals), line.substring(equals + 1));
+            }
+        }
+        return header;
+    }
 }

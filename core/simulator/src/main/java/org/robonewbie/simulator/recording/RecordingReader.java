@@ -15,18 +15,16 @@ import java.util.zip.GZIPInputStream;
 import java.util.zip.ZipException;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.PlayMode;
-import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.SimSparkFrame;
 import org.robonewbie.nao.model.NaoModel;
-import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.landscape.Thing;
 
 /**
- * Reads a recording cycle by cycle, also the part that a killed program has left.
+ * A reader that returns a recording cycle by cycle. It also reads the unfinished file of a killed program.
  *
  * <pre>{@code
  * try (RecordingReader reader = RecordingFile.read(file)) {
@@ -38,32 +36,28 @@ import org.robonewbie.simulator.landscape.Thing;
  */
 public final class RecordingReader implements AutoCloseable {
 
-    private final InputStream stream;
-    private final ByteSource source;
-    private final Map<String, String> header = new HashMap<>();
+    private final DataInputStream in;
     private final DeltaTrack ballTrack = new DeltaTrack(RecordingFormat.NUMBERS_PER_POSE);
     private final Map<Integer, DeltaTrack> robotTracks = new HashMap<>();
-    private List<RecordedRobot> robots = List.of();
+    private Map<String, String> header = Map.of();
+    private List<ListedRobot> robots = List.of();
     private List<Thing> things = List.of();
     private Game game = new Game(PlayMode.BEFORE_KICK_OFF, 1, 0, 0, "", "");
     private long playTicks;
 
     private record Game(PlayMode playMode, int half, int scoreLeft, int scoreRight, String left, String right) {}
 
-    private record RecordedRobot(int id, RobotType type, Optional<TeamSide> side, int number, String team) {}
-
     private RecordingReader(InputStream stream) {
-        this.stream = stream;
-        this.source = new ByteSource(new DataInputStream(stream));
+        this.in = new DataInputStream(stream);
     }
 
     /**
-     * Begins to read a recording.
+     * Opens a recording.
      *
-     * @param raw the bytes of a recording; closed with the reader
-     * @param name how to call it in messages, such as its file's name in quotes
+     * @param raw the bytes of the recording; closed with the reader
+     * @param name name of the recording in messages, such as a file name in quotes
      * @return the reader, before the first cycle
-     * @throws DamagedRecordingException if it is no recording; the message says so
+     * @throws DamagedRecordingException if it is not a recording
      * @throws IOException if it cannot be read
      */
     public static RecordingReader of(InputStream raw, String name) throws IOException {
@@ -74,25 +68,25 @@ public final class RecordingReader implements AutoCloseable {
         }
     }
 
-    private static DamagedRecordingException damaged(String name, IOException reason) {
+    private static DamagedRecordingException damaged(String name, Exception reason) {
         return new DamagedRecordingException(name + " is not a recording of RoboNewbie, or it is damaged.", reason);
     }
 
     /**
-     * Begins to read a recording that is not compressed, as a {@link RecordingTarget} gets it.
+     * Opens an uncompressed recording, as a {@link RecordingTarget} receives it.
      *
      * @param raw the bytes; closed with the reader
-     * @param name how to call it in messages
+     * @param name name of the recording in messages
      * @return the reader, before the first cycle
-     * @throws DamagedRecordingException if it is no recording; the message says so
+     * @throws DamagedRecordingException if it is not a recording
      * @throws IOException if it cannot be read
      */
     public static RecordingReader ofUnpacked(InputStream raw, String name) throws IOException {
         try {
             RecordingReader reader = new RecordingReader(raw);
-            reader.readBeginning(name);
+            reader.readHeader(name);
             return reader;
-        } catch (ZipException | EOFException e) {
+        } catch (ZipException | EOFException | IndexOutOfBoundsException e) {
             throw damaged(name, e);
         }
     }
@@ -105,7 +99,7 @@ public final class RecordingReader implements AutoCloseable {
     /**
      * Reads the next cycle.
      *
-     * @return the cycle, or empty at the end of the recording, also if it ends in the middle of a cycle
+     * @return the cycle; empty at the end of the recording, even in the middle of a cycle
      * @throws DamagedRecordingException if the file is damaged
      * @throws IOException if it cannot be read
      */
@@ -114,110 +108,102 @@ public final class RecordingReader implements AutoCloseable {
         List<String> events = new ArrayList<>();
         try {
             while (true) {
-                int kind = source.getByte();
-                long length = source.getUnsigned();
+                int kind = in.readUnsignedByte();
+                RecordCursor content = readPayload();
                 switch (kind) {
-                    case RecordingFormat.GAME -> game = readGame();
-                    case RecordingFormat.ROBOTS -> robots = readRobots();
-                    case RecordingFormat.COMMANDS -> commands.add(readCommands());
-                    case RecordingFormat.EVENT -> events.add(source.getText());
-                    case RecordingFormat.THINGS -> things = List.copyOf(ThingTrack.readAll(source));
-                    case RecordingFormat.MOVED_THING -> things = ThingTrack.readMoved(things, source);
+                    case RecordingFormat.GAME -> game = readGame(content);
+                    case RecordingFormat.ROBOTS -> robots = ListedRobot.readAll(content);
+                    case RecordingFormat.COMMANDS -> commands.add(readCommands(content));
+                    case RecordingFormat.EVENT -> events.add(content.getText());
+                    case RecordingFormat.THINGS -> things = List.copyOf(ThingTrack.readAll(content));
+                    case RecordingFormat.MOVED_THING -> things = ThingTrack.readMoved(things, content);
                     case RecordingFormat.CYCLE -> {
-                        return Optional.of(new RecordedCycle(readCycle(), commands, events));
+                        return Optional.of(new RecordedCycle(readCycle(content), commands, events));
                     }
-                    default -> source.getBytes(length);
+                    default -> {}
                 }
             }
         } catch (EOFException | ZipException e) {
             return Optional.empty();
+        } catch (IndexOutOfBoundsException invalid) {
+            throw new DamagedRecordingException("The recording has an invalid record. The file is damaged.", invalid);
         }
     }
 
     @Override
     public void close() throws IOException {
-        stream.close();
+        in.close();
     }
 
-    private void readBeginning(String name) throws IOException {
-        byte[] magic = source.getBytes(RecordingFormat.MAGIC.length());
+    private void readHeader(String name) throws IOException {
+        byte[] magic = in.readNBytes(RecordingFormat.MAGIC.length());
         if (!new String(magic, StandardCharsets.US_ASCII).equals(RecordingFormat.MAGIC)) {
             throw new DamagedRecordingException(name + " is not a recording of RoboNewbie, or it is damaged.");
         }
-        long version = source.getUnsigned();
+        long version = readUnsigned();
         if (version != RecordingFormat.VERSION) {
             throw new DamagedRecordingException(
                     "Recording " + name + " has version " + version + ", but this program reads version "
-                            + RecordingFormat.VERSION + ". Use the program that made it.");
+                            + RecordingFormat.VERSION + ". Use the program that created it.");
         }
-        source.getByte();
-        source.getUnsigned();
-        for (String line : source.getText().split("\n", -1)) {
-            readHeaderLine(line);
-        }
+        in.readUnsignedByte();
+        header = RecordingFormat.readHeader(readPayload());
     }
 
-    private void readHeaderLine(String line) {
-        int equals = line.indexOf('=');
-        if (equals > 0) {
-            header.put(line.substring(0, equals), line.substring(equals + 1));
+    private RecordCursor readPayload() throws IOException {
+        long length = readUnsigned();
+        if (length < 0 || length > RecordingFormat.MAX_RECORD_BYTES) {
+            throw new DamagedRecordingException(
+                    "A record of " + length + " bytes is too long for a recording. The file is damaged.");
         }
-    }
-
-    private Game readGame() throws IOException {
-        PlayMode playMode = PlayMode.ofSimSparkName(source.getText()).orElse(PlayMode.PLAY_ON);
-        int half = (int) source.getUnsigned();
-        int scoreLeft = (int) source.getUnsigned();
-        int scoreRight = (int) source.getUnsigned();
-        return new Game(playMode, half, scoreLeft, scoreRight, source.getText(), source.getText());
-    }
-
-    private List<RecordedRobot> readRobots() throws IOException {
-        List<RecordedRobot> read = new ArrayList<>();
-        long count = source.getUnsigned();
-        for (long i = 0; i < count; i++) {
-            int id = (int) source.getUnsigned();
-            RobotType type = chosen(RobotType.values(), source.getUnsigned());
-            long side = source.getUnsigned();
-            Optional<TeamSide> teamSide =
-                    side == 0 ? Optional.empty() : Optional.of(chosen(TeamSide.values(), side - 1));
-            read.add(new RecordedRobot(id, type, teamSide, (int) source.getUnsigned(), source.getText()));
+        byte[] bytes = in.readNBytes((int) length);
+        if (bytes.length < length) {
+            throw new EOFException();
         }
-        return read;
+        return new RecordCursor(bytes, 0, bytes.length);
     }
 
-    private static <E extends Enum<E>> E chosen(E[] values, long index) throws IOException {
-        if (index < 0 || index >= values.length) {
-            throw new DamagedRecordingException("The recording names "
-                    + values.getClass().getComponentType().getSimpleName() + " " + index + ", and the last one is "
-                    + (values.length - 1) + ". The file is damaged.");
-        }
-        return values[(int) index];
+    private long readUnsigned() throws IOException {
+        long value = 0;
+        int shift = 0;
+        int next;
+        do {
+            next = in.readUnsignedByte();
+            value |= (long) (next & 0x7F) << shift;
+            shift += 7;
+        } while (next > 0x7F && shift < Long.SIZE);
+        return value;
     }
 
-    private RobotCommands readCommands() throws IOException {
-        int id = (int) source.getUnsigned();
+    private static Game readGame(RecordCursor content) {
+        PlayMode playMode = PlayMode.ofSimSparkName(content.getText()).orElse(PlayMode.PLAY_ON);
+        int half = (int) content.getUnsigned();
+        int scoreLeft = (int) content.getUnsigned();
+        int scoreRight = (int) content.getUnsigned();
+        return new Game(playMode, half, scoreLeft, scoreRight, content.getText(), content.getText());
+    }
+
+    private static RobotCommands readCommands(RecordCursor content) {
+        int id = (int) content.getUnsigned();
         List<RobotCommands.HingeSpeed> speeds = new ArrayList<>();
-        long count = source.getUnsigned();
-        for (long i = 0; i < count; i++) {
-            int hinge = (int) source.getUnsigned();
-            speeds.add(new RobotCommands.HingeSpeed(hinge, source.getSigned() / RecordingFormat.STEPS_PER_RADIAN));
+        for (long count = content.getUnsigned(); count > 0; count--) {
+            int hinge = (int) content.getUnsigned();
+            speeds.add(new RobotCommands.HingeSpeed(hinge, content.getSigned() / RecordingFormat.STEPS_PER_RADIAN));
         }
         List<String> others = new ArrayList<>();
-        long otherCount = source.getUnsigned();
-        for (long i = 0; i < otherCount; i++) {
-            others.add(source.getText());
+        for (long count = content.getUnsigned(); count > 0; count--) {
+            others.add(content.getText());
         }
         return new RobotCommands(id, speeds, others);
     }
 
-    private WorldSnapshot readCycle() throws IOException {
-        long cycle = source.getUnsigned();
-        playTicks += source.getSigned();
-        Pose ball = ballTrack.getPose(source);
+    private WorldSnapshot readCycle(RecordCursor content) {
+        long cycle = content.getUnsigned();
+        playTicks += content.getSigned();
+        Pose ball = ballTrack.getPose(content);
         List<RobotSnapshot> snapshots = new ArrayList<>();
-        for (RecordedRobot robot : robots) {
-            snapshots.add(readRobot(robot));
+        for (ListedRobot robot : robots) {
+            snapshots.add(readRobot(robot, content));
         }
         return new WorldSnapshot(
                 cycle,
@@ -237,19 +223,19 @@ public final class RecordingReader implements AutoCloseable {
                 1);
     }
 
-    private RobotSnapshot readRobot(RecordedRobot robot) throws IOException {
+    private RobotSnapshot readRobot(ListedRobot robot, RecordCursor content) {
         int hinges = NaoModel.of(robot.type()).hinges().size();
         DeltaTrack track = robotTracks.compute(
                 robot.id(), (id, known) -> DeltaTrack.fitting(known, RecordingFormat.NUMBERS_PER_POSE + hinges));
-        Pose torso = track.getPose(source);
+        Pose torso = track.getPose(content);
         double[] degrees = new double[hinges];
         for (int i = 0; i < hinges; i++) {
-            degrees[i] = track.get(RecordingFormat.NUMBERS_PER_POSE + i, RecordingFormat.STEPS_PER_DEGREE, source);
+            degrees[i] = track.get(RecordingFormat.NUMBERS_PER_POSE + i, RecordingFormat.STEPS_PER_DEGREE, content);
         }
         return new RobotSnapshot(
                 robot.id(),
                 robot.team(),
-                robot.side(),
+                robot.teamSide(),
                 robot.number(),
                 BodyState.ofHinges(robot.type(), SimSparkFrame.linkToBody(torso), degrees));
     }

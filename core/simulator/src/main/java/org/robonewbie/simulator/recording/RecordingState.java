@@ -1,39 +1,36 @@
 package org.robonewbie.simulator.recording;
 
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.robonewbie.nao.model.NaoModel;
-import org.robonewbie.nao.model.RobotType;
 
 /**
- * What a recording has said up to some cycle, in its own numbers, so that one can begin to read in the middle of it. It is fed
- * with the bytes of a recording as they come, and tells a listener what it meets.
+ * An incremental reader of a recording that keeps the state after the last cycle in raw fixed-point numbers, so that reading can
+ * start in the middle. It accepts the bytes in chunks and reports events and cycles to a listener.
  *
  * <pre>{@code
  * RecordingState state = new RecordingState(listener);
  * state.push(bytes, count);
- * byte[] start = state.toRecords(); // these, and the records that follow, are read as the whole recording would be
+ * byte[] start = state.toRecords(); // a prefix for the records that follow
  * }</pre>
  *
  * <p>The format is described in {@code docs/recording-format.md}.
  */
 public final class RecordingState {
 
-    /** How many numbers a pose has: x, y, z, and a quaternion w, x, y, z. */
+    /** Values of a pose: x, y, z, and a quaternion w, x, y, z. */
     public static final int NUMBERS_PER_POSE = RecordingFormat.NUMBERS_PER_POSE;
 
-    /** In how many steps a metre is kept. */
+    /** Resolution of positions in steps per metre. */
     public static final double STEPS_PER_METRE = RecordingFormat.STEPS_PER_METRE;
 
     private static final int MAX_HINGES = 24;
-    private static final int MAX_RECORD_BYTES = 1 << 24;
 
     private final Listener listener;
-    private final Map<String, String> header = new LinkedHashMap<>();
+    private Map<String, String> header = Map.of();
     private final long[] ball = new long[NUMBERS_PER_POSE];
     private final Map<Integer, long[]> tracks = new LinkedHashMap<>();
     private final Map<Integer, long[]> speeds = new LinkedHashMap<>();
@@ -49,21 +46,21 @@ public final class RecordingState {
     private boolean begun;
     private boolean betweenCycles = true;
 
-    /** Listens to what a recording says. */
+    /** A listener for the contents of a recording. */
     public interface Listener {
 
         /**
-         * Something happened, in the cycle that ends next.
+         * Called for an event of the cycle that ends next.
          *
          * @param text such as {@code goal left Stars}
          */
         void happened(String text);
 
         /**
-         * A cycle has ended.
+         * Called at the end of a cycle.
          *
          * @param cycle number of the cycle since the start of the simulation
-         * @param state all that is known now
+         * @param state the state after the cycle
          */
         void cycleEnded(long cycle, RecordingState state);
     }
@@ -71,32 +68,32 @@ public final class RecordingState {
     /**
      * Creates the state before the first byte.
      *
-     * @param listener hears what the recording says
+     * @param listener receives events and cycles
      */
     public RecordingState(Listener listener) {
         this.listener = listener;
     }
 
     /**
-     * Takes the next bytes of the recording, already unpacked.
+     * Reads the next bytes of the uncompressed recording.
      *
-     * @param bytes an array that begins with them
-     * @param count how many there are
-     * @throws IllegalArgumentException if they are no recording of this version, or a damaged one
+     * @param bytes an array that starts with the bytes
+     * @param count number of bytes
+     * @throws IllegalArgumentException if they are not a recording of this version or are damaged
      */
     public void push(byte[] bytes, int count) {
         byte[] all = Arrays.copyOf(rest, rest.length + count);
         System.arraycopy(bytes, 0, all, rest.length, count);
         RecordCursor cursor = new RecordCursor(all, 0, all.length);
-        int good = 0;
+        int end = 0;
         while (takesNext(cursor, all)) {
-            good = cursor.position();
+            end = cursor.position();
         }
-        betweenCycles &= good == all.length;
-        rest = Arrays.copyOfRange(all, good, all.length);
+        betweenCycles &= end == all.length;
+        rest = Arrays.copyOfRange(all, end, all.length);
     }
 
-    /** Takes the next record, and returns whether it was there as a whole. */
+    /** Reads the next record; returns false if it is incomplete. */
     private boolean takesNext(RecordCursor cursor, byte[] all) {
         if (cursor.isAtEnd()) {
             return false;
@@ -110,16 +107,16 @@ public final class RecordingState {
             }
             kind = cursor.getByte();
             long length = cursor.getUnsigned();
-            if (length < 0 || length > MAX_RECORD_BYTES) {
+            if (length < 0 || length > RecordingFormat.MAX_RECORD_BYTES) {
                 throw damaged();
             }
             from = cursor.skip(length);
-        } catch (IndexOutOfBoundsException notYetThere) {
+        } catch (IndexOutOfBoundsException incomplete) {
             return false;
         }
         try {
             take(kind, all, from, cursor.position());
-        } catch (IndexOutOfBoundsException wrongNumber) {
+        } catch (IndexOutOfBoundsException invalid) {
             throw damaged();
         }
         return true;
@@ -134,8 +131,8 @@ public final class RecordingState {
         String magic = new String(all, from, RecordingFormat.MAGIC.length(), StandardCharsets.US_ASCII);
         long version = cursor.getUnsigned();
         if (!magic.equals(RecordingFormat.MAGIC) || version != RecordingFormat.VERSION) {
-            throw new IllegalArgumentException("These bytes are no recording of version " + RecordingFormat.VERSION
-                    + ". Use the program that made it.");
+            throw new IllegalArgumentException("This is not a recording of version " + RecordingFormat.VERSION
+                    + ". Use the program that created it.");
         }
         begun = true;
     }
@@ -144,7 +141,7 @@ public final class RecordingState {
         RecordCursor content = new RecordCursor(bytes, from, end);
         betweenCycles = kind == RecordingFormat.CYCLE;
         switch (kind) {
-            case RecordingFormat.HEADER -> content.getText().lines().forEach(this::takeHeaderLine);
+            case RecordingFormat.HEADER -> header = RecordingFormat.readHeader(content);
             case RecordingFormat.GAME -> takeGame(Arrays.copyOfRange(bytes, from, end), content);
             case RecordingFormat.ROBOTS -> takeRobots(Arrays.copyOfRange(bytes, from, end), content);
             case RecordingFormat.COMMANDS -> takeCommands(content);
@@ -158,13 +155,6 @@ public final class RecordingState {
         }
     }
 
-    private void takeHeaderLine(String line) {
-        int equals = line.indexOf('=');
-        if (equals > 0) {
-            header.put(line.substring(0, equals), line.substring(equals + 1));
-        }
-    }
-
     private void takeGame(byte[] payload, RecordCursor content) {
         content.getText(); // play mode
         content.getUnsigned(); // half
@@ -175,14 +165,7 @@ public final class RecordingState {
     }
 
     private void takeRobots(byte[] payload, RecordCursor content) {
-        List<ListedRobot> read = new ArrayList<>();
-        for (long count = content.getUnsigned(); count > 0; count--) {
-            int id = (int) content.getUnsigned();
-            RobotType type = RobotType.values()[(int) content.getUnsigned()];
-            int side = (int) content.getUnsigned();
-            read.add(new ListedRobot(id, type, side, (int) content.getUnsigned(), content.getText()));
-        }
-        robots = List.copyOf(read);
+        robots = ListedRobot.readAll(content);
         roster = payload;
     }
 
@@ -194,7 +177,7 @@ public final class RecordingState {
     private void takeCommands(RecordCursor content) {
         long[] known = speeds.computeIfAbsent((int) content.getUnsigned(), id -> new long[MAX_HINGES]);
         for (long count = content.getUnsigned(); count > 0; count--) {
-            int hinge = (int) content.getUnsigned();
+            int hinge = content.getIndex(MAX_HINGES);
             known[hinge] = content.getSigned();
         }
     }
@@ -232,7 +215,7 @@ public final class RecordingState {
         }
     }
 
-    /** {@return whether the last byte so far was the last one of a cycle, so that one can begin to read behind it} */
+    /** {@return whether the last byte read ends a cycle, so that reading can start after it} */
     public boolean isBetweenCycles() {
         return begun && betweenCycles && rest.length == 0;
     }
@@ -248,11 +231,11 @@ public final class RecordingState {
     }
 
     /**
-     * Returns where a robot is along an axis, or a part of its rotation.
+     * Returns a component of a robot's pose.
      *
      * @param robot the robot
      * @param index 0 to 2 for x, y, z in steps of 0.1 mm, 3 to 6 for the quaternion
-     * @return the number as the file has it
+     * @return the raw number
      */
     public long number(ListedRobot robot, int index) {
         long[] track = tracks.get(robot.id());
@@ -260,7 +243,7 @@ public final class RecordingState {
     }
 
     /**
-     * Returns where the ball is along an axis.
+     * Returns a coordinate of the ball.
      *
      * @param index 0 to 2 for x, y, z
      * @return steps of 0.1 mm
@@ -269,17 +252,17 @@ public final class RecordingState {
         return ball[index];
     }
 
-    /** {@return goals of the left and of the right team} */
+    /** {@return the goals of the left and the right team} */
     public List<Integer> score() {
         return score;
     }
 
-    /** {@return names of the left and of the right team, empty where there is none} */
+    /** {@return the names of the left and the right team, empty for a missing team} */
     public List<String> teams() {
         return teams;
     }
 
-    /** {@return records that say all this to a reader which begins here; the one of kind 7 stands in no file} */
+    /** {@return records that restore this state in a reader; they contain a record of kind 7, which never occurs in a file} */
     public byte[] toRecords() {
         ByteSink records = new ByteSink();
         put(RecordingFormat.GAME, game, records);

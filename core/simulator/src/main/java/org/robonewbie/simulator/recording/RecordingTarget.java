@@ -1,9 +1,9 @@
 package org.robonewbie.simulator.recording;
 
-/** Where the bytes of a recording go, such as a file. What goes wrong there must not disturb the run. */
+/** A destination for the bytes of a recording, such as a file. Failures must not disturb the run. */
 public interface RecordingTarget {
 
-    /** Keeps nothing: the recording is only checked. */
+    /** Discards all bytes; the recording still has a checksum. */
     RecordingTarget NONE = new RecordingTarget() {
 
         @Override
@@ -17,14 +17,14 @@ public interface RecordingTarget {
     };
 
     /**
-     * Takes the next bytes.
+     * Writes bytes.
      *
-     * @param bytes begins with them; to be copied
-     * @param length how many there are
+     * @param bytes an array that starts with the bytes; reused by the caller
+     * @param length number of bytes
      */
     void write(byte[] bytes, int length);
 
-    /** Brings all that was written to where it can be read. */
+    /** Flushes buffered bytes. */
     void flush();
 
     /** Ends the recording. */

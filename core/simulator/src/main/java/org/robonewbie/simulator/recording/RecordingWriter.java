@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalInt;
+import java.util.function.IntFunction;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.SimSparkFrame;
@@ -18,14 +19,14 @@ import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.WorldSnapshot;
 
 /**
- * Writes a recording: each cycle's changes of game, ball, robots and commands. Equal runs give equal bytes. A world of which only
- * states are known, such as the log of another server, is written without commands.
+ * A writer of recordings, which contain the changes of game, ball, robots and commands in each cycle. Equal runs give equal bytes.
+ * Commands are optional, for sources such as the log of another server.
  */
 public final class RecordingWriter implements AutoCloseable {
 
     private static final int CYCLES_PER_FLUSH = 50;
 
-    private final RecordingStream stream;
+    private final RecordingTarget target;
     private final RecordSink sink;
     private final ByteSink changed = new ByteSink();
     private final List<String> others = new ArrayList<>();
@@ -35,42 +36,42 @@ public final class RecordingWriter implements AutoCloseable {
     private byte[] lastRobots = {};
     private double lastPlaySeconds;
 
-    private RecordingWriter(RecordingStream stream) {
-        this.stream = stream;
-        this.sink = new RecordSink(stream);
+    private RecordingWriter(RecordingTarget target) {
+        this.target = target;
+        this.sink = new RecordSink(target);
     }
 
     /**
-     * Begins a recording.
+     * Starts a recording.
      *
-     * @param target where it goes
-     * @param header lines of the form {@code name=value} that describe the run
+     * @param target receives the bytes
+     * @param header {@code name=value} lines that describe the run
      * @return the writer
      */
     public static RecordingWriter open(RecordingTarget target, List<String> header) {
-        RecordingWriter writer = new RecordingWriter(new RecordingStream(target));
+        RecordingWriter writer = new RecordingWriter(target);
         writer.sink.begin(header);
         return writer;
     }
 
     /**
-     * Writes one cycle of which the commands are not known.
+     * Writes one cycle without commands.
      *
-     * @param snapshot the world at its end
-     * @param events what happened, such as {@code goal left Stars}
+     * @param snapshot the world at the end of the cycle
+     * @param events match events, such as {@code goal left Stars}
      */
     public void write(WorldSnapshot snapshot, List<String> events) {
-        write(snapshot, events, Map.of());
+        write(snapshot, events, robot -> List.of());
     }
 
     /**
      * Writes one cycle.
      *
-     * @param snapshot the world at its end
-     * @param events what happened, such as {@code goal left Stars}
-     * @param commands what agents commanded, by the number of their robot
+     * @param snapshot the world at the end of the cycle
+     * @param events match events, such as {@code goal left Stars}
+     * @param commands supplies the commands for a robot by its index in the snapshot
      */
-    public void write(WorldSnapshot snapshot, List<String> events, Map<Integer, List<EffectorCommand>> commands) {
+    public void write(WorldSnapshot snapshot, List<String> events, IntFunction<List<EffectorCommand>> commands) {
         events.forEach(sink::putEvent);
         sink.putGame(
                 snapshot.playMode(),
@@ -80,28 +81,28 @@ public final class RecordingWriter implements AutoCloseable {
                 snapshot.teamLeft(),
                 snapshot.teamRight());
         writeRobots(snapshot.robots());
-        for (RobotSnapshot robot : snapshot.robots()) {
-            writeCommands(robot, commands.getOrDefault(robot.id(), List.of()));
+        for (int i = 0; i < snapshot.robots().size(); i++) {
+            writeCommands(snapshot.robots().get(i), commands.apply(i));
         }
         things.write(snapshot.things(), sink);
         writeCycle(snapshot);
         sink.send();
         if (snapshot.cycle() % CYCLES_PER_FLUSH == 0) {
-            stream.flush();
+            target.flush();
         }
     }
 
     /** {@return the SHA-256 of the uncompressed recording so far, in 64 hexadecimal digits} */
     public String sha256() {
-        return stream.sha256();
+        return sink.sha256();
     }
 
     @Override
     public void close() {
-        stream.close();
+        target.close();
     }
 
-    /** What the last cycle knew of one robot. */
+    /** The values of one robot in the last cycle. */
     private static final class RobotTrack {
 
         final DeltaTrack poses;
@@ -124,9 +125,9 @@ public final class RecordingWriter implements AutoCloseable {
             payload.putUnsigned(robot.number());
             payload.putText(robot.team());
         }
-        boolean nobodyYet = robots.isEmpty() && lastRobots.length == 0;
+        boolean noneYet = robots.isEmpty() && lastRobots.length == 0;
         boolean same = Arrays.equals(payload.bytes(), 0, payload.length(), lastRobots, 0, lastRobots.length);
-        if (!nobodyYet && !same) {
+        if (!noneYet && !same) {
             lastRobots = Arrays.copyOf(payload.bytes(), payload.length());
             sink.put(RecordingFormat.ROBOTS);
         }
@@ -142,7 +143,7 @@ public final class RecordingWriter implements AutoCloseable {
         }
     }
 
-    /** Writes the hinge speeds that have changed and the other commands; returns whether there was anything to write. */
+    /** Writes changed hinge speeds and other commands; returns false if there were none. */
     private boolean putCommands(RobotSnapshot robot, List<EffectorCommand> commands, ByteSink payload) {
         long[] speeds = track(robot).speeds;
         NaoModel model = NaoModel.of(robot.type());
@@ -163,7 +164,7 @@ public final class RecordingWriter implements AutoCloseable {
         return changes > 0 || !others.isEmpty();
     }
 
-    /** Collects a speed that has changed; returns how many have, 0 or 1. */
+    /** Appends a speed if it has changed; returns the number of appended speeds, 0 or 1. */
     private int putSpeed(long[] speeds, NaoModel model, SetHingeSpeed command) {
         OptionalInt hinge = model.hingeIndex(command.effectorName());
         long steps = PortableMath.round(command.radiansPerSecond() * RecordingFormat.STEPS_PER_RADIAN);

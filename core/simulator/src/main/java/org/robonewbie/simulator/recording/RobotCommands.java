@@ -3,10 +3,10 @@ package org.robonewbie.simulator.recording;
 import java.util.List;
 
 /**
- * What an agent commanded in one cycle.
+ * The commands of an agent in one cycle.
  *
- * @param id number of the agent's connection
- * @param hingeSpeeds the hinge speeds that differ from those before
+ * @param id id of the agent's robot
+ * @param hingeSpeeds the hinge speeds that have changed
  * @param others all other commands as text
  */
 public record RobotCommands(int id, List<HingeSpeed> hingeSpeeds, List<String> others) {
@@ -21,7 +21,7 @@ public record RobotCommands(int id, List<HingeSpeed> hingeSpeeds, List<String> o
      * A new speed of a motor.
      *
      * @param hinge index of the hinge in {@code NaoModel.of(type).hinges()}
-     * @param radiansPerSecond the speed as commanded
+     * @param radiansPerSecond the commanded speed
      */
     public record HingeSpeed(int hinge, double radiansPerSecond) {}
 }

@@ -8,23 +8,21 @@ import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * What one robot has really done: its falls and the way that it walked.
+ * The true results of one robot: falls and walked distance.
  *
- * <p>A robot stands while its torso leans by less than 30 degrees and its centre is more than 0.25 m above the ground. It has
- * fallen when after standing its torso leans by more than 60 degrees or sinks below 0.2 m; it can fall again only after standing
- * again.
+ * <p>A robot stands while its torso tilts by less than 30 degrees and its centre is more than 0.25 m above the ground. A fall is
+ * counted when, after standing, the torso tilts by more than 60 degrees or sinks below 0.2 m.
  *
- * <p>The walked way is that of the torso over the ground while it is upright, smoothed with a time constant of half a
- * second and measured in pieces of 0.1 m, so that swaying on the spot is no walking. Whoever is beamed, or carried by the
- * referee, does not walk.
+ * <p>The walked distance is the path of the upright torso over the ground, low-pass filtered with a time constant of 0.5 s and
+ * measured in segments of 0.1 m, so that swaying on the spot does not count. Beams and moves by the referee do not count either.
  */
 final class RobotStatistics {
 
     private static final double SMOOTHING = Cycle.SECONDS / 0.5;
-    private static final double PIECE = 0.1;
+    private static final double SEGMENT_METRES = 0.1;
 
-    /** No robot walks so far within one cycle. */
-    private static final double BEAMED_WAY = 0.1;
+    /** Movement per cycle above which a robot was beamed. */
+    private static final double BEAM_METRES = 0.1;
 
     private final NaoModel model;
     private Vector3 start = Vector3.ZERO;
@@ -57,12 +55,12 @@ final class RobotStatistics {
         countFalls();
         double x = position.x() - start.x();
         double y = position.y() - start.y();
-        if (leanDegrees < BodyState.FALLEN_DEGREES && PortableMath.hypot(x, y) < BEAMED_WAY) {
+        if (leanDegrees < BodyState.FALLEN_DEGREES && PortableMath.hypot(x, y) < BEAM_METRES) {
             walk(x, y);
         }
     }
 
-    /** Looks at the robot after the referee has had his turn. */
+    /** Updates the final state after the referee has acted. */
     void cycleEnded(Robot robot) {
         position = robot.linkPosition(0);
         leanDegrees = robot.tiltDegrees();
@@ -92,7 +90,6 @@ final class RobotStatistics {
         return position;
     }
 
-    /** Where the robot looks, 0 along the world's x axis, counter-clockwise. */
     double headingDegrees() {
         return headingDegrees;
     }
@@ -110,14 +107,14 @@ final class RobotStatistics {
         }
     }
 
-    /** Adds a piece of way; positions are counted from the robot's first place without jumps. */
+    /** Adds a step to the walked path, which excludes jumps. */
     private void walk(double x, double y) {
         walkedX += x;
         walkedY += y;
         smoothX += SMOOTHING * (walkedX - smoothX);
         smoothY += SMOOTHING * (walkedY - smoothY);
         double length = PortableMath.hypot(smoothX - milestoneX, smoothY - milestoneY);
-        if (length >= PIECE) {
+        if (length >= SEGMENT_METRES) {
             metresWalked += length;
             milestoneX = smoothX;
             milestoneY = smoothY;

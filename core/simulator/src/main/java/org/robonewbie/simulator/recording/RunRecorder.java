@@ -1,7 +1,6 @@
 package org.robonewbie.simulator.recording;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -9,26 +8,24 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.robonewbie.nao.Cycle;
-import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.soccer.MatchEvent;
 import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.world.SoccerWorld;
 
 /**
- * Watches a run on the simulation's thread: writes its recording and gathers what its report tells. Of robots that have left only figures are
- * kept, and those of the last ones only, so that a server on which agents come and go for days does not fill its memory.
+ * Writes the recording of a run and collects the results for its report. Not thread-safe. Of robots that have left, it keeps only the
+ * results of the most recent ones, so that the memory of a long-running server stays bounded.
  */
 public final class RunRecorder implements AutoCloseable {
 
-    private static final int MAX_GONE = 1000;
+    private static final int MAX_LEFT_ROBOTS = 1000;
 
     private final SoccerWorld world;
     private final RecordingWriter writer;
     private final BallStatistics ball;
     private final Map<Integer, Entry> entries = new LinkedHashMap<>();
     private final List<RunReport.Goal> goals = new ArrayList<>();
-    private final Map<Integer, List<EffectorCommand>> commands = new HashMap<>();
     private List<Participant> present = List.of();
     private long cycles;
 
@@ -39,11 +36,11 @@ public final class RunRecorder implements AutoCloseable {
     }
 
     /**
-     * Begins to watch.
+     * Starts recording.
      *
      * @param world the world of the run
-     * @param target where the recording goes, beside its checksum
-     * @param header lines of the form {@code name=value} that describe the run
+     * @param target receives the recording
+     * @param header {@code name=value} lines that describe the run
      * @return the recorder
      */
     public static RunRecorder begin(SoccerWorld world, RecordingTarget target, List<String> header) {
@@ -51,9 +48,9 @@ public final class RunRecorder implements AutoCloseable {
     }
 
     /**
-     * Looks at the world before it moves.
+     * Notes the state before the physics step.
      *
-     * @param participants all robots in the order in which they connected
+     * @param participants all robots in the order of their connections
      */
     public void beforeStep(List<Participant> participants) {
         present = participants;
@@ -63,7 +60,7 @@ public final class RunRecorder implements AutoCloseable {
         }
     }
 
-    /** Looks at the world after it has moved and before the referee judges. */
+    /** Measures the physics step, before the referee acts. */
     public void afterStep() {
         ball.afterStep(world.ball().position());
         for (Participant participant : present) {
@@ -72,11 +69,11 @@ public final class RunRecorder implements AutoCloseable {
     }
 
     /**
-     * Looks at the world at the end of a cycle.
+     * Records the end of a cycle.
      *
      * @param cycle number of the cycle
      * @param match the game
-     * @param participants all robots in the order in which they connected
+     * @param participants all robots in the order of their connections
      */
     public void cycleEnded(long cycle, Match match, List<Participant> participants) {
         cycles = cycle;
@@ -99,37 +96,27 @@ public final class RunRecorder implements AutoCloseable {
                 match.events().isEmpty()
                         ? List.of()
                         : match.events().stream().map(MatchEvent::text).toList(),
-                commands(participants));
+                robot -> participants.get(robot).commands());
     }
 
-    private void forgetOldest(List<Participant> here) {
-        int surplus = entries.size() - here.size() - MAX_GONE;
+    private void forgetOldest(List<Participant> participants) {
+        int surplus = entries.size() - participants.size() - MAX_LEFT_ROBOTS;
         if (surplus > 0) {
-            Set<Integer> staying = here.stream().map(Participant::id).collect(Collectors.toSet());
-            List<Integer> gone = entries.keySet().stream()
-                    .filter(id -> !staying.contains(id))
+            Set<Integer> connected = participants.stream().map(Participant::id).collect(Collectors.toSet());
+            List<Integer> oldest = entries.keySet().stream()
+                    .filter(id -> !connected.contains(id))
                     .limit(surplus)
                     .toList();
-            gone.forEach(entries::remove);
+            oldest.forEach(entries::remove);
         }
-    }
-
-    private Map<Integer, List<EffectorCommand>> commands(List<Participant> participants) {
-        if (commands.size() > participants.size()) {
-            commands.clear();
-        }
-        for (Participant participant : participants) {
-            commands.put(participant.id(), participant.commands());
-        }
-        return commands;
     }
 
     /**
-     * Returns the true results so far.
+     * Returns the results so far.
      *
      * @param seed the seed of the run
-     * @param wallSeconds real seconds that it took
-     * @param missedCycles cycles by which the world fell behind real time
+     * @param wallSeconds real duration of the run in seconds
+     * @param missedCycles number of cycles by which the run fell behind real time
      * @return the report
      */
     public RunReport report(long seed, double wallSeconds, long missedCycles) {
@@ -144,13 +131,12 @@ public final class RunRecorder implements AutoCloseable {
                 writer.sha256());
     }
 
-    /** Ends the recording. */
     @Override
     public void close() {
         writer.close();
     }
 
-    /** What is known of a robot, without its body. */
+    /** The results of a robot. */
     private record Entry(RobotStatistics statistics, String team, int number, long unansweredMessages) {
 
         static Entry of(RobotStatistics statistics, Participant participant) {
@@ -162,7 +148,7 @@ public final class RunRecorder implements AutoCloseable {
                     participant.unansweredMessages());
         }
 
-        /** Whether it still says what is known of a participant, as it nearly always does. */
+        /** Whether the entry is up to date, as it nearly always is. */
         boolean isOf(Participant participant) {
             Optional<Player> player = participant.player();
             boolean samePlayer = player.isEmpty()

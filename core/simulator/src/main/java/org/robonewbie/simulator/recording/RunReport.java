@@ -13,14 +13,14 @@ import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.NaoModel;
 
 /**
- * The true results of a run, as no robot can know them.
+ * The true results of a run.
  *
- * @param seed start of all random numbers
- * @param simulatedSeconds how long the run was
- * @param wallSeconds how long it took
- * @param missedCycles cycles of 20 ms that real time had and the world had not; 0 in sync mode
- * @param robots all robots that took part
- * @param ball the ball
+ * @param seed seed of all random numbers
+ * @param simulatedSeconds simulated duration
+ * @param wallSeconds real duration
+ * @param missedCycles number of 20 ms cycles by which the run fell behind real time; 0 in sync mode
+ * @param robots the results of all robots
+ * @param ball the results of the ball
  * @param goals all goals that counted
  * @param recordingSha256 checksum of the uncompressed recording, equal for equal runs
  */
@@ -46,14 +46,14 @@ public record RunReport(
      * The results of one robot.
      *
      * @param team name of its team
-     * @param number its number, 0 without a team
-     * @param falls how often it fell: its torso leant by more than 60 degrees, or sank below 0.2 m, after it had stood
-     * @param metresWalked its way over the ground while upright, without swaying and without being beamed
-     * @param position centre of its torso at the end in the world frame, metres
-     * @param headingDegrees where it looked at the end, 0 along x to the right goal, counter-clockwise
+     * @param number uniform number, 0 without a team
+     * @param falls number of falls: after standing, the torso tilted by more than 60 degrees or sank below 0.2 m
+     * @param metresWalked walked distance, without swaying and beams
+     * @param position final position of the torso's centre in the world frame, metres
+     * @param headingDegrees final heading, 0 along x towards the right goal, counter-clockwise
      * @param upright whether it stood at the end
-     * @param missedCycles messages that its agent did not answer before the next one was sent
-     * @param joints angle of each joint at the end in degrees
+     * @param missedCycles number of messages that its agent did not answer before the next one
+     * @param joints final angle of each joint in degrees
      */
     public record RobotResult(
             String team,
@@ -75,29 +75,29 @@ public record RunReport(
     /**
      * The results of the ball.
      *
-     * @param position its centre at the end in the world frame, metres
-     * @param metresMoved the way that it rolled and flew over the ground
-     * @param leastDistanceToGoal how near it came to the mouth of the goal that the left team attacks, metres
+     * @param position final position of its centre in the world frame, metres
+     * @param metresMoved distance that it rolled and flew
+     * @param leastDistanceToGoal minimum distance from the mouth of the goal that the left team attacks, metres
      */
     public record Ball(Vector3 position, double metresMoved, double leastDistanceToGoal) {}
 
     /**
      * A goal that counted.
      *
-     * @param playSeconds time of play
+     * @param playSeconds game time in seconds
      * @param team name of the team that scored
      */
     public record Goal(double playSeconds, String team) {}
 
-    /** {@return the speed of the simulation: simulated seconds per second} */
+    /** {@return simulated seconds per real second} */
     public double realTimeFactor() {
         return wallSeconds == 0 ? 0 : simulatedSeconds / wallSeconds;
     }
 
     /**
-     * Writes the report as text.
+     * Converts the report to JSON.
      *
-     * @return JSON
+     * @return the JSON text
      */
     public String toJson() {
         JsonObject json = new JsonObject();
@@ -117,7 +117,7 @@ public record RunReport(
                         .toJson(json) + "\n";
     }
 
-    /** Maps the angles of all hinges to their names: {@code LEFT_KNEE_PITCH} and so on, toes by SimSpark's name. */
+    /** Maps the names of all hinges, such as {@code LEFT_KNEE_PITCH}, to their angles. Toe joints have SimSpark's names. */
     static Map<String, Double> joints(NaoModel model, double[] degrees) {
         Map<String, Double> joints = new LinkedHashMap<>();
         List<Hinge> hinges = model.hinges();
@@ -168,7 +168,7 @@ public record RunReport(
         return array;
     }
 
-    /** Six decimals are enough; what is not finite, such as a distance of a run without cycles, becomes 0. */
+    /** Rounds to six decimals. Infinite values, such as the goal distance of a run without cycles, become 0. */
     private static double rounded(double value) {
         return Double.isFinite(value) ? PortableMath.rint(value * ROUNDING) / ROUNDING : 0;
     }

@@ -10,19 +10,19 @@ import org.robonewbie.simulator.soccer.MatchState;
 import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.world.SoccerWorld;
 
-/** Takes pictures of the world for recordings and observers. */
+/** Creates snapshots of the world for recordings and observers. */
 public final class Snapshots {
 
     private Snapshots() {}
 
     /**
-     * Takes a picture of a world that runs in real time.
+     * Takes a snapshot, with the pace of real time.
      *
      * @param cycle number of the cycle
      * @param match the game
-     * @param world ball and things
-     * @param participants all robots in the order in which they connected
-     * @return the present state
+     * @param world the world with ball and other objects
+     * @param participants all robots in the order of their connections
+     * @return the current state
      */
     public static WorldSnapshot of(long cycle, Match match, SoccerWorld world, List<Participant> participants) {
         MatchState state = match.state();
@@ -36,7 +36,7 @@ public final class Snapshots {
                 state.score(TeamSide.RIGHT),
                 state.half(),
                 world.ball().position(),
-                world.ball().rotation().toTurn(),
+                world.ball().rotation().toQuaternion(),
                 robots(participants),
                 world.things().now(),
                 false,

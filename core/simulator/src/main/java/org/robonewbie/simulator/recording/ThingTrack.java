@@ -1,6 +1,5 @@
 package org.robonewbie.simulator.recording;
 
-import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import org.robonewbie.nao.Vector3;
@@ -8,14 +7,14 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.simulator.landscape.Thing;
 
 /**
- * Writes what stands on the pitch: all things when they change in number or kind, and later those that have moved. Poses are written
- * as they are, not as changes, since things rest most of the time.
+ * Encoding of the objects on the pitch: all objects when their number or kind changes, otherwise those that have moved. Poses are
+ * not delta-encoded, since objects rest most of the time.
  */
 final class ThingTrack {
 
     private List<Thing> last = List.of();
 
-    /** Writes what has changed since the last call. */
+    /** Writes the changes since the last call. */
     void write(List<Thing> things, RecordSink sink) {
         if (things.equals(last)) {
             return;
@@ -64,8 +63,8 @@ final class ThingTrack {
         new DeltaTrack(RecordingFormat.NUMBERS_PER_POSE).putPose(0, thing.pose(), payload);
     }
 
-    /** Reads the things of a record of kind {@link RecordingFormat#THINGS}. */
-    static List<Thing> readAll(ByteSource source) throws IOException {
+    /** Reads a record of kind {@link RecordingFormat#THINGS}. */
+    static List<Thing> readAll(RecordCursor source) {
         List<Thing> things = new ArrayList<>();
         for (long count = source.getUnsigned(); count > 0; count--) {
             String name = source.getText();
@@ -79,13 +78,9 @@ final class ThingTrack {
         return things;
     }
 
-    /** Reads a record of kind {@link RecordingFormat#MOVED_THING}, and returns all things as they are then. */
-    static List<Thing> readMoved(List<Thing> before, ByteSource source) throws IOException {
-        int index = (int) source.getUnsigned();
-        if (index < 0 || index >= before.size()) {
-            throw new DamagedRecordingException("The recording moves thing " + index + ", and there are "
-                    + before.size() + ". The file is damaged.");
-        }
+    /** Reads a record of kind {@link RecordingFormat#MOVED_THING} and returns all objects with the new pose. */
+    static List<Thing> readMoved(List<Thing> before, RecordCursor source) {
+        int index = source.getIndex(before.size());
         List<Thing> now = new ArrayList<>(before);
         now.set(index, before.get(index).at(DeltaTrack.readPose(source)));
         return List.copyOf(now);

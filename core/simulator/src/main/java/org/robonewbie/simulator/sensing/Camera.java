@@ -28,10 +28,10 @@ import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
 /**
- * The camera in the centre of one robot's head (SimSpark: {@code restrictedvisionperceptor.cpp}).
+ * Camera in the centre of a robot's head (SimSpark: {@code restrictedvisionperceptor.cpp}).
  *
- * <p>It recognises the centres of objects within its cone, at any distance and through each other, including the robot's own
- * arms. The server takes a picture in every third cycle.
+ * <p>It detects the centres of all objects within its view cone, including the robot's own arms, without range limit or
+ * occlusion. The server takes a picture in every third cycle.
  *
  * <pre>{@code
  * Camera camera = new Camera(world.field(), CameraSettings.STANDARD, random);
@@ -43,8 +43,8 @@ public final class Camera implements Restorable {
     private static final List<BodyPart> PARTS = List.of(BodyPart.values());
     private static final List<Landmark> LANDMARKS = List.of(Landmark.values());
 
-    /** What can be added to any number without changing it, even to -0. */
-    private static final Vector3 NOWHERE_ELSE = new Vector3(-0.0, -0.0, -0.0);
+    /** Additive identity that preserves even -0. */
+    private static final Vector3 NO_DISPLACEMENT = new Vector3(-0.0, -0.0, -0.0);
 
     private final List<Vector3> landmarks;
     private final CameraSettings settings;
@@ -59,11 +59,11 @@ public final class Camera implements Restorable {
     private final double[] ends = new double[6];
 
     /**
-     * Creates a camera; its calibration error is drawn here and stays.
+     * Creates a camera and draws its constant calibration error.
      *
      * @param field the pitch with its landmarks and lines
-     * @param settings what it sees and how well
-     * @param random source of all noise; not used without noise
+     * @param settings view cone, noise and optional readings
+     * @param random source of all noise; unused without noise
      */
     public Camera(SoccerField field, CameraSettings settings, RandomGenerator random) {
         this.landmarks = LANDMARKS.stream().map(field::position).toList();
@@ -78,9 +78,9 @@ public final class Camera implements Restorable {
      *
      * @param observer the robot that carries the camera in its head
      * @param world the world with the ball
-     * @param players all robots that belong to a team, in a fixed order; the observer too if it does
+     * @param players all robots that belong to a team, in a fixed order, including the observer
      * @param side the observer's team for the true positions, if it has one
-     * @return what is recognised; numbers are not rounded
+     * @return the detected objects; values are not rounded
      */
     public Vision look(Robot observer, SoccerWorld world, List<VisiblePlayer> players, Optional<TeamSide> side) {
         BodyPose head = observer.linkPose(observer.model().linkIndex(BodyPart.HEAD.simSparkName()));
@@ -137,7 +137,7 @@ public final class Camera implements Restorable {
         return seenLines;
     }
 
-    /** Leaves in {@link #ends} what is seen of a line. */
+    /** Stores the visible part of a line in {@link #ends}. */
     private boolean isVisible(BodyPose head, Segment line) {
         locate(head, line.start());
         System.arraycopy(local, 0, ends, 0, 3);
@@ -146,22 +146,22 @@ public final class Camera implements Restorable {
         return (ends[1] > 0 || ends[4] > 0) && cone.clip(ends);
     }
 
-    /** Leaves in {@link #local} where a point is: most points are not seen, and then no object is made for them. */
+    /** Stores the position of a point in {@link #local} without allocation, since most points are not visible. */
     private boolean sees(BodyPose head, Vector3 point) {
         locate(head, point);
         return cone.contains(local[0], local[1], local[2]);
     }
 
-    /** The calibration error comes first, so it takes part in the decision what is visible. */
+    /** Transforms a point to the head frame, including the calibration error, which therefore affects visibility. */
     private void locate(BodyPose head, Vector3 point) {
-        RotationMatrix turn = head.rotation();
+        RotationMatrix rotation = head.rotation();
         double x = point.x() - head.position().x();
         double y = point.y() - head.position().y();
         double z = point.z() - head.position().z();
-        Vector3 displacement = noise.isPresent() ? noise.get().displacement() : NOWHERE_ELSE;
-        local[0] = turn.xx() * x + turn.yx() * y + turn.zx() * z + displacement.x();
-        local[1] = turn.xy() * x + turn.yy() * y + turn.zy() * z + displacement.y();
-        local[2] = turn.xz() * x + turn.yz() * y + turn.zz() * z + displacement.z();
+        Vector3 displacement = noise.isPresent() ? noise.get().displacement() : NO_DISPLACEMENT;
+        local[0] = rotation.xx() * x + rotation.yx() * y + rotation.zx() * z + displacement.x();
+        local[1] = rotation.xy() * x + rotation.yy() * y + rotation.zy() * z + displacement.y();
+        local[2] = rotation.xz() * x + rotation.yz() * y + rotation.zz() * z + displacement.z();
     }
 
     private PolarPosition measure() {
@@ -184,7 +184,7 @@ public final class Camera implements Restorable {
         return BodyState.headingDegrees(inTeamView(head.rotation().axisY(), side));
     }
 
-    /** Writes its noise, all that changes in it. */
+    /** Saves the state of the noise, the only mutable state. */
     @Override
     public void save(StateWriter out) {
         noise.ifPresent(errors -> errors.save(out));

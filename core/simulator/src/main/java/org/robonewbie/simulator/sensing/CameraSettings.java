@@ -1,7 +1,7 @@
 package org.robonewbie.simulator.sensing;
 
 /**
- * The properties of a camera (SimSpark: {@code naoneckhead.rsg}).
+ * Settings of a camera (SimSpark: {@code naoneckhead.rsg}).
  *
  * @param horizontalConeDegrees full horizontal angle of view, below 180
  * @param verticalConeDegrees full vertical angle of view, below 180
@@ -23,14 +23,14 @@ public record CameraSettings(
     /** The NAO's camera in rcssserver3d. */
     public static final CameraSettings STANDARD = new CameraSettings(120, 120, true, true, false, false, false);
 
-    /** How many cycles pass from one picture to the next. */
+    /** Cycles from one picture to the next. */
     public static final int CYCLES_PER_PICTURE = 3;
 
     /**
-     * Switches the noise.
+     * Returns a copy with or without noise.
      *
      * @param on whether there is noise
-     * @return the same settings otherwise
+     * @return the changed settings
      */
     public CameraSettings withNoise(boolean on) {
         return new CameraSettings(
@@ -38,10 +38,10 @@ public record CameraSettings(
     }
 
     /**
-     * Switches the lines.
+     * Returns a copy with or without field lines.
      *
-     * @param on whether lines are reported
-     * @return the same settings otherwise
+     * @param on whether field lines are reported
+     * @return the changed settings
      */
     public CameraSettings withLines(boolean on) {
         return new CameraSettings(
@@ -49,12 +49,12 @@ public record CameraSettings(
     }
 
     /**
-     * Sets which true values are reported that a real camera cannot know.
+     * Returns a copy with other ground truth readings, which a real camera does not have.
      *
      * @param ownPositionOn whether the true position of the robot's own head is reported
      * @param ownOrientationOn whether the true direction of the robot's own head is reported
      * @param ballPositionOn whether the true position of the ball is reported
-     * @return the same settings otherwise
+     * @return the changed settings
      */
     public CameraSettings withTruth(boolean ownPositionOn, boolean ownOrientationOn, boolean ballPositionOn) {
         return new CameraSettings(

@@ -7,8 +7,8 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * The 21 straight lines of a pitch in SimSpark's order: centre line, goal lines, side lines, penalty areas and the centre
- * circle as ten chords.
+ * Line segments of a pitch in SimSpark's order: centre line, goal lines, side lines, penalty areas, and the centre circle as ten
+ * chords; 21 in all.
  */
 final class FieldLines {
 

@@ -3,9 +3,9 @@ package org.robonewbie.simulator.sensing;
 import org.robonewbie.nao.Vector3;
 
 /**
- * A straight piece of a line.
+ * Line segment.
  *
- * @param start one end, metres
- * @param end the other end, metres
+ * @param start start point in metres
+ * @param end end point in metres
  */
 record Segment(Vector3 start, Vector3 end) {}

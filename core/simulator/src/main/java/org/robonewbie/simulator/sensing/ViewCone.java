@@ -4,10 +4,10 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * What lies within a camera's view, in the frame of the head: x right, y forward, z up.
+ * View cone of a camera in the frame of the head: x right, y forward, z up.
  *
- * <p>Points are tested by their angles. A line of which an end is hidden is cut at the sides of the rectangular picture that
- * belongs to the cone, so that cut ends may lie slightly outside the angles.
+ * <p>Points are tested by their angles. A partly hidden line is clipped at the rectangular image plane instead, so clipped ends
+ * can lie slightly outside the angles.
  */
 final class ViewCone {
 
@@ -31,7 +31,7 @@ final class ViewCone {
         };
     }
 
-    /** Whether a point is seen; no cone reaches beyond what is ahead, and most points need no angles. */
+    /** Whether a point is visible. */
     boolean contains(double x, double y, double z) {
         return y > 0
                 && Math.sqrt(x * x + y * y + z * z) > MIN_DISTANCE
@@ -39,46 +39,46 @@ final class ViewCone {
                 && isWithin(z, PortableMath.hypot(x, y), halfVertical, upward);
     }
 
-    /** Compares an angle with a limit, or where that is beyond doubt their tangents, which is quicker. */
-    private static boolean isWithin(double aside, double ahead, double limit, double tangent) {
-        double edge = tangent * ahead;
-        if (limit < Math.PI / 2 && Math.abs(Math.abs(aside) - edge) > ROUNDING * edge) {
-            return Math.abs(aside) < edge;
+    /** Compares the angle with a limit; away from the limit the tangents are enough, which is faster. */
+    private static boolean isWithin(double opposite, double adjacent, double limit, double tangent) {
+        double edge = tangent * adjacent;
+        if (limit < Math.PI / 2 && Math.abs(Math.abs(opposite) - edge) > ROUNDING * edge) {
+            return Math.abs(opposite) < edge;
         }
-        return Math.abs(PortableMath.atan2(aside, ahead)) <= limit;
+        return Math.abs(PortableMath.atan2(opposite, adjacent)) <= limit;
     }
 
     /**
-     * Cuts a line to what is seen of it: visible ends stay, hidden ones move to the edge of the picture.
+     * Clips a line to its visible part.
      *
-     * @param line the coordinates of both its ends, which are changed
-     * @return whether any of it is seen
+     * @param line the coordinates of both ends, modified in place
+     * @return whether any part is visible
      */
     boolean clip(double[] line) {
-        boolean startSeen = contains(line[0], line[1], line[2]);
-        boolean endSeen = contains(line[3], line[4], line[5]);
-        if (startSeen && endSeen) {
+        boolean startVisible = contains(line[0], line[1], line[2]);
+        boolean endVisible = contains(line[3], line[4], line[5]);
+        if (startVisible && endVisible) {
             return true;
         }
         int found = findCuts(line);
-        if (startSeen || endSeen) {
-            System.arraycopy(cuts, 0, line, startSeen ? 3 : 0, found > 0 ? 3 : 0);
+        if (startVisible || endVisible) {
+            System.arraycopy(cuts, 0, line, startVisible ? 3 : 0, found > 0 ? 3 : 0);
             return found > 0;
         }
         System.arraycopy(cuts, 0, line, 0, found > 1 ? 6 : 0);
         return found > 1;
     }
 
-    /** Finds the points where a line crosses the sides of the picture: left, right, top, bottom. */
+    /** Computes the intersections of a line with the sides of the image. */
     private int findCuts(double[] line) {
         int found = 0;
         for (Vector3 side : sides) {
             double start = dot(side, line, 0);
             double end = dot(side, line, 3);
             if (start < 0 != end < 0) {
-                double share = start / (start - end);
+                double fraction = start / (start - end);
                 for (int axis = 0; axis < 3; axis++) {
-                    cuts[3 * found + axis] = line[axis] + share * (line[3 + axis] - line[axis]);
+                    cuts[3 * found + axis] = line[axis] + fraction * (line[3 + axis] - line[axis]);
                 }
                 found += isInPicture(3 * found) ? 1 : 0;
             }

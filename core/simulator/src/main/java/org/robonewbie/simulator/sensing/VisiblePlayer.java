@@ -7,33 +7,32 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * A robot that belongs to a team and can be recognised by its shirt, as it is at the moment of a picture; all cameras that take
- * one at this moment share it.
+ * Snapshot of a player for all cameras that take a picture in the same cycle.
  *
- * @param team name of its team
- * @param number number on its shirt
- * @param parts where its body parts are in the world frame, metres, in the order of {@link BodyPart}
+ * @param team team name
+ * @param number shirt number
+ * @param parts positions of the body parts in the world frame in metres, in the order of {@link BodyPart}
  */
 public record VisiblePlayer(String team, int number, List<Vector3> parts) {
 
     private static final BodyPart[] PARTS = BodyPart.values();
 
     /**
-     * Looks where the parts of a robot are now.
+     * Takes a snapshot of a robot.
      *
-     * @param robot its body
-     * @param team name of its team
-     * @param number number on its shirt
+     * @param robot the robot
+     * @param team team name
+     * @param number shirt number
      */
     public VisiblePlayer(Robot robot, String team, int number) {
-        this(team, number, places(robot));
+        this(team, number, positions(robot));
     }
 
-    private static List<Vector3> places(Robot robot) {
-        List<Vector3> places = new ArrayList<>(PARTS.length);
+    private static List<Vector3> positions(Robot robot) {
+        List<Vector3> positions = new ArrayList<>(PARTS.length);
         for (BodyPart part : PARTS) {
-            places.add(robot.linkPosition(robot.model().linkIndex(part.simSparkName())));
+            positions.add(robot.linkPosition(robot.model().linkIndex(part.simSparkName())));
         }
-        return places;
+        return positions;
     }
 }

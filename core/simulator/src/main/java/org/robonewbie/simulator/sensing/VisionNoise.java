@@ -10,11 +10,11 @@ import org.robonewbie.protocol.perceptor.PolarPosition;
 import org.robonewbie.simulator.state.SplittableRandomSource;
 
 /**
- * The errors of one camera: a displacement that stays the same for its whole life, and normally distributed errors of every
- * single measurement (SimSpark: {@code restrictedvisionperceptor.cpp}, {@code naoneckhead.rsg}).
+ * Noise model of a camera: a constant calibration error, and Gaussian noise for each measurement (SimSpark: {@code
+ * restrictedvisionperceptor.cpp}, {@code naoneckhead.rsg}).
  *
- * <p>Normal numbers are made by the polar method of Marsaglia and Bray from {@code nextDouble()} and {@link PortableMath}, so
- * that a seed gives the same numbers everywhere.
+ * <p>Gaussian values come from Marsaglia's polar method with {@code nextDouble()} and {@link PortableMath}, so that a seed gives
+ * the same values on every platform.
  */
 final class VisionNoise implements Restorable {
 
@@ -25,8 +25,8 @@ final class VisionNoise implements Restorable {
 
     private final RandomGenerator random;
     private Vector3 displacement;
-    private double spare;
-    private boolean hasSpare;
+    private double spareGaussian;
+    private boolean hasSpareGaussian;
 
     VisionNoise(RandomGenerator random) {
         this.random = random;
@@ -37,22 +37,22 @@ final class VisionNoise implements Restorable {
         return displacement;
     }
 
-    /** Measures with errors what is at an exact place. */
+    /** Adds noise to a measurement. */
     PolarPosition disturb(double metres, double horizontalDegrees, double verticalDegrees) {
         return new PolarPosition(
-                metres + metres * normal() * DISTANCE_SIGMA_PERCENT / 100,
-                horizontalDegrees + normal() * HORIZONTAL_SIGMA_DEGREES,
-                verticalDegrees + normal() * VERTICAL_SIGMA_DEGREES);
+                metres + metres * gaussian() * DISTANCE_SIGMA_PERCENT / 100,
+                horizontalDegrees + gaussian() * HORIZONTAL_SIGMA_DEGREES,
+                verticalDegrees + gaussian() * VERTICAL_SIGMA_DEGREES);
     }
 
     private double uniform() {
         return (2 * random.nextDouble() - 1) * CALIBRATION_ERROR;
     }
 
-    private double normal() {
-        if (hasSpare) {
-            hasSpare = false;
-            return spare;
+    private double gaussian() {
+        if (hasSpareGaussian) {
+            hasSpareGaussian = false;
+            return spareGaussian;
         }
         double x;
         double y;
@@ -63,8 +63,8 @@ final class VisionNoise implements Restorable {
             square = x * x + y * y;
         } while (square >= 1 || square == 0);
         double factor = Math.sqrt(-2 * PortableMath.log(square) / square);
-        spare = y * factor;
-        hasSpare = true;
+        spareGaussian = y * factor;
+        hasSpareGaussian = true;
         return x * factor;
     }
 
@@ -72,24 +72,24 @@ final class VisionNoise implements Restorable {
     public void save(StateWriter out) {
         restorableRandom().save(out);
         out.putVector(displacement);
-        out.putDouble(spare);
-        out.putBoolean(hasSpare);
+        out.putDouble(spareGaussian);
+        out.putBoolean(hasSpareGaussian);
     }
 
     @Override
     public void restore(StateReader in) {
         restorableRandom().restore(in);
         displacement = in.getVector();
-        spare = in.getDouble();
-        hasSpare = in.getBoolean();
+        spareGaussian = in.getDouble();
+        hasSpareGaussian = in.getBoolean();
     }
 
     private Restorable restorableRandom() {
         if (random instanceof Restorable restorable) {
             return restorable;
         }
-        throw new UnsupportedOperationException("The random numbers of this camera cannot be saved. Make it with "
-                + SplittableRandomSource.class.getSimpleName() + " instead of "
-                + random.getClass().getSimpleName() + ".");
+        throw new UnsupportedOperationException(
+                "The camera cannot be saved with a " + random.getClass().getSimpleName() + ". Use a "
+                        + SplittableRandomSource.class.getSimpleName() + " instead.");
     }
 }

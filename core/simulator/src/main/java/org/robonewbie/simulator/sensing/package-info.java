@@ -1,6 +1,6 @@
 /**
- * What a robot's camera recognises: landmarks, ball, players and lines as SimSpark's vision perceptor reports them, with its
- * noise. Read {@link org.robonewbie.simulator.sensing.Camera} first.
+ * Simulated camera with the noise of SimSpark's vision perceptor: landmarks, ball, players and field lines. Read {@link
+ * org.robonewbie.simulator.sensing.Camera} first.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

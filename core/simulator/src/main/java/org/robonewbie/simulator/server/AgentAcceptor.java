@@ -5,18 +5,18 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.simulator.cycle.SimulationCycle;
 
-/** Takes in new agents and their messages, and lets the simulation sleep until there is something new. */
+/** Admits new agents, reads their messages, and blocks the simulation thread until there is new input. */
 final class AgentAcceptor {
 
-    private static final int MAXIMUM_AGENTS = 256;
+    private static final int MAX_AGENTS = 256;
     private static final int MAX_CHUNKS = 100;
 
     private final AgentPort port;
     private final SimulationCycle cycle;
     private final SimulatorSettings settings;
-    private final Queue<LocalLink> newcomers = new ConcurrentLinkedQueue<>();
-    private volatile boolean rung;
-    private volatile boolean sleeping;
+    private final Queue<LocalLink> newLinks = new ConcurrentLinkedQueue<>();
+    private volatile boolean wakeUpRequested;
+    private volatile boolean waiting;
     private volatile boolean closed;
 
     AgentAcceptor(AgentPort port, SimulationCycle cycle, SimulatorSettings settings) {
@@ -25,38 +25,33 @@ final class AgentAcceptor {
         this.settings = settings;
     }
 
-    /** {@return the TCP port at which agents join} */
-    int portNumber() {
-        return port.number();
-    }
-
-    /** Connects an agent of this process, from any thread; agents are numbered in the order of these calls. */
+    /** Connects an in-process agent. Thread-safe; agents are numbered in the order of these calls. */
     AgentLink connect() {
-        LocalLink link = new LocalLink(this::ring);
-        newcomers.add(link);
-        ring();
+        LocalLink link = new LocalLink(this::wakeUp);
+        newLinks.add(link);
+        wakeUp();
         if (closed) {
             link.close();
         }
         return link;
     }
 
-    /** Signals that there is something new; may be called from any thread. */
-    void ring() {
-        rung = true;
-        if (sleeping) {
+    /** Signals new input. Thread-safe. */
+    void wakeUp() {
+        wakeUpRequested = true;
+        if (waiting) {
             port.wakeUp();
         }
     }
 
-    /** Takes in whoever and whatever has arrived, without waiting. */
+    /** Admits the agents and reads the messages that have arrived, without waiting. */
     void receive() {
-        rung = false;
+        wakeUpRequested = false;
         admit(0);
         cycle.readMessages();
     }
 
-    /** Takes in all that has arrived, such as an agent's last answer and then its end, unless somebody sends without end. */
+    /** Reads until nothing more arrives, such as an agent's last answer followed by its end, up to a limit for endless senders. */
     void receiveAll() {
         receive();
         for (int chunks = 0; chunks < MAX_CHUNKS && admit(0); chunks++) {
@@ -64,35 +59,35 @@ final class AgentAcceptor {
         }
     }
 
-    /** Waits until there is something new; returns whether there is. */
+    /** Waits for new input; returns whether there is any. */
     boolean await(long milliseconds) {
-        sleeping = true;
-        boolean news = rung || admit(milliseconds) || rung;
-        sleeping = false;
-        return news;
+        waiting = true;
+        boolean hasInput = wakeUpRequested || admit(milliseconds) || wakeUpRequested;
+        waiting = false;
+        return hasInput;
     }
 
     void close() {
         closed = true;
         port.close();
-        newcomers.forEach(LocalLink::close);
+        newLinks.forEach(LocalLink::close);
     }
 
-    /** Admits new agents; returns whether anything has happened at the port. */
+    /** Admits new agents; returns whether there was activity at the port. */
     private boolean admit(long milliseconds) {
         boolean active = port.listen(milliseconds, this::admit);
-        for (LocalLink link = newcomers.poll(); link != null; link = newcomers.poll()) {
+        for (LocalLink link = newLinks.poll(); link != null; link = newLinks.poll()) {
             cycle.connect(link.serverEnd(), true);
         }
         return active;
     }
 
     private void admit(TcpServerLink link) {
-        if (cycle.agents().size() >= MAXIMUM_AGENTS) {
+        if (cycle.agents().size() >= MAX_AGENTS) {
             link.close();
-            cycle.refused(link, MAXIMUM_AGENTS);
+            cycle.reportRefused(link, MAX_AGENTS);
         } else {
-            cycle.connect(link, settings.awaitedAgents() > 0 && cycle.cycle() == 0);
+            cycle.connect(link, settings.agents().awaited() > 0 && cycle.cycle() == 0);
         }
     }
 }

@@ -19,16 +19,15 @@ import java.util.function.Consumer;
 import org.robonewbie.simulator.Console;
 
 /**
- * The TCP port at which agents connect, or a door for each team. It belongs to the simulation's thread, which also waits here for
- * whatever comes next; other threads end the waiting with {@link #wakeUp}.
+ * The selector of the agents' connections, which listens on one TCP port for all agents or on one endpoint per team. It is confined
+ * to the simulation thread; other threads may only interrupt its waiting with {@link #wakeUp}.
  */
 final class AgentPort implements AutoCloseable {
 
-    private static final String THIS_COMPUTER = "127.0.0.1";
     private static final int BACKLOG = 1024;
     private static final int ACCEPTED_PER_CYCLE = 64;
 
-    private final List<Entrance> entrances = new ArrayList<>();
+    private final List<Listener> listeners = new ArrayList<>();
     private final Selector selector;
     private final Console console;
 
@@ -37,10 +36,10 @@ final class AgentPort implements AutoCloseable {
         this.console = console;
     }
 
-    /** Where agents come in: those of one team, or all. */
-    private record Entrance(ServerSocketChannel channel, Optional<TeamDoor> door) {
+    /** A listening socket for the agents of one team, or of all. */
+    private record Listener(ServerSocketChannel channel, Optional<TeamEndpoint> endpoint) {
 
-        /** The TCP port, 0 where it is a file. */
+        /** The TCP port, 0 for a Unix domain socket. */
         int number() {
             try {
                 return channel.getLocalAddress() instanceof InetSocketAddress internet ? internet.getPort() : 0;
@@ -49,110 +48,77 @@ final class AgentPort implements AutoCloseable {
             }
         }
 
-        boolean belongsTo(String team) {
-            return door.filter(own -> own.team().equals(team)).isPresent();
-        }
-
-        boolean isOpenTo(SocketAddress guest) {
-            return door.isEmpty()
-                    || !(guest instanceof InetSocketAddress internet)
-                    || door.get().welcome().test(internet);
+        boolean admits(SocketAddress client) {
+            return endpoint.isEmpty()
+                    || !(client instanceof InetSocketAddress internet)
+                    || endpoint.get().admission().test(internet);
         }
     }
 
     /**
-     * Opens the port.
+     * Opens one port for all agents, or an endpoint for each team.
      *
-     * @param bindAddress address of this computer at which to listen, such as 127.0.0.1
-     * @param port the port, or 0 for any free one
-     * @param console where to tell problems
-     * @return the open port
-     * @throws IOException if the port cannot be opened; the message says what to do
+     * @throws IOException if a port cannot be opened; the message says what to do
      */
-    static AgentPort open(String bindAddress, int port, Console console) throws IOException {
+    static AgentPort open(SimulatorSettings.Agents agents, Console console) throws IOException {
         AgentPort opened = new AgentPort(Selector.open(), console);
         try {
-            opened.listenAt(resolve(bindAddress, port), new Entrance(ServerSocketChannel.open(), Optional.empty()));
-            return opened;
-        } catch (IOException e) {
-            opened.close();
-            throw e instanceof BindException ? inUse(bindAddress, port, e) : e;
-        }
-    }
-
-    /**
-     * Opens a door for each team and no port for others.
-     *
-     * @param doors the teams
-     * @param console where to tell problems
-     * @return the open doors
-     * @throws IOException if one cannot be opened
-     */
-    static AgentPort open(List<TeamDoor> doors, Console console) throws IOException {
-        AgentPort opened = new AgentPort(Selector.open(), console);
-        try {
-            for (TeamDoor door : doors) {
-                opened.open(door);
+            if (agents.endpoints().isEmpty()) {
+                opened.listen(resolve(agents.bindAddress(), agents.port()), Optional.empty());
+            }
+            for (TeamEndpoint endpoint : agents.endpoints()) {
+                opened.listen(
+                        endpoint.file().isPresent()
+                                ? UnixDomainSocketAddress.of(endpoint.file().get())
+                                : resolve(SimulatorSettings.LOCALHOST, 0),
+                        Optional.of(endpoint));
             }
             return opened;
         } catch (IOException e) {
             opened.close();
-            throw e;
+            boolean isInUse = e instanceof BindException && agents.endpoints().isEmpty();
+            throw isInUse ? inUse(agents.bindAddress(), agents.port(), e) : e;
         }
     }
 
-    private void open(TeamDoor door) throws IOException {
-        if (door.file().isPresent()) {
-            ServerSocketChannel channel = ServerSocketChannel.open(StandardProtocolFamily.UNIX);
-            listenAt(UnixDomainSocketAddress.of(door.file().get()), new Entrance(channel, Optional.of(door)));
-        } else {
-            listenAt(resolve(THIS_COMPUTER, 0), new Entrance(ServerSocketChannel.open(), Optional.of(door)));
-        }
+    private void listen(SocketAddress address, Optional<TeamEndpoint> endpoint) throws IOException {
+        ServerSocketChannel channel = address instanceof UnixDomainSocketAddress
+                ? ServerSocketChannel.open(StandardProtocolFamily.UNIX)
+                : ServerSocketChannel.open();
+        Listener listener = new Listener(channel, endpoint);
+        listeners.add(listener);
+        channel.bind(address, BACKLOG);
+        channel.configureBlocking(false);
+        channel.register(selector, SelectionKey.OP_ACCEPT, listener);
     }
 
-    private void listenAt(SocketAddress address, Entrance entrance) throws IOException {
-        entrances.add(entrance);
-        entrance.channel().bind(address, BACKLOG);
-        entrance.channel().configureBlocking(false);
-        entrance.channel().register(selector, SelectionKey.OP_ACCEPT, entrance);
-    }
-
-    /** {@return the number of the TCP port, 0 if there are only doors of teams} */
-    int number() {
-        return entrances.stream()
-                .filter(entrance -> entrance.door().isEmpty())
-                .mapToInt(Entrance::number)
-                .findFirst()
-                .orElse(0);
-    }
-
-    /** The number of a team's own TCP port, 0 if its door is a file or it has none. */
-    int number(String team) {
-        return entrances.stream()
-                .filter(entrance -> entrance.belongsTo(team))
-                .mapToInt(Entrance::number)
+    /** Returns the TCP port for the agents of a team, or for all if empty; 0 if there is none. */
+    int number(Optional<String> team) {
+        return listeners.stream()
+                .filter(listener -> listener.endpoint().map(TeamEndpoint::team).equals(team))
+                .mapToInt(Listener::number)
                 .findFirst()
                 .orElse(0);
     }
 
     /**
-     * Reads what has arrived on all connections and accepts new ones.
+     * Reads from all connections and accepts new ones.
      *
-     * @param milliseconds how long to wait for something to happen, 0 not to wait
-     * @param newcomers takes the new connections
-     * @return whether anything has happened
+     * @param milliseconds maximum time to wait for activity, 0 to return immediately
+     * @param newLinks receives the new connections
+     * @return whether there was any activity
      */
-    boolean listen(long milliseconds, Consumer<TcpServerLink> newcomers) {
+    boolean listen(long milliseconds, Consumer<TcpServerLink> newLinks) {
         try {
-            Consumer<SelectionKey> action = key -> serve(key, newcomers);
+            Consumer<SelectionKey> action = key -> serve(key, newLinks);
             return (milliseconds > 0 ? selector.select(action, milliseconds) : selector.selectNow(action)) > 0;
         } catch (IOException e) {
-            console.say("The agent port does not answer (" + e.getMessage() + ").");
+            console.say("The agent port cannot be read (" + e.getMessage() + ").");
             return false;
         }
     }
 
-    /** Ends the waiting of {@link #listen}, from any thread. */
+    /** Interrupts the waiting of {@link #listen}. Thread-safe. */
     void wakeUp() {
         selector.wakeup();
     }
@@ -160,8 +126,8 @@ final class AgentPort implements AutoCloseable {
     @Override
     public void close() {
         try {
-            for (Entrance entrance : entrances) {
-                entrance.channel().close();
+            for (Listener listener : listeners) {
+                listener.channel().close();
             }
             selector.close();
         } catch (IOException e) {
@@ -169,23 +135,23 @@ final class AgentPort implements AutoCloseable {
         }
     }
 
-    private void serve(SelectionKey key, Consumer<TcpServerLink> newcomers) {
+    private void serve(SelectionKey key, Consumer<TcpServerLink> newLinks) {
         if (key.attachment() instanceof TcpServerLink link) {
             link.receive();
-        } else if (key.attachment() instanceof Entrance entrance) {
-            accept(entrance, newcomers);
+        } else if (key.attachment() instanceof Listener listener) {
+            accept(listener, newLinks);
         }
     }
 
-    private void accept(Entrance entrance, Consumer<TcpServerLink> newcomers) {
+    private void accept(Listener listener, Consumer<TcpServerLink> newLinks) {
         try {
             for (int i = 0; i < ACCEPTED_PER_CYCLE; i++) {
-                SocketChannel client = entrance.channel().accept();
+                SocketChannel client = listener.channel().accept();
                 if (client == null) {
                     return;
                 }
-                if (entrance.isOpenTo(client.getRemoteAddress())) {
-                    newcomers.accept(link(client, entrance));
+                if (listener.admits(client.getRemoteAddress())) {
+                    newLinks.accept(link(client, listener));
                 } else {
                     client.close();
                 }
@@ -195,7 +161,7 @@ final class AgentPort implements AutoCloseable {
         }
     }
 
-    private TcpServerLink link(SocketChannel client, Entrance entrance) throws IOException {
+    private TcpServerLink link(SocketChannel client, Listener listener) throws IOException {
         client.configureBlocking(false);
         boolean remote = client.getRemoteAddress() instanceof InetSocketAddress;
         if (remote) {
@@ -203,8 +169,9 @@ final class AgentPort implements AutoCloseable {
         }
         String address = remote
                 ? String.valueOf(client.getRemoteAddress()).replace("/", "")
-                : entrance.channel().getLocalAddress().toString();
-        TcpServerLink link = new TcpServerLink(client, address, entrance.door().map(TeamDoor::team));
+                : listener.channel().getLocalAddress().toString();
+        TcpServerLink link =
+                new TcpServerLink(client, address, listener.endpoint().map(TeamEndpoint::team));
         client.register(selector, SelectionKey.OP_READ, link);
         return link;
     }
@@ -213,7 +180,7 @@ final class AgentPort implements AutoCloseable {
         InetSocketAddress address = new InetSocketAddress(bindAddress, port);
         if (address.isUnresolved()) {
             throw new UnknownHostException("Address \"" + bindAddress
-                    + "\" is unknown. Use 127.0.0.1 for agents on this computer or 0.0.0.0 for all.");
+                    + "\" is unknown. Use 127.0.0.1 for agents on this computer only or 0.0.0.0 for all interfaces.");
         }
         return address;
     }

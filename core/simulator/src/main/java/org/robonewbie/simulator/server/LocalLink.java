@@ -8,25 +8,20 @@ import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.simulator.cycle.ServerLink;
 
-/** A connection between an agent and the simulator in the same process: two queues instead of a socket. */
+/** An in-process connection between an agent and the simulator, made of two queues. */
 final class LocalLink implements AgentLink {
 
     private final MessageQueue toSimulator = new MessageQueue();
     private final MessageQueue toAgent = new MessageQueue();
-    private final Runnable doorbell;
+    private final Runnable wakeUp;
     private final ServerEnd serverEnd = new ServerEnd();
     private volatile Optional<Restorable> agentState = Optional.empty();
 
-    /**
-     * Creates the connection.
-     *
-     * @param doorbell called after each message for the simulator, on the agent's thread
-     */
-    LocalLink(Runnable doorbell) {
-        this.doorbell = doorbell;
+    /** Creates a connection that calls {@code wakeUp} on the agent's thread after each message for the simulator. */
+    LocalLink(Runnable wakeUp) {
+        this.wakeUp = wakeUp;
     }
 
-    /** {@return the simulator's end of this link} */
     ServerLink serverEnd() {
         return serverEnd;
     }
@@ -38,7 +33,7 @@ final class LocalLink implements AgentLink {
         } catch (InterruptedException e) {
             throw interrupted();
         }
-        doorbell.run();
+        wakeUp.run();
     }
 
     @Override
@@ -58,12 +53,12 @@ final class LocalLink implements AgentLink {
     @Override
     public void close() {
         serverEnd.close();
-        doorbell.run();
+        wakeUp.run();
     }
 
     private static IOException interrupted() {
         Thread.currentThread().interrupt();
-        return new InterruptedIOException("The agent's thread was interrupted while it talked to the simulator.");
+        return new InterruptedIOException("The agent's thread was interrupted while communicating with the simulator.");
     }
 
     private final class ServerEnd implements ServerLink {
@@ -84,11 +79,6 @@ final class LocalLink implements AgentLink {
         }
 
         @Override
-        public String closingReason() {
-            return HAS_LEFT;
-        }
-
-        @Override
         public void close() {
             toSimulator.close();
             toAgent.close();
@@ -97,16 +87,6 @@ final class LocalLink implements AgentLink {
         @Override
         public Optional<Restorable> agentState() {
             return agentState;
-        }
-
-        @Override
-        public boolean isLocal() {
-            return true;
-        }
-
-        @Override
-        public String address() {
-            return "in this process";
         }
     }
 }

@@ -2,7 +2,7 @@ package org.robonewbie.simulator.server;
 
 import org.robonewbie.protocol.frame.MessageBuffer;
 
-/** Messages on their way from one thread to another, in order; the buffers are used again and again. */
+/** A bounded FIFO queue of messages between two threads. It reuses its buffers. */
 final class MessageQueue {
 
     private static final int CAPACITY = 64;
@@ -18,7 +18,7 @@ final class MessageQueue {
         }
     }
 
-    /** Appends a copy of a message unless the queue is full or closed; returns whether it did. */
+    /** Appends a copy of a message; returns false if the queue is full or closed. */
     synchronized boolean offer(MessageBuffer message) {
         if (count == CAPACITY || closed) {
             return false;
@@ -27,7 +27,7 @@ final class MessageQueue {
         return true;
     }
 
-    /** Appends a copy of a message as soon as there is room; does nothing once the queue is closed. */
+    /** Appends a copy of a message, blocking while the queue is full. Has no effect on a closed queue. */
     synchronized void put(MessageBuffer message) throws InterruptedException {
         while (count == CAPACITY && !closed) {
             wait();
@@ -37,7 +37,7 @@ final class MessageQueue {
         }
     }
 
-    /** Takes the first message; false if there is none. */
+    /** Removes the first message; returns false if the queue is empty. */
     synchronized boolean poll(MessageBuffer message) {
         if (count == 0) {
             return false;
@@ -51,7 +51,7 @@ final class MessageQueue {
         return true;
     }
 
-    /** Waits for the first message and takes it; false if the queue is empty and closed. */
+    /** Removes the first message, blocking while the queue is empty; returns false once it is empty and closed. */
     synchronized boolean take(MessageBuffer message) throws InterruptedException {
         while (count == 0 && !closed) {
             wait();
@@ -59,7 +59,7 @@ final class MessageQueue {
         return poll(message);
     }
 
-    /** Accepts no more messages; those inside can still be taken. */
+    /** Closes the queue for new messages; queued messages can still be removed. */
     synchronized void close() {
         closed = true;
         notifyAll();
@@ -69,7 +69,7 @@ final class MessageQueue {
         return closed;
     }
 
-    /** Whether the queue is empty and no more messages can come. */
+    /** Whether the queue is closed and empty. */
     synchronized boolean isExhausted() {
         return closed && count == 0;
     }

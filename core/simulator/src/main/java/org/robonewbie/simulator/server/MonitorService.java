@@ -16,7 +16,6 @@ import org.robonewbie.simulator.cycle.AgentSession;
 import org.robonewbie.simulator.cycle.RateLimitedLogger;
 import org.robonewbie.simulator.cycle.SimulationCycle;
 import org.robonewbie.simulator.cycle.TrainerOrders;
-import org.robonewbie.simulator.monitor.MatchEnvironment;
 import org.robonewbie.simulator.monitor.MonitorLog;
 import org.robonewbie.simulator.monitor.MonitorPort;
 import org.robonewbie.simulator.monitor.MonitorSettings;
@@ -25,29 +24,26 @@ import org.robonewbie.simulator.monitor.MonitoredRobotState;
 import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.soccer.MatchState;
 import org.robonewbie.simulator.soccer.Player;
-import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
-/** Sends the world to monitors, writes the log for them, and receives the commands of trainers. */
+/** Feeds the monitor port and the monitor log, and executes the orders of trainers. */
 final class MonitorService {
 
-    private static final int WAITING_ORDERS = 1000;
+    private static final int MAX_QUEUED_ORDERS = 1000;
 
     private final SimulationCycle cycle;
     private final Consumer<Runnable> betweenCycles;
     private final TrainerOrders orders;
-    private final AtomicInteger waitingOrders = new AtomicInteger();
+    private final AtomicInteger queuedOrders = new AtomicInteger();
     private final RateLimitedLogger warnings;
     private Optional<MonitorPort> port = Optional.empty();
     private Optional<MonitorLog> log = Optional.empty();
 
     /**
-     * Prepares the desk; no monitor is served yet.
+     * Creates the service; {@link #open} starts it.
      *
-     * @param cycle what is shown
-     * @param betweenCycles runs something on the simulation's thread
+     * @param betweenCycles executor on the simulation thread
      * @param end ends the simulation
-     * @param console reports problems
      */
     MonitorService(SimulationCycle cycle, Consumer<Runnable> betweenCycles, Runnable end, Console console) {
         this.warnings = new RateLimitedLogger(console, "A trainer");
@@ -56,15 +52,18 @@ final class MonitorService {
         this.orders = new TrainerOrders(cycle, () -> port.ifPresent(MonitorPort::requestFullState), end);
     }
 
-    /** Opens port and log if they are wanted; must be called before the simulation runs. */
+    /** Opens the configured port and log. Call before the simulation runs. */
     void open(SimulatorSettings settings, Console console) throws IOException {
-        MonitorSettings wanted = monitorSettings(settings);
-        if (settings.monitorLog().isPresent()) {
-            log = Optional.of(MonitorLog.open(settings.monitorLog().get(), wanted, console::say));
+        SimulatorSettings.Monitors monitors = settings.monitors();
+        SoccerParameters parameters = settings.world().parameters();
+        if (monitors.log().isPresent()) {
+            log = Optional.of(MonitorLog.open(monitors.log().get(), parameters, console::say));
         }
-        if (settings.monitorPort().isPresent()) {
-            Consumer<Order> taker = settings.trainers() ? this::order : this::orderOfSpectator;
-            port = Optional.of(MonitorPort.open(wanted, console::say, taker));
+        if (monitors.port().isPresent()) {
+            Consumer<Order> receiver = monitors.trainers() ? this::order : this::orderOfSpectator;
+            MonitorSettings portSettings = new MonitorSettings(
+                    settings.agents().bindAddress(), monitors.port().getAsInt(), monitors.stepSeconds(), parameters);
+            port = Optional.of(MonitorPort.open(portSettings, console::say, receiver));
         }
     }
 
@@ -77,8 +76,8 @@ final class MonitorService {
         log.ifPresent(lines -> lines.cycleEnded(cycle.cycle(), this::snapshot));
     }
 
-    /** Shows the world to new monitors, and what trainers have changed to all of them, while the clock is stopped. */
-    void standsStill() {
+    /** Sends the state while the clock is paused, for new monitors and for the changes of trainers. */
+    void idle() {
         port.filter(monitors -> monitors.monitors() > 0).ifPresent(monitors -> monitors.show(snapshot()));
     }
 
@@ -87,34 +86,33 @@ final class MonitorService {
         log.ifPresent(MonitorLog::close);
     }
 
-    /** Carries out an order, on the simulation's thread. */
+    /** Executes an order on the simulation thread. */
     void execute(Order order) {
         orders.execute(order);
     }
 
-    /** Whoever only watches may ask for the whole scene; all else that changes the world is refused. */
+    /** Refuses all orders of a view-only monitor except a request for the full state. */
     private void orderOfSpectator(Order order) {
         if (order instanceof Order.RequestFullState) {
             order(order);
         } else {
             warnings.warn(
                     "spectator",
-                    "wants to change the world, which this simulator does not allow. Start it without --no-trainers if it is"
-                            + " to.");
+                    "tried to change the world, which this simulator does not allow. Start it without --no-trainers to allow"
+                            + " this.");
         }
     }
 
-    /** Takes an order from any thread; a trainer that floods the simulation loses orders. */
+    /** Queues an order from any thread; excess orders are dropped. */
     private void order(Order order) {
-        if (waitingOrders.incrementAndGet() > WAITING_ORDERS) {
-            waitingOrders.decrementAndGet();
+        if (queuedOrders.incrementAndGet() > MAX_QUEUED_ORDERS) {
+            queuedOrders.decrementAndGet();
             warnings.warn(
-                    "flood",
-                    "sends more than " + WAITING_ORDERS + " orders in one cycle; what is too much is not carried out.");
+                    "flood", "sends more than " + MAX_QUEUED_ORDERS + " orders in one cycle; the rest is ignored.");
             return;
         }
         betweenCycles.accept(() -> {
-            waitingOrders.decrementAndGet();
+            queuedOrders.decrementAndGet();
             execute(order);
         });
     }
@@ -151,16 +149,5 @@ final class MonitorService {
 
     private static Optional<String> name(Match match, TeamSide side) {
         return Optional.of(match.teams().name(side)).filter(name -> !name.isEmpty());
-    }
-
-    private static MonitorSettings monitorSettings(SimulatorSettings settings) {
-        SoccerParameters parameters = settings.world().parameters();
-        return new MonitorSettings(
-                settings.bindAddress(),
-                settings.monitorPort().orElse(0),
-                settings.monitorStepSeconds(),
-                MatchEnvironment.of(parameters),
-                parameters.field(),
-                parameters.get(SoccerParameter.BALL_RADIUS));
     }
 }

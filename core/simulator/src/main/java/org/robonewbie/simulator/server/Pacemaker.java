@@ -1,17 +1,21 @@
 package org.robonewbie.simulator.server;
 
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.LongConsumer;
+import java.util.function.LongSupplier;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * Keeps simulated time in step with real time. When a cycle takes too long, the lost time is dropped, so that the world
- * becomes slower for a moment instead of hurrying afterwards.
+ * Synchronises simulated time with real time. Time lost in a slow cycle is dropped: the simulation falls behind instead of running
+ * faster afterwards.
  */
 final class Pacemaker {
 
     private static final double CYCLE_NANOSECONDS = 20e6;
     private static final long MEASURING_NANOSECONDS = 1_000_000_000L;
 
-    private final RealTime time;
+    private final LongSupplier nanoTime;
+    private final LongConsumer sleepUntil;
     private double speed;
     private long due;
     private boolean running;
@@ -20,29 +24,41 @@ final class Pacemaker {
     private long measuringStart;
     private double realTimeFactor;
 
-    Pacemaker(double speed, RealTime time) {
+    Pacemaker(double speed) {
+        this(speed, System::nanoTime, Pacemaker::sleepUntil);
+    }
+
+    /** Creates a pacemaker with another clock: a time in nanoseconds, and a method that blocks until a time of this clock. */
+    Pacemaker(double speed, LongSupplier nanoTime, LongConsumer sleepUntil) {
         this.speed = speed;
-        this.time = time;
-        this.measuringStart = time.nanoseconds();
+        this.nanoTime = nanoTime;
+        this.sleepUntil = sleepUntil;
+        this.measuringStart = nanoTime.getAsLong();
+    }
+
+    private static void sleepUntil(long nanoTime) {
+        while (nanoTime - System.nanoTime() > 0) {
+            LockSupport.parkNanos(nanoTime - System.nanoTime());
+        }
     }
 
     void setSpeed(double newSpeed) {
         speed = newSpeed;
-        excuse();
+        pause();
     }
 
     double speed() {
         return speed;
     }
 
-    /** Forgets the time that has passed: the world was meant to stand still. */
-    void excuse() {
+    /** Excludes the time until the next cycle from the pace. */
+    void pause() {
         running = false;
     }
 
     /** Waits until the next cycle is due. */
     void awaitNextCycle() {
-        long now = time.nanoseconds();
+        long now = nanoTime.getAsLong();
         measure(now);
         if (Double.isInfinite(speed)) {
             return;
@@ -55,15 +71,15 @@ final class Pacemaker {
             missedCycles += late / length;
             due = now;
         }
-        time.awaitNanoseconds(due);
+        sleepUntil.accept(due);
     }
 
-    /** The number of cycles by which the world fell behind real time. */
+    /** The number of cycles by which the simulation fell behind real time. */
     long missedCycles() {
         return missedCycles;
     }
 
-    /** Simulated seconds per second over the last second. */
+    /** Simulated seconds per real second, measured over the last second. */
     double realTimeFactor() {
         return realTimeFactor;
     }

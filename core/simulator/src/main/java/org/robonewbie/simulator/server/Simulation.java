@@ -3,6 +3,7 @@ package org.robonewbie.simulator.server;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -14,6 +15,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.SoccerField;
+import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.order.Order;
@@ -23,27 +25,26 @@ import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.cycle.SimulationCycle;
 import org.robonewbie.simulator.file.RecordingFile;
-import org.robonewbie.simulator.file.ReportFile;
 import org.robonewbie.simulator.recording.RunReport;
-import org.robonewbie.simulator.soccer.MatchEvent;
 import org.robonewbie.simulator.state.WorldState;
 
 /**
- * Runs cycle after cycle on one thread, the only one that touches the world. Other threads leave commands, which are carried
- * out between two cycles.
+ * The main loop of a simulator. The simulation thread alone accesses the world; other threads queue commands that it executes
+ * between two cycles.
  */
 final class Simulation implements SimulationControl, Runnable {
 
     private static final long IDLE_MILLISECONDS = 100;
-    private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(2);
-    private static final double SLOWEST = 0.1;
+    private static final long ANSWER_TIMEOUT_NANOS = TimeUnit.SECONDS.toNanos(2);
+    private static final double MIN_SPEED = 0.1;
 
     private final SimulatorSettings settings;
+    private final AgentPort port;
     private final Console console;
     private final SimulationCycle cycle;
     private final AgentAcceptor acceptor;
     private final Pacemaker pacemaker;
-    private final StalledAgentWatch silenceWatch;
+    private final StalledAgentWatch stalledAgents;
     private final MonitorService monitors;
     private final double lastCycle;
     private final Queue<Runnable> commands = new ConcurrentLinkedQueue<>();
@@ -60,24 +61,23 @@ final class Simulation implements SimulationControl, Runnable {
     private volatile Optional<RunReport> finalReport = Optional.empty();
     private volatile Optional<IOException> reportFailure = Optional.empty();
 
-    /**
-     * Prepares a simulation.
-     *
-     * @throws IOException if the recording cannot be written; the message says what to do
-     */
     Simulation(SimulatorSettings settings, AgentPort port, Console console) throws IOException {
         this.settings = settings;
+        this.port = port;
         this.console = sentence -> {
             console.say(sentence);
-            observers.forEach(observer -> observer.told(sentence));
+            observers.forEach(observer -> observer.messagePrinted(sentence));
         };
-        this.lastCycle = PortableMath.rint(settings.seconds().orElse(Double.POSITIVE_INFINITY) / Cycle.SECONDS);
+        this.lastCycle = PortableMath.rint(settings.seconds() / Cycle.SECONDS);
         this.cycle = new SimulationCycle(
-                settings.world(), RecordingFile.openIfWanted(settings.recording(), console::say), this.console);
-        this.cycle.reportEventsTo(this::happened);
+                settings.world(),
+                RecordingFile.openIfWanted(settings.output().recording(), console::say),
+                this.console);
+        this.cycle.reportEventsTo(event -> observers.forEach(observer -> observer.happened(event)));
         this.acceptor = new AgentAcceptor(port, cycle, settings);
-        this.pacemaker = new Pacemaker(settings.speed(), RealTime.CLOCK);
-        this.silenceWatch = new StalledAgentWatch(this.console, settings.silentAgentSeconds());
+        this.pacemaker = new Pacemaker(settings.speed());
+        this.stalledAgents =
+                new StalledAgentWatch(this.console, settings.agents().silentSeconds());
         this.monitors = new MonitorService(cycle, this::command, this::end, this.console);
     }
 
@@ -89,11 +89,7 @@ final class Simulation implements SimulationControl, Runnable {
         return cycle;
     }
 
-    /**
-     * Opens what monitors need; to be called before the simulation runs.
-     *
-     * @throws IOException if port or log cannot be opened; the message says what to do
-     */
+    /** Opens the port and the log for monitors. Call before the simulation runs. */
     void openMonitors() throws IOException {
         try {
             monitors.open(settings, console);
@@ -108,17 +104,14 @@ final class Simulation implements SimulationControl, Runnable {
         return monitors;
     }
 
-    /** The number of completed cycles; may be called from any thread. */
     long cycles() {
         return cycles;
     }
 
-    /** The number of connected agents; may be called from any thread. */
     int connectedAgents() {
         return connectedAgents;
     }
 
-    /** The robots of those who came through a team's own door, playing or not; on the simulation's thread. */
     int robotsOf(String team) {
         return (int) cycle.agents().stream()
                 .filter(agent -> agent.robot().isPresent())
@@ -127,37 +120,33 @@ final class Simulation implements SimulationControl, Runnable {
                 .count();
     }
 
-    /** Whether a team with a door of its own has kept the world waiting; may be called from any thread. */
     boolean wasSilent(String team) {
-        return silenceWatch.silentTeams().contains(team);
+        return stalledAgents.silentTeams().contains(team);
     }
 
-    /** The number of cycles by which the world fell behind real time; may be called from any thread. */
     long missedCycles() {
         return missedCycles;
     }
 
-    /** The true results, once the simulation has ended. */
     Optional<RunReport> finalReport() {
         return finalReport;
     }
 
-    /** Why the report could not be written. */
     Optional<IOException> reportFailure() {
         return reportFailure;
     }
 
-    /** Ends the simulation after the present cycle; may be called from any thread. */
+    /** Ends the simulation after the current cycle. Thread-safe. */
     void end() {
         closing = true;
-        acceptor.ring();
+        acceptor.wakeUp();
     }
 
     @Override
     public void run() {
         try {
             while (!over && !(closing && isFinished())) {
-                turn();
+                advance();
             }
         } catch (RuntimeException | OutOfMemoryError e) {
             StringWriter trace = new StringWriter();
@@ -168,13 +157,13 @@ final class Simulation implements SimulationControl, Runnable {
         }
     }
 
-    /** Whether nothing is left to do: the last messages of agents that have ended still count, unless paused. */
+    /** Whether a closing simulation may end. The last messages of agents that have left still count, unless paused. */
     private boolean isFinished() {
         acceptor.receiveAll();
         return (paused && stepsLeft == 0)
                 || !settings.world().synchronous()
-                || settings.awaitedAgents() == 0
-                || cycle.isAnybodyConnected()
+                || settings.agents().awaited() == 0
+                || cycle.hasConnectedAgent()
                 || cycle.world().robots().isEmpty()
                 || !isReady();
     }
@@ -187,9 +176,10 @@ final class Simulation implements SimulationControl, Runnable {
         RunReport result = cycle.recorder().report(settings.world().seed(), wallSeconds, pacemaker.missedCycles());
         finalReport = Optional.of(result);
         cycle.recorder().close();
-        if (settings.report().isPresent()) {
+        Optional<Path> reportFile = settings.output().report();
+        if (reportFile.isPresent()) {
             try {
-                ReportFile.write(result, settings.report().get());
+                AtomicFile.write(reportFile.get(), result.toJson());
             } catch (IOException e) {
                 reportFailure = Optional.of(e);
                 console.say(String.valueOf(e.getMessage()));
@@ -197,46 +187,45 @@ final class Simulation implements SimulationControl, Runnable {
         }
     }
 
-    private void turn() {
+    /** Runs one cycle if all agents are ready; otherwise waits. */
+    private void advance() {
         executeCommands();
         acceptor.receive();
         if (paused && stepsLeft == 0) {
-            silenceWatch.everybodyAnswered();
-            standStill();
+            stalledAgents.reset();
+            idle();
         } else if (isReady()) {
-            silenceWatch.everybodyAnswered();
+            stalledAgents.reset();
             runCycle();
         } else {
-            cycle.unsynchronisedAgent().ifPresent(silenceWatch::isWaitingFor);
-            standStill();
+            cycle.unsynchronisedAgent().ifPresent(stalledAgents::check);
+            idle();
         }
     }
 
-    /** Executes the commands that are there now; a client that keeps sending must not keep the world from continuing. */
+    /** Executes the queued commands, but none added meanwhile, so that a busy client cannot block the simulation. */
     private void executeCommands() {
         for (int count = commands.size(); count > 0; count--) {
             commands.remove().run();
         }
     }
 
-    /** Whether all awaited agents are there. */
+    /** Whether the awaited agents are connected and, in sync mode, all agents have answered. */
     private boolean isReady() {
-        int awaited = begun && settings.world().synchronous()
-                ? Math.min(1, settings.awaitedAgents())
-                : settings.awaitedAgents();
-        if ((!begun || settings.world().synchronous()) && heardAgents() < awaited) {
-            return false;
+        int awaited = settings.agents().awaited();
+        if (begun) {
+            awaited = settings.world().synchronous() ? Math.min(1, awaited) : 0;
         }
-        return isAnswered();
+        return speakingAgents() >= awaited && isAnswered();
     }
 
-    /** Those of whom something was heard; a team with a door of its own cannot stand in for another one. */
-    private long heardAgents() {
-        long heard = cycle.heardAgents(Optional.empty());
-        for (TeamDoor door : settings.doors()) {
-            heard += Math.min(door.robots(), cycle.heardAgents(Optional.of(door.team())));
+    /** Counts the agents that have sent a message; surplus agents of a team endpoint do not count. */
+    private long speakingAgents() {
+        long count = cycle.speakingAgents(Optional.empty());
+        for (TeamEndpoint endpoint : settings.agents().endpoints()) {
+            count += Math.min(endpoint.robots(), cycle.speakingAgents(Optional.of(endpoint.team())));
         }
-        return heard;
+        return count;
     }
 
     private boolean isAnswered() {
@@ -262,15 +251,11 @@ final class Simulation implements SimulationControl, Runnable {
         }
     }
 
-    private void happened(MatchEvent event) {
-        observers.forEach(observer -> observer.happened(event));
-    }
-
-    private void standStill() {
-        pacemaker.excuse();
+    private void idle() {
+        pacemaker.pause();
         if (!acceptor.await(IDLE_MILLISECONDS)) {
             report();
-            monitors.standsStill();
+            monitors.idle();
         }
     }
 
@@ -288,7 +273,7 @@ final class Simulation implements SimulationControl, Runnable {
 
     private void command(Runnable command) {
         commands.add(command);
-        acceptor.ring();
+        acceptor.wakeUp();
     }
 
     @Override
@@ -303,27 +288,26 @@ final class Simulation implements SimulationControl, Runnable {
 
     private void execute(Order order) {
         if (order instanceof Order.Pause) {
-            hold(0);
+            pauseAfter(0);
         } else if (order instanceof Order.Resume) {
             paused = false;
         } else if (order instanceof Order.Step step) {
-            hold(stepsLeft + step.cycles());
+            pauseAfter(stepsLeft + step.cycles());
         } else if (order instanceof Order.SetSpeed set) {
-            pacemaker.setSpeed(Math.max(SLOWEST, set.factor()));
+            pacemaker.setSpeed(Math.max(MIN_SPEED, set.factor()));
         } else {
             monitors.execute(order);
         }
     }
 
-    /** Stops the clock after some more cycles. */
-    private void hold(int cycles) {
+    private void pauseAfter(int cycles) {
         paused = true;
         stepsLeft = cycles;
     }
 
     @Override
-    public void restore(WorldSnapshot before, WorldSnapshot moment) {
-        command(() -> cycle.restore(before, moment));
+    public void restore(WorldSnapshot before, WorldSnapshot target) {
+        command(() -> cycle.restore(before, target));
     }
 
     @Override
@@ -339,11 +323,11 @@ final class Simulation implements SimulationControl, Runnable {
     }
 
     private <T> void actWhenAnswered(Supplier<T> action, Consumer<Optional<T>> receiver) {
-        long end = System.nanoTime() + PATIENCE_NANOS;
+        long end = System.nanoTime() + ANSWER_TIMEOUT_NANOS;
         command(() -> actIfAnswered(action, receiver, end));
     }
 
-    /** Tries again before the next cycle while answers are missing, since an agent that is thinking is out of reach. */
+    /** Performs the action once all agents have answered, retrying until the timeout; a thinking agent cannot be saved. */
     private <T> void actIfAnswered(Supplier<T> action, Consumer<Optional<T>> receiver, long end) {
         acceptor.receive();
         if (isAnswered()) {
@@ -365,7 +349,7 @@ final class Simulation implements SimulationControl, Runnable {
 
     @Override
     public OptionalInt agentPort() {
-        int number = acceptor.portNumber();
+        int number = port.number(Optional.empty());
         return number > 0 ? OptionalInt.of(number) : OptionalInt.empty();
     }
 

@@ -12,10 +12,10 @@ import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.recording.RunReport;
 
 /**
- * A running simulator with its own thread and its agent port.
+ * A running simulator with a thread and ports for agents and monitors.
  *
  * <pre>{@code
- * try (Simulator simulator = Simulator.start(SimulatorSettings.beginner().agentPort(0).build(), Console.standard())) {
+ * try (Simulator simulator = Simulator.start(SimulatorSettings.of(WorldSettings.beginner().withSynchronous(false)).withAgentPort(0), Console.standard())) {
  *     simulator.awaitEnd();
  * }
  * }</pre>
@@ -33,17 +33,15 @@ public final class Simulator implements AutoCloseable {
     }
 
     /**
-     * Opens the port and starts the simulation.
+     * Opens the ports and starts the simulation.
      *
      * @param settings the configuration
-     * @param console prints messages to people
+     * @param console output for messages to the user
      * @return the running simulator
      * @throws IOException if a port is in use or a file cannot be written; the message says what to do
      */
     public static Simulator start(SimulatorSettings settings, Console console) throws IOException {
-        AgentPort port = settings.doors().isEmpty()
-                ? AgentPort.open(settings.bindAddress(), settings.agentPort(), console)
-                : AgentPort.open(settings.doors(), console);
+        AgentPort port = AgentPort.open(settings.agents(), console);
         Simulation simulation = simulation(settings, port, console);
         Thread thread = new Thread(simulation, "simulation");
         thread.setDaemon(true);
@@ -51,34 +49,33 @@ public final class Simulator implements AutoCloseable {
         return new Simulator(simulation, port, thread);
     }
 
-    /** {@return the TCP port for agents} */
+    /** {@return the TCP port for agents; 0 if there are team endpoints instead} */
     public int agentPort() {
-        return port.number();
+        return port.number(Optional.empty());
     }
 
     /**
-     * Returns the port of a team that has a door of its own.
+     * Returns the TCP port of a team's endpoint.
      *
      * @param team the team
-     * @return its TCP port; 0 if its door is a file
+     * @return its TCP port; 0 for a Unix domain socket
      */
     public int agentPort(String team) {
-        return port.number(team);
+        return port.number(Optional.of(team));
     }
 
     /**
-     * Counts the robots of those who came through a team's own door, whatever they say of themselves. To be asked by an
-     * observer, on the simulation's thread.
+     * Counts the robots whose agents connected through a team's endpoint. Call it from an observer, on the simulation thread.
      *
      * @param team the team
-     * @return how many robots it has on the pitch or beside it
+     * @return the number of robots on or beside the pitch
      */
     public int robotsOf(String team) {
         return simulation.robotsOf(team);
     }
 
     /**
-     * Looks whether an agent that came through a team's own door was dropped since it kept the world waiting.
+     * Returns whether an agent that connected through a team's endpoint was disconnected because it blocked sync mode.
      *
      * @param team the team
      * @return whether one was
@@ -87,14 +84,14 @@ public final class Simulator implements AutoCloseable {
         return simulation.wasSilent(team);
     }
 
-    /** {@return the TCP port for monitors; empty if none was wanted} */
+    /** {@return the TCP port for monitors; empty if the settings open none} */
     public OptionalInt monitorPort() {
         return simulation.monitors().portNumber();
     }
 
     /**
-     * Connects an agent of this process without a socket. In sync mode the world waits for each of its answers as long as it
-     * is connected. Agents are numbered, and served, in the order of these calls.
+     * Connects an in-process agent without a socket. While it is connected, sync mode waits for each of its answers. Agents are
+     * numbered and served in the order of these calls.
      *
      * @return the agent's end of the connection
      */
@@ -102,7 +99,7 @@ public final class Simulator implements AutoCloseable {
         return simulation.acceptor().connect();
     }
 
-    /** {@return the control of the running simulation; thread-safe} */
+    /** {@return the thread-safe control of the simulation} */
     public SimulationControl control() {
         return simulation;
     }
@@ -112,7 +109,7 @@ public final class Simulator implements AutoCloseable {
         return simulation.cycles();
     }
 
-    /** {@return the number of cycles by which the world fell behind real time so far} */
+    /** {@return the number of cycles by which the simulation has fallen behind real time} */
     public long missedCycles() {
         return simulation.missedCycles();
     }
@@ -123,20 +120,20 @@ public final class Simulator implements AutoCloseable {
     }
 
     /**
-     * {@return seconds of processor time that the simulation's thread has used so far; NaN where the system does not report it}
+     * {@return CPU seconds used by the simulation thread; NaN if the JVM cannot measure them}
      */
     public double processorSeconds() {
         ThreadMXBean threads = ManagementFactory.getThreadMXBean();
         return threads.isThreadCpuTimeSupported() ? threads.getThreadCpuTime(thread.getId()) / 1e9 : Double.NaN;
     }
 
-    /** {@return the true results of a simulation that has ended; empty while it runs} */
+    /** {@return the results of a simulation that has ended; empty while it runs} */
     public Optional<RunReport> report() {
         return simulation.finalReport();
     }
 
     /**
-     * Waits until the simulation has ended by itself or was closed.
+     * Waits until the simulation ends or is closed.
      *
      * @throws InterruptedException if this thread is interrupted
      */
@@ -145,7 +142,7 @@ public final class Simulator implements AutoCloseable {
     }
 
     /**
-     * Ends the simulation. Closing twice does nothing.
+     * Ends the simulation. Has no effect on a closed simulator.
      *
      * @throws UncheckedIOException if the report cannot be written
      */

@@ -3,350 +3,173 @@ package org.robonewbie.simulator.server;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.cycle.WorldSettings;
-import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.monitor.MonitorSettings;
-import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
  * The configuration of a simulator.
  *
  * <pre>{@code
  * SimulatorSettings settings =
- *         SimulatorSettings.league().agentPort(0).synchronous(true).build();
+ *         SimulatorSettings.of(WorldSettings.league()).withAgentPort(0).withAwaitedAgents(2);
  * }</pre>
  *
- * @param world pitch, rules, noise and seed
- * @param bindAddress address of this computer at which agents may connect; 127.0.0.1 for this computer only
- * @param agentPort TCP port for agents, 0 for any free one
- * @param doors a door for each team instead of the port for all; none for that port
- * @param speed simulated seconds per second, or {@link SimulationControl#AS_FAST_AS_POSSIBLE}
- * @param awaitedAgents how many agents must have spoken before the first cycle, 0 not to wait
- * @param silentAgentSeconds real seconds after which an agent of another process that keeps the world waiting is dropped
- * @param seconds simulated seconds after which the simulation ends; empty runs until it is closed
- * @param recording file for the recording
- * @param report file for the report
- * @param monitorPort TCP port for monitors and trainers, 0 for any free one; empty opens none
- * @param monitorStepSeconds simulated seconds between two messages to monitors
- * @param trainers whether monitors may change the world
- * @param monitorLog file for a log that RoboViz can replay
+ * @param world pitch, rules, noise, seed, and whether cycles wait for agents
+ * @param agents the connections of agents
+ * @param monitors the connections of monitors
+ * @param speed simulated seconds per real second, or {@link SimulationControl#AS_FAST_AS_POSSIBLE}
+ * @param seconds simulated seconds after which the simulation ends; infinite to run until it is closed
+ * @param output the files to write
  */
 public record SimulatorSettings(
-        WorldSettings world,
-        String bindAddress,
-        int agentPort,
-        List<TeamDoor> doors,
-        double speed,
-        int awaitedAgents,
-        double silentAgentSeconds,
-        OptionalDouble seconds,
-        Optional<Path> recording,
-        Optional<Path> report,
-        OptionalInt monitorPort,
-        double monitorStepSeconds,
-        boolean trainers,
-        Optional<Path> monitorLog) {
+        WorldSettings world, Agents agents, Monitors monitors, double speed, double seconds, Output output) {
 
-    /** Makes the list unmodifiable. */
-    public SimulatorSettings {
-        doors = List.copyOf(doors);
-    }
-
-    /** The port of the league. */
+    /** The agent port of the league. */
     public static final int DEFAULT_AGENT_PORT = 3100;
 
-    /** The port at which monitors look for a server. */
+    /** The monitor port of the league. */
     public static final int DEFAULT_MONITOR_PORT = 3200;
 
-    /** Real seconds for which an agent of another process may keep the world waiting. */
+    /** Default of {@link Agents#silentSeconds}. */
     public static final double DEFAULT_SILENT_AGENT_SECONDS = 60;
 
+    /** The address for connections from this computer only. */
+    public static final String LOCALHOST = "127.0.0.1";
+
     /**
-     * Begins with settings like those of rcssserver3d: port 3100, real time, rules and noise of the league.
+     * Settings for the connections of agents.
      *
-     * @return a builder
+     * @param bindAddress local address to listen on, such as 127.0.0.1 for this computer only or 0.0.0.0 for all interfaces
+     * @param port TCP port for agents, 0 for any free port; ignored if there are team endpoints
+     * @param endpoints an endpoint for each team, or empty for one port for all agents
+     * @param awaited number of agents that must have sent a message before the first cycle
+     * @param silentSeconds real seconds after which an agent of another process that blocks sync mode is disconnected
      */
-    public static Builder league() {
-        return new Builder(WorldSettings.league());
+    public record Agents(
+            String bindAddress, int port, List<TeamEndpoint> endpoints, int awaited, double silentSeconds) {
+
+        /** Makes the list unmodifiable. */
+        public Agents {
+            endpoints = List.copyOf(endpoints);
+        }
     }
 
     /**
-     * Begins with the beginners' pitch and rules; the rest is as in the league.
+     * Settings for the connections of monitors.
      *
-     * @return a builder
+     * @param port TCP port for monitors and trainers, 0 for any free port; empty to open none
+     * @param stepSeconds simulated seconds between two messages to monitors, at least 0.02
+     * @param trainers whether monitors may change the world
+     * @param log file for a log that RoboViz can replay
      */
-    public static Builder beginner() {
-        return new Builder(WorldSettings.beginner());
+    public record Monitors(OptionalInt port, double stepSeconds, boolean trainers, Optional<Path> log) {
+
+        /** No monitor port and no log. */
+        public static final Monitors NONE =
+                new Monitors(OptionalInt.empty(), MonitorSettings.DEFAULT_STEP_SECONDS, true, Optional.empty());
     }
 
-    /** Collects settings; what is not set keeps its usual value. */
-    public static final class Builder {
+    /**
+     * The files that a simulator writes.
+     *
+     * @param recording file for the recording
+     * @param report file for the report
+     */
+    public record Output(Optional<Path> recording, Optional<Path> report) {}
 
-        private WorldSettings world;
-        private String bindAddress = "127.0.0.1";
-        private int agentPort = DEFAULT_AGENT_PORT;
-        private List<TeamDoor> doors = List.of();
-        private double speed = 1;
-        private int awaitedAgents;
-        private double silentAgentSeconds = DEFAULT_SILENT_AGENT_SECONDS;
-        private OptionalDouble seconds = OptionalDouble.empty();
-        private Optional<Path> recording = Optional.empty();
-        private Optional<Path> report = Optional.empty();
-        private OptionalInt monitorPort = OptionalInt.empty();
-        private double monitorStepSeconds = MonitorSettings.STANDARD_STEP_SECONDS;
-        private boolean trainers = true;
-        private Optional<Path> monitorLog = Optional.empty();
+    /**
+     * Returns the default settings for a world: agents connect to port 3100 of this computer, in real time, without monitors.
+     *
+     * @param world the world to simulate
+     * @return the settings
+     */
+    public static SimulatorSettings of(WorldSettings world) {
+        Agents agents = new Agents(LOCALHOST, DEFAULT_AGENT_PORT, List.of(), 0, DEFAULT_SILENT_AGENT_SECONDS);
+        Output none = new Output(Optional.empty(), Optional.empty());
+        return new SimulatorSettings(world, agents, Monitors.NONE, 1, Double.POSITIVE_INFINITY, none);
+    }
 
-        private Builder(WorldSettings world) {
-            this.world = world.withSynchronous(false);
-        }
+    /**
+     * Changes the connections of agents.
+     *
+     * @param value the new settings
+     * @return a changed copy
+     */
+    public SimulatorSettings withAgents(Agents value) {
+        return new SimulatorSettings(world, value, monitors, speed, seconds, output);
+    }
 
-        /**
-         * Sets pitch and rules.
-         *
-         * @param value the parameters
-         * @return this builder
-         */
-        public Builder parameters(SoccerParameters value) {
-            world = world.withParameters(value);
-            return this;
-        }
+    /**
+     * Changes the port for agents.
+     *
+     * @param value TCP port, 0 for any free port
+     * @return a changed copy
+     */
+    public SimulatorSettings withAgentPort(int value) {
+        return withAgents(
+                new Agents(agents.bindAddress, value, agents.endpoints, agents.awaited, agents.silentSeconds));
+    }
 
-        /**
-         * Sets who may connect.
-         *
-         * @param value address of this computer, such as 127.0.0.1 or 0.0.0.0
-         * @return this builder
-         */
-        public Builder bindAddress(String value) {
-            bindAddress = value;
-            return this;
-        }
+    /**
+     * Changes the number of awaited agents.
+     *
+     * @param value number of agents that must have sent a message before the first cycle
+     * @return a changed copy
+     */
+    public SimulatorSettings withAwaitedAgents(int value) {
+        return withAgents(new Agents(agents.bindAddress, agents.port, agents.endpoints, value, agents.silentSeconds));
+    }
 
-        /**
-         * Sets the port.
-         *
-         * @param value TCP port, 0 for any free one
-         * @return this builder
-         */
-        public Builder agentPort(int value) {
-            agentPort = value;
-            return this;
-        }
+    /**
+     * Changes the connections of monitors.
+     *
+     * @param value the new settings
+     * @return a changed copy
+     */
+    public SimulatorSettings withMonitors(Monitors value) {
+        return new SimulatorSettings(world, agents, value, speed, seconds, output);
+    }
 
-        /**
-         * Lets each team in through a door of its own and nobody else; the agent port stays closed.
-         *
-         * @param value the doors
-         * @return this
-         */
-        public Builder doors(List<TeamDoor> value) {
-            doors = List.copyOf(value);
-            return this;
-        }
+    /**
+     * Opens a port for monitors.
+     *
+     * @param value TCP port, 0 for any free port
+     * @return a changed copy
+     */
+    public SimulatorSettings withMonitorPort(int value) {
+        return withMonitors(new Monitors(OptionalInt.of(value), monitors.stepSeconds, monitors.trainers, monitors.log));
+    }
 
-        /**
-         * Sets whether the world waits for the agents.
-         *
-         * @param value whether it does
-         * @return this builder
-         */
-        public Builder synchronous(boolean value) {
-            world = world.withSynchronous(value);
-            return this;
-        }
+    /**
+     * Changes the initial speed.
+     *
+     * @param value simulated seconds per real second, or {@link SimulationControl#AS_FAST_AS_POSSIBLE}
+     * @return a changed copy
+     */
+    public SimulatorSettings withSpeed(double value) {
+        return new SimulatorSettings(world, agents, monitors, value, seconds, output);
+    }
 
-        /**
-         * Sets the speed at the start.
-         *
-         * @param value simulated seconds per second, or {@link SimulationControl#AS_FAST_AS_POSSIBLE}
-         * @return this builder
-         */
-        public Builder speed(double value) {
-            speed = value;
-            return this;
-        }
+    /**
+     * Changes the duration.
+     *
+     * @param value simulated seconds; infinite to run until the simulator is closed
+     * @return a changed copy
+     */
+    public SimulatorSettings withSeconds(double value) {
+        return new SimulatorSettings(world, agents, monitors, speed, value, output);
+    }
 
-        /**
-         * Sets whether robots see with noise.
-         *
-         * @param value whether they do
-         * @return this builder
-         */
-        public Builder noise(boolean value) {
-            world = world.withNoise(value);
-            return this;
-        }
-
-        /**
-         * Sets which true values robots receive that no camera could know, for experiments: {@code mypos}, {@code myorien} and
-         * {@code ballpos}.
-         *
-         * @param ownPosition whether each picture has the true position of the robot's head
-         * @param ownOrientation whether it has the true direction of the robot's head
-         * @param ballPosition whether it has the true position of the ball
-         * @return this builder
-         */
-        public Builder groundTruth(boolean ownPosition, boolean ownOrientation, boolean ballPosition) {
-            world = world.withCamera(world.camera().withTruth(ownPosition, ownOrientation, ballPosition));
-            return this;
-        }
-
-        /**
-         * Sets whether robots receive what they cannot know, for experiments.
-         *
-         * @param value whether the camera also reports the true positions of its robot and the ball
-         * @return this builder
-         */
-        public Builder truth(boolean value) {
-            return groundTruth(value, value, value);
-        }
-
-        /**
-         * Sets what stands on the pitch.
-         *
-         * @param value the landscape
-         * @return this builder
-         */
-        public Builder landscape(Landscape value) {
-            world = world.withLandscape(value);
-            return this;
-        }
-
-        /**
-         * Sets the start of all random numbers.
-         *
-         * @param value any number
-         * @return this builder
-         */
-        public Builder seed(long value) {
-            world = world.withSeed(value);
-            return this;
-        }
-
-        /**
-         * Sets how many agents are awaited.
-         *
-         * @param value how many must have spoken before the first cycle, 0 not to wait
-         * @return this builder
-         */
-        public Builder awaitedAgents(int value) {
-            awaitedAgents = value;
-            return this;
-        }
-
-        /**
-         * Sets how long a silent agent may hold the world up.
-         *
-         * @param value real seconds
-         * @return this builder
-         */
-        public Builder silentAgentSeconds(double value) {
-            silentAgentSeconds = value;
-            return this;
-        }
-
-        /**
-         * Sets when the simulation ends.
-         *
-         * @param value simulated seconds, or empty to run until it is closed
-         * @return this builder
-         */
-        public Builder seconds(OptionalDouble value) {
-            seconds = value;
-            return this;
-        }
-
-        /**
-         * Sets where the recording is written.
-         *
-         * @param value the file, or empty for none
-         * @return this builder
-         */
-        public Builder recording(Optional<Path> value) {
-            recording = value;
-            return this;
-        }
-
-        /**
-         * Sets where the report is written.
-         *
-         * @param value the file, or empty for none
-         * @return this builder
-         */
-        public Builder report(Optional<Path> value) {
-            report = value;
-            return this;
-        }
-
-        /**
-         * Sets where monitors and trainers can connect.
-         *
-         * @param value TCP port, 0 for any free one, or empty for none
-         * @return this builder
-         */
-        public Builder monitorPort(OptionalInt value) {
-            monitorPort = value;
-            return this;
-        }
-
-        /**
-         * Sets how often monitors receive messages.
-         *
-         * @param value simulated seconds between two messages, at least 0.02
-         * @return this builder
-         */
-        public Builder monitorStepSeconds(double value) {
-            monitorStepSeconds = value;
-            return this;
-        }
-
-        /**
-         * Sets whether monitors may change the world, as trainers do, or only watch.
-         *
-         * @param value whether orders are carried out; usual is yes
-         * @return this
-         */
-        public Builder trainers(boolean value) {
-            trainers = value;
-            return this;
-        }
-
-        /**
-         * Sets where the log for RoboViz is written.
-         *
-         * @param value the file, or empty for none
-         * @return this builder
-         */
-        public Builder monitorLog(Optional<Path> value) {
-            monitorLog = value;
-            return this;
-        }
-
-        /**
-         * Finishes the settings.
-         *
-         * @return the settings
-         */
-        public SimulatorSettings build() {
-            return new SimulatorSettings(
-                    world,
-                    bindAddress,
-                    agentPort,
-                    doors,
-                    speed,
-                    awaitedAgents,
-                    silentAgentSeconds,
-                    seconds,
-                    recording,
-                    report,
-                    monitorPort,
-                    monitorStepSeconds,
-                    trainers,
-                    monitorLog);
-        }
+    /**
+     * Changes the output files.
+     *
+     * @param recording file for the recording
+     * @param report file for the report
+     * @return a changed copy
+     */
+    public SimulatorSettings withOutput(Optional<Path> recording, Optional<Path> report) {
+        return new SimulatorSettings(world, agents, monitors, speed, seconds, new Output(recording, report));
     }
 }

@@ -10,39 +10,40 @@ import org.robonewbie.simulator.cycle.AgentChannel;
 import org.robonewbie.simulator.cycle.AgentSession;
 
 /**
- * Reports agents that keep the world waiting in sync mode, and drops those of other processes after some time. A stranger, who has
- * not yet answered for a second, gets a third of it, and half of that after each stranger that fell silent: whoever comes back again and
- * again costs the others no more than one.
+ * Reports agents that block sync mode and disconnects those of other processes after a timeout. New agents, with less than a
+ * second of answers, get about a third of the timeout, halved after each disconnection, so that a client that reconnects
+ * repeatedly costs the other agents little time.
  */
 final class StalledAgentWatch {
 
-    private static final double SECONDS_UNTIL_NAMED = 5;
+    private static final double SECONDS_UNTIL_REPORTED = 5;
 
-    private static final long ANSWERS_OF_A_STRANGER = 50;
-    private static final double SHARE_OF_STRANGERS = 0.35;
-    private static final double SECONDS_TO_WAKE_UP = 0.5;
+    private static final long ANSWERS_OF_A_NEW_AGENT = 50;
+    private static final double NEW_AGENT_SHARE = 0.35;
+    private static final double START_UP_SECONDS = 0.5;
     private static final double MIN_SECONDS = 0.1;
 
     private final Console console;
-    private final double secondsUntilDropped;
-    private final Set<AgentChannel> named = new HashSet<>();
+    private final double timeout;
+    private final Set<AgentChannel> reported = new HashSet<>();
     private final Set<String> silentTeams = ConcurrentHashMap.newKeySet();
     private long waitingSince;
     private boolean waiting;
-    private double secondsForStrangers;
+    private double newAgentTimeout;
 
-    StalledAgentWatch(Console console, double secondsUntilDropped) {
+    StalledAgentWatch(Console console, double timeoutSeconds) {
         this.console = console;
-        this.secondsUntilDropped = secondsUntilDropped;
-        this.secondsForStrangers =
-                Math.max(secondsUntilDropped * SHARE_OF_STRANGERS, Math.min(secondsUntilDropped, SECONDS_TO_WAKE_UP));
+        this.timeout = timeoutSeconds;
+        this.newAgentTimeout = Math.max(timeout * NEW_AGENT_SHARE, Math.min(timeout, START_UP_SECONDS));
     }
 
-    void everybodyAnswered() {
+    /** Restarts the timeout after all agents have answered. */
+    void reset() {
         waiting = false;
     }
 
-    void isWaitingFor(AgentSession agent) {
+    /** Checks the timeout of an agent that blocks the simulation. */
+    void check(AgentSession agent) {
         long now = System.nanoTime();
         if (!waiting) {
             waiting = true;
@@ -50,29 +51,29 @@ final class StalledAgentWatch {
         }
         double seconds = (now - waitingSince) / 1e9;
         boolean local = agent.connection().link().isLocal();
-        boolean stranger = isStranger(agent.connection());
-        double patience = stranger ? secondsForStrangers : secondsUntilDropped;
-        if (seconds >= SECONDS_UNTIL_NAMED && named.add(agent.connection())) {
-            console.say("The world waits for " + agent + ", which has not answered for "
-                    + PortableMath.round(SECONDS_UNTIL_NAMED) + " s."
-                    + (local ? "" : " It is dropped after " + text(patience) + " s."));
+        boolean isNew = isNew(agent.connection());
+        double limit = isNew ? newAgentTimeout : timeout;
+        if (seconds >= SECONDS_UNTIL_REPORTED && reported.add(agent.connection())) {
+            console.say("Waiting for " + agent + ", which has not answered for "
+                    + PortableMath.round(SECONDS_UNTIL_REPORTED) + " s."
+                    + (local ? "" : " It is disconnected after " + text(limit) + " s."));
         }
-        if (!local && seconds >= patience) {
-            console.say("Dropped " + agent + ", which has not answered for " + text(seconds) + " s.");
-            secondsForStrangers = stranger ? Math.max(MIN_SECONDS, secondsForStrangers / 2) : secondsForStrangers;
+        if (!local && seconds >= limit) {
+            console.say("Disconnected " + agent + ", which has not answered for " + text(seconds) + " s.");
+            newAgentTimeout = isNew ? Math.max(MIN_SECONDS, newAgentTimeout / 2) : newAgentTimeout;
             agent.connection().link().team().ifPresent(silentTeams::add);
             agent.connection().link().close();
         }
     }
 
-    /** Teams with a door of their own of which an agent was dropped; may be called from any thread. */
+    /** Teams with an endpoint of which an agent was disconnected. Thread-safe. */
     Set<String> silentTeams() {
         return silentTeams;
     }
 
-    /** Those who came through the door of a team are known. */
-    private static boolean isStranger(AgentChannel connection) {
-        return connection.link().team().isEmpty() && connection.answeredMessages() < ANSWERS_OF_A_STRANGER;
+    /** Agents of a team endpoint are never new. */
+    private static boolean isNew(AgentChannel connection) {
+        return connection.link().team().isEmpty() && connection.answeredMessages() < ANSWERS_OF_A_NEW_AGENT;
     }
 
     private static String text(double seconds) {

@@ -1,6 +1,7 @@
 package org.robonewbie.simulator.server;
 
 import java.io.IOException;
+import java.util.Optional;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.Console;
@@ -8,8 +9,7 @@ import org.robonewbie.simulator.cycle.SteppedSimulator;
 import org.robonewbie.simulator.cycle.WorldSettings;
 
 /**
- * A stepped simulator with a TCP port: for measurements that compare what agents are told over a socket with what is true. Not for
- * several threads.
+ * A stepped simulator with a TCP port, for comparing messages sent over a socket with the true state of the world. Not thread-safe.
  *
  * <pre>{@code
  * try (SteppedServer server = SteppedServer.start(settings, Console.standard())) {
@@ -21,7 +21,6 @@ import org.robonewbie.simulator.cycle.WorldSettings;
  */
 public final class SteppedServer implements AutoCloseable {
 
-    private static final String THIS_COMPUTER = "127.0.0.1";
     private static final long WAITING_MILLISECONDS = 100;
 
     private final SteppedSimulator simulator;
@@ -34,19 +33,20 @@ public final class SteppedServer implements AutoCloseable {
     }
 
     /**
-     * Opens any free port and prepares the pitch.
+     * Opens any free port and creates the simulator.
      *
-     * @param settings what the world is like; it should be synchronous
-     * @param console where it tells people what happens
+     * @param settings the world to simulate; should be synchronous
+     * @param console output for messages to the user
      * @return the server, before its first cycle
      * @throws IOException if no port can be opened
      */
     public static SteppedServer start(WorldSettings settings, Console console) throws IOException {
-        AgentPort port = AgentPort.open(THIS_COMPUTER, 0, console);
+        AgentPort port =
+                AgentPort.open(SimulatorSettings.of(settings).withAgentPort(0).agents(), console);
         return new SteppedServer(SteppedSimulator.start(settings, console), port);
     }
 
-    /** {@return the simulator, to which agents of this thread connect directly} */
+    /** {@return the simulator, for in-process agents} */
     public SteppedSimulator simulator() {
         return simulator;
     }
@@ -58,7 +58,7 @@ public final class SteppedServer implements AutoCloseable {
      * @throws IOException if the connection fails
      */
     public AgentLink connect() throws IOException {
-        AgentLink link = TcpAgentLink.connect(THIS_COMPUTER, port.number());
+        AgentLink link = TcpAgentLink.connect(SimulatorSettings.LOCALHOST, port.number(Optional.empty()));
         int before = connected;
         while (connected == before) {
             listen(WAITING_MILLISECONDS);
@@ -66,7 +66,7 @@ public final class SteppedServer implements AutoCloseable {
         return link;
     }
 
-    /** Waits until each agent has sent an answer that ends with {@code (syn)}, then runs one cycle. */
+    /** Waits until each agent has sent an answer ending with {@code (syn)}, then runs one cycle. */
     public void cycle() {
         listen(0);
         while (!simulator.isReady()) {

@@ -12,13 +12,13 @@ import org.robonewbie.simulator.cycle.ServerLink;
 /** The simulator's end of an agent's connection over TCP or a Unix domain socket. */
 final class TcpServerLink implements ServerLink {
 
-    /** Longest message that is accepted, in bytes: some hundred times what a robot needs. */
-    static final int MAXIMUM_LENGTH = 1 << 18;
+    /** Maximum message length in bytes, about a hundred times what a robot needs. */
+    static final int MAX_LENGTH = 1 << 18;
 
     private final SocketChannel channel;
     private final String address;
     private final Optional<String> team;
-    private final FrameDecoder decoder = new FrameDecoder(MAXIMUM_LENGTH);
+    private final FrameDecoder decoder = new FrameDecoder(MAX_LENGTH);
     private final FrameEncoder encoder = new FrameEncoder();
     private String closingReason = "";
     private boolean open = true;
@@ -30,7 +30,7 @@ final class TcpServerLink implements ServerLink {
         this.team = team;
     }
 
-    /** Reads one chunk of what has arrived; the rest waits in the network. */
+    /** Reads one chunk; the rest remains in the socket's buffer. */
     void receive() {
         try {
             if (!ended && decoder.fillFrom(channel) < 0) {
@@ -107,7 +107,7 @@ final class TcpServerLink implements ServerLink {
             try {
                 channel.close();
             } catch (IOException e) {
-                // The connection is given up anyway.
+                // The connection is abandoned anyway.
             }
         }
     }

@@ -10,8 +10,8 @@ import org.jspecify.annotations.Nullable;
 import org.robonewbie.simulator.physics.Crew;
 
 /**
- * Several threads that share work: the one that asks, and helpers that sleep in between. Each takes the next piece as soon as it is
- * done with one, so that nobody waits for a helper that wakes late.
+ * A pool of threads for data-parallel loops. The calling thread and the sleeping helper threads take pieces dynamically, so that a
+ * helper that wakes up late delays nothing.
  *
  * <pre>{@code
  * try (ThreadCrew crew = new ThreadCrew(2)) {
@@ -19,20 +19,20 @@ import org.robonewbie.simulator.physics.Crew;
  * }
  * }</pre>
  *
- * <p>Only one thread at a time may ask, and no piece may ask for help with its own work.
+ * <p>Only one thread at a time may call {@link #divide}, and not from within a piece.
  */
 public final class ThreadCrew implements Crew, AutoCloseable {
 
-    private static final Job NOTHING = new Job(0, piece -> {});
+    private static final Job EMPTY = new Job(0, piece -> {});
 
     private final List<Thread> helpers = new ArrayList<>();
-    private volatile Job job = NOTHING;
+    private volatile Job job = EMPTY;
     private volatile boolean closed;
 
     /**
-     * Starts the helpers; they do not keep a program alive.
+     * Starts the helpers as daemon threads.
      *
-     * @param threads how many threads work, with the one that asks; at least 1
+     * @param threads number of threads including the caller, at least 1
      */
     public ThreadCrew(int threads) {
         for (int i = 1; i < threads; i++) {
@@ -56,13 +56,13 @@ public final class ThreadCrew implements Crew, AutoCloseable {
         shared.await();
     }
 
-    /** {@return the helpers, to measure what they cost} */
+    /** {@return the helper threads, for measurements} */
     public List<Thread> helpers() {
         return Collections.unmodifiableList(helpers);
     }
 
     private void help() {
-        Job last = NOTHING;
+        Job last = EMPTY;
         while (!closed) {
             Job now = job;
             if (now == last) {
@@ -74,18 +74,18 @@ public final class ThreadCrew implements Crew, AutoCloseable {
         }
     }
 
-    /** Sends the helpers home. */
+    /** Ends the helper threads. */
     @Override
     public void close() {
         closed = true;
         helpers.forEach(LockSupport::unpark);
     }
 
-    /** Work of one kind; who comes late finds no pieces left. */
+    /** One parallel loop. */
     private static final class Job {
 
-        /** So often the one that asked looks whether the last pieces are done before it goes to sleep, which takes longer than a piece. */
-        private static final int LOOKS = 2_000;
+        /** Iterations of spinning before the caller parks; parking takes longer than the last pieces. */
+        private static final int SPINS = 2_000;
 
         private final Thread owner = Thread.currentThread();
         private final int pieces;
@@ -114,7 +114,7 @@ public final class ThreadCrew implements Crew, AutoCloseable {
         }
 
         void await() {
-            for (int look = 0; look < LOOKS && missing.get() > 0; look++) {
+            for (int i = 0; i < SPINS && missing.get() > 0; i++) {
                 Thread.onSpinWait();
             }
             while (missing.get() > 0) {

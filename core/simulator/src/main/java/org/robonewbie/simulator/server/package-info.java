@@ -1,5 +1,5 @@
 /**
- * A simulator that runs by itself: its thread, its pace, its ports for agents and monitors. Read {@link
+ * The simulator as a server: its thread, its pace, and its ports for agents and monitors. Read {@link
  * org.robonewbie.simulator.server.Simulator} first.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.

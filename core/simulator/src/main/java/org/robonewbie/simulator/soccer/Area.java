@@ -4,12 +4,12 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.simulator.physics.BoundingBox;
 
 /**
- * A rectangle on the ground along the field lines.
+ * Axis-aligned rectangle on the ground.
  *
- * @param minX smallest x, metres
- * @param maxX greatest x, metres
- * @param minY smallest y, metres
- * @param maxY greatest y, metres
+ * @param minX minimum x in metres
+ * @param maxX maximum x in metres
+ * @param minY minimum y in metres
+ * @param maxY maximum y in metres
  */
 record Area(double minX, double maxX, double minY, double maxY) {
 

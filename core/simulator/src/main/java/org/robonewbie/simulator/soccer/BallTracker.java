@@ -11,13 +11,12 @@ import org.robonewbie.simulator.world.RobotPart;
 import org.robonewbie.simulator.world.SoccerWorld;
 
 /**
- * What the referee knows about the ball: who touched it last, whether it is on the pitch or in a goal (SimSpark: {@code
- * ballstateaspect.cpp}).
+ * Tracks the last touch of the ball and whether it is on the pitch or in a goal (SimSpark: {@code ballstateaspect.cpp}).
  */
 final class BallTracker implements Memory {
 
     private static final double MARGIN = 0.001;
-    private static final double LOOK_BACK_SECONDS = 1;
+    private static final double MAX_SECONDS_SINCE_CROSSING = 1;
 
     private final SoccerWorld world;
     private final SoccerField field;
@@ -30,7 +29,7 @@ final class BallTracker implements Memory {
         this.field = world.field();
     }
 
-    /** A robot touched the ball in a step. */
+    /** Touch of the ball by a player. */
     record Touch(Player player, long tick) {}
 
     void update(long tick, List<Player> players) {
@@ -75,7 +74,7 @@ final class BallTracker implements Memory {
         return lastTouch;
     }
 
-    /** Who touched the ball last, if that was after a tick. */
+    /** Player that touched the ball last, if that was after a tick. */
     Optional<Player> touchedAfter(long tick) {
         return lastTouch.filter(touch -> touch.tick() > tick).map(Touch::player);
     }
@@ -88,7 +87,7 @@ final class BallTracker implements Memory {
         return onField;
     }
 
-    /** The side whose goal the ball is in. */
+    /** Side of the goal that contains the ball. */
     Optional<TeamSide> goal() {
         for (TeamSide side : TeamSide.values()) {
             if (world.isBallInGoal(side) || hasCrossedGoalLine(side)) {
@@ -103,14 +102,14 @@ final class BallTracker implements Memory {
                 && Math.abs(position.y()) < field.width() / 2 + radius() + MARGIN;
     }
 
-    /** Follows a fast ball back to where it crossed the goal line. */
+    /** Extrapolates a fast ball back to the goal line. */
     private boolean hasCrossedGoalLine(TeamSide side) {
         double sign = side == TeamSide.LEFT ? -1 : 1;
         Vector3 ball = position();
         Vector3 velocity = world.ball().velocity();
         double beyond = sign * ball.x() - field.length() / 2;
         double speed = sign * velocity.x();
-        if (beyond < radius() || speed <= 0 || beyond / speed > LOOK_BACK_SECONDS) {
+        if (beyond < radius() || speed <= 0 || beyond / speed > MAX_SECONDS_SINCE_CROSSING) {
             return false;
         }
         Vector3 crossing = ball.minus(velocity.times(beyond / speed));

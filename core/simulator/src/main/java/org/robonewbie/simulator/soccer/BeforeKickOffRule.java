@@ -3,7 +3,7 @@ package org.robonewbie.simulator.soccer;
 import java.util.Optional;
 import org.robonewbie.nao.TeamSide;
 
-/** Before a kick-off the ball lies in the middle and all robots stay in their own halves. */
+/** Before a kick-off: the ball is held on the centre spot and robots are kept in their own halves. */
 final class BeforeKickOffRule implements PlayModeRule {
 
     private final Match match;
@@ -16,7 +16,7 @@ final class BeforeKickOffRule implements PlayModeRule {
 
     @Override
     public void apply() {
-        if (!match.isAnybodyThere()) {
+        if (!match.hasRobots()) {
             return;
         }
         match.ball().place(match.centreSpot());

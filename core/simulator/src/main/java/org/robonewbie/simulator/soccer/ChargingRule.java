@@ -14,7 +14,7 @@ import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.protocol.monitor.FoulType;
 import org.robonewbie.simulator.world.RobotContact;
 
-/** A robot that runs into an opponent instead of going for the ball is sent off the pitch. */
+/** Charging foul: a robot that runs into an opponent instead of going for the ball is removed from the pitch. */
 final class ChargingRule implements FoulRule {
 
     private static final double MOVED_SECONDS = 1;
@@ -39,10 +39,8 @@ final class ChargingRule implements FoulRule {
         for (RobotContact contact : match.robotContacts()) {
             pair(contact).filter(seen::add).ifPresent(pair -> collide(pair, contact.position()));
         }
-        lastCollisions
-                .keySet()
-                .removeIf(pair -> since(lastCollisions.getOrDefault(pair, FoulHistory.NEVER))
-                        > parameters.get(SoccerParameter.CHARGING_COLLISION_MIN_TIME));
+        double minSeconds = parameters.get(SoccerParameter.CHARGING_COLLISION_MIN_TIME);
+        lastCollisions.values().removeIf(tick -> since(tick) > minSeconds);
     }
 
     private Optional<Pair> pair(RobotContact contact) {
@@ -57,15 +55,15 @@ final class ChargingRule implements FoulRule {
         return Optional.of(inOrder ? new Pair(first.get(), second.get()) : new Pair(second.get(), first.get()));
     }
 
-    private void collide(Pair pair, Vector3 place) {
+    private void collide(Pair pair, Vector3 contact) {
         boolean isNew = !lastCollisions.containsKey(pair);
         lastCollisions.put(pair, match.currentTick());
         if (!isNew || !mayBeJudged(pair.left()) || !mayBeJudged(pair.right())) {
             return;
         }
-        Approach left = new Approach(pair.left(), pair.right());
-        Approach right = new Approach(pair.right(), pair.left());
-        judge(left, right, place);
+        Approach left = approach(pair.left(), pair.right());
+        Approach right = approach(pair.right(), pair.left());
+        judge(left, right, contact);
     }
 
     private boolean mayBeJudged(Player player) {
@@ -74,36 +72,36 @@ final class ChargingRule implements FoulRule {
                 && since(player.fouls().movedTick()) > MOVED_SECONDS;
     }
 
-    private void judge(Approach left, Approach right, Vector3 place) {
-        boolean leftGuilty = isCandidate(left, right) && runsInto(left, place);
-        boolean rightGuilty = isCandidate(right, left) && runsInto(right, place);
-        boolean atBall = flat(place.minus(match.ball().position())).length()
+    private void judge(Approach left, Approach right, Vector3 contact) {
+        boolean leftGuilty = isCandidate(left, right) && runsInto(left, contact);
+        boolean rightGuilty = isCandidate(right, left) && runsInto(right, contact);
+        boolean atBall = flat(contact.minus(match.ball().position())).length()
                 < parameters.get(SoccerParameter.CHARGING_MIN_COLLISION_BALL_DISTANCE);
         if (leftGuilty != rightGuilty && !atBall) {
             punish(leftGuilty ? left : right);
         }
     }
 
-    /** Whether a robot went for the opponent rather than for the ball. */
+    /** Whether a robot approached the opponent rather than the ball. */
     private boolean isCandidate(Approach robot, Approach other) {
         double range = parameters.get(SoccerParameter.CHARGING_MAX_BALL_RULES_DISTANCE);
         if (robot.ballDistance() > range && other.ballDistance() > range) {
             return true;
         }
-        if (goesForOpponent(robot)) {
+        if (approachesOpponent(robot)) {
             return true;
         }
-        return !goesForOpponent(other) && isWorse(robot, other);
+        return !approachesOpponent(other) && isLater(robot, other);
     }
 
-    private boolean goesForOpponent(Approach robot) {
+    private boolean approachesOpponent(Approach robot) {
         return robot.angleToBall() >= robot.angleToOpponent()
                 && robot.angleToBall() >= parameters.get(SoccerParameter.CHARGING_MIN_BALL_SPEED_ANGLE)
                 && robot.speed() >= parameters.get(SoccerParameter.CHARGING_MIN_SPEED);
     }
 
-    /** Whether, of two robots that both went for the ball, this one came later. */
-    private boolean isWorse(Approach robot, Approach other) {
+    /** Whether a robot reached the ball later than the other one. */
+    private boolean isLater(Approach robot, Approach other) {
         boolean farther = robot.ballDistance()
                 > other.ballDistance() + parameters.get(SoccerParameter.CHARGING_MIN_DELTA_DISTANCE);
         boolean anglesDiffer = Math.abs(robot.angleToOpponent() - other.angleToOpponent())
@@ -111,10 +109,10 @@ final class ChargingRule implements FoulRule {
         return farther && (anglesDiffer || other.speed() < parameters.get(SoccerParameter.CHARGING_MIN_SPEED));
     }
 
-    private boolean runsInto(Approach robot, Vector3 place) {
-        Vector3 target = place.plus(robot.opponent().position()).times(0.5);
-        Vector3 way = flat(target.minus(robot.player().position()));
-        double towards = way.length() == 0 ? 0 : robot.velocity().dot(way) / way.length();
+    private boolean runsInto(Approach robot, Vector3 contact) {
+        Vector3 target = contact.plus(robot.opponent().position()).times(0.5);
+        Vector3 direction = flat(target.minus(robot.player().position()));
+        double towards = direction.length() == 0 ? 0 : robot.velocity().dot(direction) / direction.length();
         return robot.speed() >= parameters.get(SoccerParameter.CHARGING_MIN_SPEED)
                 && towards >= parameters.get(SoccerParameter.CHARGING_MIN_COLLISION_SPEED);
     }
@@ -123,13 +121,13 @@ final class ChargingRule implements FoulRule {
         Player player = robot.player();
         if (since(player.fouls().chargingImmunityTick()) <= parameters.get(SoccerParameter.CHARGING_IMMUNITY_TIME)) {
             robot.opponent().fouls().protectFromCharging(match.currentTick());
-        } else if (!(player.isGoalkeeper() && isBehindOrInOwnArea(player)) && !isHuntingInKeepaway(player)) {
+        } else if (!(player.isGoalkeeper() && isBehindOrInOwnArea(player)) && !isKeepawayHunter(player)) {
             match.referee().punish(player, FoulType.CHARGING);
         }
     }
 
-    /** In keep-away the right team may go for the ball as it likes. */
-    private boolean isHuntingInKeepaway(Player player) {
+    /** In keep-away the right team never charges. */
+    private boolean isKeepawayHunter(Player player) {
         return parameters.isOn(SoccerParameter.KEEPAWAY) && player.side() == TeamSide.RIGHT;
     }
 
@@ -148,41 +146,24 @@ final class ChargingRule implements FoulRule {
         return new Vector3(vector.x(), vector.y(), 0);
     }
 
-    /** How one robot came to the collision. */
-    private final class Approach {
+    private Approach approach(Player player, Player opponent) {
+        return new Approach(
+                player, opponent, player.fouls().velocity(), match.ball().position());
+    }
 
-        private final Player player;
-        private final Player opponent;
-        private final Vector3 velocity;
-
-        Approach(Player player, Player opponent) {
-            this.player = player;
-            this.opponent = opponent;
-            this.velocity = player.fouls().velocity();
-        }
-
-        Player player() {
-            return player;
-        }
-
-        Player opponent() {
-            return opponent;
-        }
-
-        Vector3 velocity() {
-            return velocity;
-        }
+    /** Motion of a robot before a collision. */
+    private record Approach(Player player, Player opponent, Vector3 velocity, Vector3 ball) {
 
         double speed() {
             return velocity.length();
         }
 
         double ballDistance() {
-            return Referee.flatDistance(player, match.ball().position());
+            return Referee.flatDistance(player, ball);
         }
 
         double angleToBall() {
-            return angle(match.ball().position());
+            return angle(ball);
         }
 
         double angleToOpponent() {
@@ -190,11 +171,12 @@ final class ChargingRule implements FoulRule {
         }
 
         private double angle(Vector3 target) {
-            Vector3 way = flat(target.minus(player.position()));
-            double product = way.length() * velocity.length();
+            Vector3 direction = flat(target.minus(player.position()));
+            double product = direction.length() * velocity.length();
             return product == 0
                     ? 0
-                    : PortableMath.toDegrees(PortableMath.acos(Math.max(-1, Math.min(1, way.dot(velocity) / product))));
+                    : PortableMath.toDegrees(
+                            PortableMath.acos(Math.max(-1, Math.min(1, direction.dot(velocity) / product))));
         }
     }
 

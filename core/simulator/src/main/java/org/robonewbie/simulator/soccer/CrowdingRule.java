@@ -7,7 +7,7 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.monitor.FoulType;
 
-/** Only one robot of a team may go for the ball while an opponent is there; off in the league since 2017. */
+/** Crowding foul: only one robot per team may be near a contested ball. Disabled in the league since 2017. */
 final class CrowdingRule implements FoulRule {
 
     private final Match match;

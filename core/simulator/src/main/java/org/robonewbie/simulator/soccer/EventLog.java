@@ -10,7 +10,7 @@ import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.protocol.monitor.FoulType;
 
-/** What has happened in the game since it was last reported. */
+/** Events of a match that have not been recorded yet. */
 final class EventLog implements Restorable {
 
     private final List<MatchEvent> events = new ArrayList<>();

@@ -9,15 +9,15 @@ import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.protocol.monitor.FoulType;
 
-/** What the referee remembers of one player. Times are numbers of ticks of 20 ms. */
+/** State of one player that the foul rules need. Times are in ticks of 20 ms. */
 final class FoulHistory implements Memory {
 
-    /** A time so long ago that it does not matter. */
+    /** Tick in the distant past. */
     static final long NEVER = Long.MIN_VALUE / 2;
 
-    private static final int REMEMBERED_VELOCITIES = 3;
+    private static final int VELOCITIES = 3;
 
-    private final Vector3[] velocities = new Vector3[REMEMBERED_VELOCITIES];
+    private final Vector3[] velocities = new Vector3[VELOCITIES];
     private final long[] frozenUntil;
     private final long[] immuneUntil;
     private Optional<FoulType> punishedFor = Optional.empty();
@@ -40,7 +40,7 @@ final class FoulHistory implements Memory {
         Arrays.fill(velocities, Vector3.ZERO);
     }
 
-    /** Begins again from zero, as in a pause of the game. */
+    /** Clears penalties and counters, for example in a pause of the match. */
     void forgiveFouls() {
         punishedFor = Optional.empty();
         penaltyTicks = 0;
@@ -51,18 +51,18 @@ final class FoulHistory implements Memory {
         Arrays.fill(immuneUntil, NEVER);
     }
 
-    void remember(Vector3 velocity) {
+    void addVelocity(Vector3 velocity) {
         velocities[velocityIndex] = velocity;
-        velocityIndex = (velocityIndex + 1) % REMEMBERED_VELOCITIES;
+        velocityIndex = (velocityIndex + 1) % VELOCITIES;
     }
 
-    /** The mean of the last three velocities over the ground. */
+    /** Mean horizontal velocity of the last three ticks. */
     Vector3 velocity() {
         Vector3 sum = Vector3.ZERO;
         for (Vector3 velocity : velocities) {
             sum = sum.plus(velocity);
         }
-        return new Vector3(sum.x() / REMEMBERED_VELOCITIES, sum.y() / REMEMBERED_VELOCITIES, 0);
+        return new Vector3(sum.x() / VELOCITIES, sum.y() / VELOCITIES, 0);
     }
 
     boolean isPunished() {
@@ -78,7 +78,7 @@ final class FoulHistory implements Memory {
         penaltyTicks = 0;
     }
 
-    /** Counts a tick of the penalty. */
+    /** Returns the number of earlier ticks of the penalty and counts this one. */
     int countPenalty() {
         return penaltyTicks++;
     }
@@ -116,7 +116,7 @@ final class FoulHistory implements Memory {
         return ballTick;
     }
 
-    /** Grants immunity from charging as if the ball had been touched in a tick. */
+    /** Grants immunity from charging as after a touch of the ball. */
     void protectFromCharging(long tick) {
         immuneFromChargingTick = tick;
     }
@@ -126,7 +126,7 @@ final class FoulHistory implements Memory {
     }
 
     /** Records whether the player is in its own penalty area. */
-    void watchArea(boolean inside, long tick) {
+    void updateArea(boolean inside, long tick) {
         if (!inside) {
             areaEntryTick = NEVER;
         } else if (areaEntryTick == NEVER) {
@@ -138,7 +138,7 @@ final class FoulHistory implements Memory {
         return areaEntryTick;
     }
 
-    /** The other players of the group in which the player touched others in the last tick. */
+    /** Players of the contact group that this player belonged to in the last tick. */
     Set<Player> touched() {
         return touched;
     }
@@ -151,7 +151,7 @@ final class FoulHistory implements Memory {
         return tick < frozenUntil[hinge];
     }
 
-    /** Freezes a hinge unless it is frozen or has just thawed; returns whether it did. */
+    /** Freezes a hinge unless it is frozen or immune; returns whether it did. */
     boolean freeze(int hinge, long tick, long ticksFrozen, long ticksImmune) {
         if (tick < immuneUntil[hinge]) {
             return false;
@@ -161,8 +161,8 @@ final class FoulHistory implements Memory {
         return true;
     }
 
-    /** Whether a self-collision may be punished by lifting; remembers that it is. */
-    boolean mayPunishSelfCollision(long tick, long cooldownTicks) {
+    /** Starts the cooldown of self-collision penalties; returns false if it is still running. */
+    boolean startSelfCollisionPenalty(long tick, long cooldownTicks) {
         if (tick - selfCollisionPenaltyTick < cooldownTicks) {
             return false;
         }
@@ -211,6 +211,6 @@ final class FoulHistory implements Memory {
         immuneFromChargingTick = in.getLong();
         areaEntryTick = in.getLong();
         selfCollisionPenaltyTick = in.getLong();
-        velocityIndex = in.getIndex(REMEMBERED_VELOCITIES);
+        velocityIndex = in.getIndex(VELOCITIES);
     }
 }

@@ -1,8 +1,8 @@
 package org.robonewbie.simulator.soccer;
 
-/** One kind of foul. */
+/** Rule for one type of foul. */
 interface FoulRule extends Memory {
 
-    /** Looks for fouls in this tick and tells the referee. */
+    /** Finds fouls of this tick and reports them to the referee. */
     void judge();
 }

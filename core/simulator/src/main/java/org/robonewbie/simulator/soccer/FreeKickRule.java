@@ -8,27 +8,27 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
-/** Kick-in, corner kick and free kick: the ball lies at its spot, the opponents keep away from it. */
+/** Kick-in, corner kick and free kick: the ball is held at its spot and opponents are kept away. */
 final class FreeKickRule implements PlayModeRule {
 
     private final Match match;
     private final TeamSide side;
     private final boolean indirect;
-    private final Supplier<Vector3> choice;
+    private final Supplier<Vector3> spotSupplier;
     private final KickPreparation preparation;
     private Vector3 spot = Vector3.ZERO;
 
-    FreeKickRule(Match match, TeamSide side, boolean indirect, Supplier<Vector3> choice) {
+    FreeKickRule(Match match, TeamSide side, boolean indirect, Supplier<Vector3> spotSupplier) {
         this.match = match;
         this.side = side;
         this.indirect = indirect;
-        this.choice = choice;
+        this.spotSupplier = spotSupplier;
         this.preparation = new KickPreparation(match, side);
     }
 
     @Override
     public void begin() {
-        spot = choice.get();
+        spot = spotSupplier.get();
         preparation.begin();
     }
 

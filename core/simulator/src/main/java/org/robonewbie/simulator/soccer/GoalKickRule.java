@@ -7,7 +7,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
-/** Goal kick: the opponents leave the penalty area, and play resumes when the ball has left it too. */
+/** Goal kick: opponents leave the penalty area, and play resumes when the ball has left it. */
 final class GoalKickRule implements PlayModeRule {
 
     private final Match match;

@@ -3,7 +3,7 @@ package org.robonewbie.simulator.soccer;
 import java.util.Optional;
 import org.robonewbie.nao.TeamSide;
 
-/** After a goal: a pause, in which robots may be beamed, then the other team kicks off. */
+/** After a goal: a pause in which robots may be beamed, then a kick-off for the other team. */
 final class GoalRule implements PlayModeRule {
 
     private final Match match;

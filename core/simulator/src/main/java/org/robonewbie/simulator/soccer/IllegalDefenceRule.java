@@ -8,7 +8,7 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.monitor.FoulType;
 
-/** Only some robots of a team may be in their own penalty area at a time. */
+/** Illegal defence foul: limits the number of robots in their own penalty area. */
 final class IllegalDefenceRule implements FoulRule {
 
     private final Match match;
@@ -26,7 +26,7 @@ final class IllegalDefenceRule implements FoulRule {
         Area area = match.penaltyArea(side);
         List<Player> inside = new ArrayList<>(0);
         for (Player player : match.players(side)) {
-            player.fouls().watchArea(area.contains(player.position()), match.currentTick());
+            player.fouls().updateArea(area.contains(player.position()), match.currentTick());
             if (player.fouls().areaEntryTick() != FoulHistory.NEVER
                     && !player.fouls().isPunished()) {
                 inside.add(player);
@@ -37,7 +37,7 @@ final class IllegalDefenceRule implements FoulRule {
         }
     }
 
-    /** The field player that came last; if the goalkeeper did, the one farthest from the goal. */
+    /** The field player that entered last; if the goalkeeper entered last, the field player farthest from the goal. */
     private Optional<Player> offender(List<Player> inside, TeamSide side) {
         Optional<Player> last = inside.stream()
                 .max(Comparator.comparingLong(player -> player.fouls().areaEntryTick()));
@@ -57,12 +57,12 @@ final class IllegalDefenceRule implements FoulRule {
         if (match.parameters().isOn(SoccerParameter.ILLEGAL_DEFENSE_BEAM_PENALTY)) {
             match.referee().punish(player, FoulType.ILLEGAL_DEFENCE);
         } else {
-            match.referee().note(player, FoulType.ILLEGAL_DEFENCE);
-            match.repositioning().move(player, nearestPlaceOutside(player, area));
+            match.referee().report(player, FoulType.ILLEGAL_DEFENCE);
+            match.repositioning().move(player, nearestPositionOutside(player, area));
         }
     }
 
-    private Vector3 nearestPlaceOutside(Player player, Area area) {
+    private Vector3 nearestPositionOutside(Player player, Area area) {
         double room = match.parameters().get(SoccerParameter.AGENT_RADIUS);
         Vector3 position = player.position();
         double front = player.side() == TeamSide.LEFT ? area.maxX() + room : area.minX() - room;

@@ -1,6 +1,6 @@
 package org.robonewbie.simulator.soccer;
 
-/** A robot may not join the team it asked for. */
+/** Thrown when a robot may not join a team. */
 public final class JoinRefusedException extends Exception {
 
     JoinRefusedException(String reason) {

@@ -3,7 +3,7 @@ package org.robonewbie.simulator.soccer;
 import java.util.Optional;
 import org.robonewbie.nao.TeamSide;
 
-/** Keep-away: the game is over when the ball leaves a shrinking rectangle or the right team touches it. */
+/** Keep-away: the match ends when the ball leaves a shrinking rectangle or the right team touches it. */
 final class KeepawayRule {
 
     private static final double SECONDS_PER_MINUTE = 60;

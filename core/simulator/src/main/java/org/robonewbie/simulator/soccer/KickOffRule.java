@@ -6,7 +6,7 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
-/** A kick-off: play resumes with the first touch of the ball. */
+/** Kick-off: play starts with the first touch of the ball. */
 final class KickOffRule implements PlayModeRule {
 
     private final Match match;

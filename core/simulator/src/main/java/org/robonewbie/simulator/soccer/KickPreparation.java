@@ -7,7 +7,7 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
-/** What all kicks have in common: a pause, then the ball is held at its spot until a robot touches it. */
+/** Common part of all set pieces: a pause, after which the ball is held at its spot until a robot touches it. */
 final class KickPreparation {
 
     private static final double SETTLING_SECONDS = 0.03;
@@ -33,13 +33,13 @@ final class KickPreparation {
         return match.state().modeSeconds() < pauseSeconds;
     }
 
-    /** Whether a kick has not been taken for so long that the ball is free for all; never if the time for that is 0. */
+    /** Whether the time for a kick is over, so that the ball is dropped. A limit of 0 disables this. */
     static boolean isLate(Match match) {
         double limit = match.parameters().get(SoccerParameter.RULE_DROP_BALL_TIME);
         return limit > 0 && match.state().modeSeconds() > limit;
     }
 
-    /** Gives the ball free for all when the kick takes too long; returns whether it did. */
+    /** Drops the ball if the time for the kick is over; returns whether it did. */
     boolean dropIfLate(Vector3 spot) {
         boolean late = isLate(match);
         if (late) {
@@ -49,8 +49,8 @@ final class KickPreparation {
     }
 
     /**
-     * Holds the ball and returns who has kicked it. As in SimSpark, the ball is left where it is while no robot has touched it in the
-     * whole game, which happens only when a trainer sets the play mode.
+     * Holds the ball at its spot and returns the player that has kicked it. As in SimSpark the ball is not moved before the first
+     * touch of the match; this matters only when a trainer sets the play mode.
      */
     Optional<Player> holdBall(Vector3 spot) {
         Optional<Player> toucher = match.ball().touchedAfter(firstTouchTick);

@@ -19,7 +19,7 @@ import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.RobotContact;
 import org.robonewbie.simulator.world.SoccerWorld;
 
-/** The game on the pitch: everything that the rules read and change. */
+/** State of a soccer match and the operations of the referee. */
 public final class Match implements Restorable {
 
     private static final Set<PlayMode> IN_PLAY = EnumSet.of(PlayMode.PLAY_ON, PlayMode.PASS_LEFT, PlayMode.PASS_RIGHT);
@@ -44,11 +44,11 @@ public final class Match implements Restorable {
     private long tick;
 
     /**
-     * Prepares a game before its kick-off.
+     * Creates a match before its kick-off.
      *
-     * @param world the pitch and all that is on it
-     * @param parameters the settings
-     * @param seed start of the referee's chance
+     * @param world the physical world
+     * @param parameters soccer parameters
+     * @param seed seed of the referee's random decisions
      */
     public Match(SoccerWorld world, SoccerParameters parameters, long seed) {
         this.world = world;
@@ -66,39 +66,39 @@ public final class Match implements Restorable {
         this.shootout = parameters.isOn(SoccerParameter.PENALTY_SHOOTOUT);
     }
 
-    /** {@return the state of the game} */
+    /** {@return clock, half, score and play mode} */
     public MatchState state() {
         return state;
     }
 
-    /** {@return who plays} */
+    /** {@return the two teams} */
     public Teams teams() {
         return teams;
     }
 
-    /** {@return the parameters} */
+    /** {@return the soccer parameters} */
     public SoccerParameters parameters() {
         return parameters;
     }
 
-    /** {@return the events in their order, unmodifiable} */
+    /** {@return the events since the last {@link #clearEvents}, in order, unmodifiable} */
     public List<MatchEvent> events() {
         return events.events();
     }
 
-    /** Forgets the events; called once they have been recorded. */
+    /** Clears the events. Call when they have been recorded. */
     public void clearEvents() {
         events.clear();
     }
 
-    /** {@return whether a robot may be beamed at present: before a kick-off and after a goal} */
+    /** {@return whether robots may be beamed: before a kick-off and after a goal} */
     public boolean mayBeam() {
         return state.playMode() == PlayMode.BEFORE_KICK_OFF
                 || state.playMode() == PlayMode.GOAL_LEFT
                 || state.playMode() == PlayMode.GOAL_RIGHT;
     }
 
-    /** {@return whether the program is to end: some time after the game, if that is wanted} */
+    /** {@return whether the simulator should exit: ten seconds after the game with {@code AutomaticQuit}} */
     public boolean isProgramOver() {
         return state.playMode() == PlayMode.GAME_OVER
                 && parameters.isOn(SoccerParameter.AUTOMATIC_QUIT)
@@ -106,7 +106,7 @@ public final class Match implements Restorable {
     }
 
     /**
-     * Decides something, like a human referee does.
+     * Changes the play mode.
      *
      * @param playMode the new play mode
      */
@@ -130,7 +130,7 @@ public final class Match implements Restorable {
         setPlayMode(side == TeamSide.LEFT ? PlayMode.KICK_OFF_LEFT : PlayMode.KICK_OFF_RIGHT);
     }
 
-    /** Starts a kick-off of the team that the rules or chance determine. */
+    /** Starts a kick-off for the team that the rules or a coin toss determine. */
     public void kickOff() {
         boolean first = !halfBegun;
         TeamSide side = Optional.<TeamSide>empty()
@@ -143,15 +143,15 @@ public final class Match implements Restorable {
         kickOff(side);
     }
 
-    /** Drops the ball where it lies, and makes room around it. */
+    /** Drops the ball at its position and moves robots away from it. */
     public void dropBall() {
         dropBall(ball.position());
     }
 
-    /** Resets the score, the clock and the ball; the names of teams without players become free. */
+    /** Resets score, clock and ball, and frees the names of teams without players. */
     public void restart() {
         state.restart();
-        teams.forgetEmpty();
+        teams.removeEmpty();
         events.add(new MatchEvent.PlayModeChanged(PlayMode.BEFORE_KICK_OFF));
         nextFirstKickOff = presetKickOff();
         halfBegun = false;
@@ -161,11 +161,11 @@ public final class Match implements Restorable {
     }
 
     /**
-     * Replaces a player's body.
+     * Replaces the robot of a player.
      *
-     * @param old the previous player
-     * @param robot its new body
-     * @return the player with the same team and number
+     * @param old the player
+     * @param robot the new robot
+     * @return the new player with the same team and number
      */
     public Player replaceRobot(Player old, Robot robot) {
         Player replacement = teams.replaceRobot(old, robot);
@@ -173,10 +173,10 @@ public final class Match implements Restorable {
         return replacement;
     }
 
-    /** Advances the game by one cycle of 20 ms, after the world has moved. */
+    /** Advances the match by one cycle of 20 ms. Call after the world's step. */
     public void tick() {
         tick++;
-        state.tick(isAnybodyThere());
+        state.tick(hasRobots());
         ball.update(tick, teams.players());
         checkTime();
         if (state.playMode() != PlayMode.GAME_OVER && keepaway.isGameLost()) {
@@ -186,43 +186,63 @@ public final class Match implements Restorable {
         referee.judge(mayBeam());
     }
 
-    /** {@return the newest fouls in their order, unmodifiable; a penalty counts once for each cycle that it takes} */
+    /** {@return the latest fouls in order, unmodifiable; a penalty is listed once for each cycle that it lasts} */
     public List<Foul> fouls() {
         return referee.fouls();
     }
 
     /**
-     * Asks for the right to pass undisturbed; nothing happens unless all conditions hold.
+     * Requests pass mode. Does nothing unless all conditions hold.
      *
-     * @param player who asks
+     * @param player the requesting player
      */
     public void requestPass(Player player) {
         passMode(player.side()).request(player);
     }
 
     /**
-     * Returns how long a team may not score after it was granted a pass.
+     * Returns the time until a team may score after its pass mode.
      *
      * @param side the team
-     * @return seconds, 0 if it may score
+     * @return seconds; 0 if it may score
      */
     public double scoreWaitSeconds(TeamSide side) {
         return state.playMode() == PlayMode.PLAY_ON ? passMode(side).lockedSeconds() : 0;
     }
 
     /**
-     * Returns whether the referee has frozen a hinge, so that its motor must not move.
+     * Returns whether the referee has frozen a hinge.
      *
      * @param player the player
      * @param hinge index of the hinge
-     * @return whether it is frozen
+     * @return whether its motor must not move
      */
     public boolean isFrozen(Player player, int hinge) {
         return player.fouls().isFrozen(hinge, tick);
     }
 
-    /** Whether there is any robot, with or without a team. */
-    boolean isAnybodyThere() {
+    /**
+     * Places a player beside the pitch.
+     *
+     * @param player the player
+     */
+    public void putBesidePitch(Player player) {
+        player.robot().moveTo(Spots.besidePitch(this, player).plus(new Vector3(0, 0, 1)));
+    }
+
+    /**
+     * Moves a player back towards its own goal line.
+     *
+     * @param player the player
+     */
+    public void moveTowardsOwnGoal(Player player) {
+        double distance = parameters.get(SoccerParameter.FREE_KICK_MOVE_DISTANCE);
+        double x = player.side() == TeamSide.LEFT ? -distance : distance;
+        player.robot().moveTo(player.position().plus(new Vector3(x, 0, 0)));
+    }
+
+    /** Whether there are robots, with or without a team. */
+    boolean hasRobots() {
         return !world.robots().isEmpty();
     }
 
@@ -234,11 +254,10 @@ public final class Match implements Restorable {
         return side == TeamSide.LEFT ? leftPassMode : rightPassMode;
     }
 
-    void note(MatchEvent event) {
+    void addEvent(MatchEvent event) {
         events.add(event);
     }
 
-    /** Where robots touched each other in this tick. */
     List<RobotContact> robotContacts() {
         return world.robotContacts();
     }
@@ -279,7 +298,7 @@ public final class Match implements Restorable {
         return teams.team(side).map(Team::players).orElse(List.of());
     }
 
-    /** The spot in the middle of the pitch, at the height of a lying ball's centre. */
+    /** Position of the ball's centre on the centre spot. */
     Vector3 centreSpot() {
         return new Vector3(0, 0, ball.radius());
     }
@@ -300,14 +319,14 @@ public final class Match implements Restorable {
         setPiece = newSetPiece;
     }
 
-    /** Whether the restrictions on kickers apply: in a real game, not for a single robot. */
+    /** Whether indirect kicks and double touches are judged: only in a match with more than two robots. */
     boolean hasKickRules() {
         return parameters.isOn(SoccerParameter.FREE_KICK_RULES)
                 && !shootout
                 && players().size() > 2;
     }
 
-    /** Whether the left team shoots at a lone goalkeeper; it is over with the first goal. */
+    /** Whether this is a penalty shoot-out, which ends with the first goal. */
     boolean isShootout() {
         return shootout;
     }
@@ -319,8 +338,8 @@ public final class Match implements Restorable {
         setPlayMode(scorer == TeamSide.LEFT ? PlayMode.GOAL_LEFT : PlayMode.GOAL_RIGHT);
     }
 
-    void dropBall(Vector3 place) {
-        Vector3 spot = Spots.dropBall(this, place);
+    void dropBall(Vector3 position) {
+        Vector3 spot = Spots.dropBall(this, position);
         double distance = parameters.get(SoccerParameter.FREE_KICK_DISTANCE);
         double moveDistance = parameters.get(SoccerParameter.FREE_KICK_MOVE_DISTANCE);
         TeamSide first = random.nextBoolean() ? TeamSide.LEFT : TeamSide.RIGHT;
@@ -335,7 +354,7 @@ public final class Match implements Restorable {
         return parameters.isOn(SoccerParameter.COIN_TOSS_FOR_KICK_OFF) ? Optional.empty() : Optional.of(TeamSide.LEFT);
     }
 
-    /** Ends a half when its time is up. */
+    /** Ends a half when its time is over. */
     private void checkTime() {
         double halfTime = parameters.get(SoccerParameter.RULE_HALF_TIME);
         if (state.playMode() == PlayMode.GAME_OVER || state.playSeconds() < state.half() * halfTime) {
@@ -358,7 +377,7 @@ public final class Match implements Restorable {
         setPlayMode(PlayMode.BEFORE_KICK_OFF);
     }
 
-    /** Writes all that the referee knows; the world is saved apart from it. */
+    /** Saves the state of the match. The world is saved separately. */
     @Override
     public void save(StateWriter out) {
         teams.save(out, world.robots());
@@ -374,7 +393,7 @@ public final class Match implements Restorable {
         out.putLong(tick);
     }
 
-    /** Takes on a state after the world has taken on its own. */
+    /** Restores the state. Restore the world first. */
     @Override
     public void restore(StateReader in) {
         teams.restore(in, world.robots());

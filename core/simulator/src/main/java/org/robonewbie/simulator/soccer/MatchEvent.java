@@ -4,18 +4,18 @@ import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.protocol.monitor.FoulType;
 
-/** Something that happened in the game within one cycle. */
+/** Event of a match. */
 public sealed interface MatchEvent {
 
     /**
-     * Writes the event for a recording.
+     * Returns the event as text for a recording.
      *
-     * @return its kind in one word and what belongs to it, such as {@code goal left Stars}
+     * @return the kind of the event in one word and its details, such as {@code goal left Stars}
      */
     String text();
 
     /**
-     * The referee decided something.
+     * The play mode has changed.
      *
      * @param playMode the new play mode
      */
@@ -28,10 +28,10 @@ public sealed interface MatchEvent {
     }
 
     /**
-     * A goal that counts.
+     * A goal has been scored.
      *
-     * @param side the team that scored
-     * @param team the name of that team
+     * @param side side of the team that scored
+     * @param team name of that team
      */
     record GoalScored(TeamSide side, String team) implements MatchEvent {
 
@@ -42,11 +42,11 @@ public sealed interface MatchEvent {
     }
 
     /**
-     * The referee has seen a foul.
+     * A foul has been called.
      *
-     * @param foul its kind
-     * @param side the team of the robot
-     * @param number the robot's number
+     * @param foul type of the foul
+     * @param side side of the player's team
+     * @param number shirt number of the player
      */
     record FoulCalled(FoulType foul, TeamSide side, int number) implements MatchEvent {
 

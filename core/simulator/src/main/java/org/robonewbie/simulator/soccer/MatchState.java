@@ -7,7 +7,7 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
-/** Clock, half, score and play mode. */
+/** Clock, half, score and play mode of a match. */
 public final class MatchState {
 
     private PlayMode playMode = PlayMode.BEFORE_KICK_OFF;
@@ -23,14 +23,14 @@ public final class MatchState {
     }
 
     /**
-     * {@return the game time in seconds; it is stopped before a kick-off and after the game, and runs on from the first half to
+     * {@return the game time in seconds; it is stopped before a kick-off and after the game, and continues from the first half to
      * the second}
      */
     public double playSeconds() {
         return playTicks * Cycle.SECONDS;
     }
 
-    /** {@return how long the play mode has lasted, in seconds} */
+    /** {@return the time since the last change of the play mode in seconds} */
     public double modeSeconds() {
         return modeTicks * Cycle.SECONDS;
     }
@@ -43,16 +43,16 @@ public final class MatchState {
     /**
      * Returns the goals of a team.
      *
-     * @param side the team on this side
-     * @return its goals
+     * @param side side of the team
+     * @return number of goals
      */
     public int score(TeamSide side) {
         return side == TeamSide.LEFT ? scoreLeft : scoreRight;
     }
 
-    void tick(boolean anybodyThere) {
+    void tick(boolean hasRobots) {
         if (playMode == PlayMode.BEFORE_KICK_OFF) {
-            modeTicks += anybodyThere ? 1 : 0;
+            modeTicks += hasRobots ? 1 : 0;
             return;
         }
         modeTicks++;
@@ -66,15 +66,31 @@ public final class MatchState {
         modeTicks = 0;
     }
 
-    void setPlaySeconds(double seconds) {
+    /**
+     * Sets the game time. The time since the last change of the play mode stays.
+     *
+     * @param seconds game time in seconds, at least 0
+     */
+    public void setPlaySeconds(double seconds) {
         playTicks = PortableMath.round(seconds / Cycle.SECONDS);
     }
 
-    void setHalf(int newHalf) {
+    /**
+     * Sets the half.
+     *
+     * @param newHalf 1 or 2
+     */
+    public void setHalf(int newHalf) {
         half = newHalf;
     }
 
-    void setScore(int left, int right) {
+    /**
+     * Sets the score.
+     *
+     * @param left goals of the left team
+     * @param right goals of the right team
+     */
+    public void setScore(int left, int right) {
         scoreLeft = left;
         scoreRight = right;
     }

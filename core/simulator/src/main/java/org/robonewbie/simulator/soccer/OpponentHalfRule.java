@@ -5,7 +5,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.simulator.physics.BoundingBox;
 
-/** Keeps robots out of the half of the opponents around a kick-off, unless they may start anywhere. */
+/** Keeps robots in their own half around a kick-off, unless they may start anywhere. */
 final class OpponentHalfRule {
 
     private static final double RUN_OFF = 10;
@@ -29,7 +29,7 @@ final class OpponentHalfRule {
         }
     }
 
-    /** Clears for the kick-off of a team: its robots may stand in the centre circle, its opponents may not. */
+    /** Enforces positions at a kick-off: only robots of the kicking team may stand in the centre circle. */
     void clearForKickOff(TeamSide kicking) {
         if (switchedOff) {
             return;
@@ -42,13 +42,8 @@ final class OpponentHalfRule {
         for (Player player : match.players(kicking)) {
             BoundingBox box = player.robot().boundingBox();
             if (opponentHalf.touches(box) && !isInCircle(box)) {
-                match.repositioning()
-                        .move(
-                                player,
-                                new Vector3(
-                                        x,
-                                        player.position().y(),
-                                        player.position().z()));
+                Vector3 position = player.position();
+                match.repositioning().move(player, new Vector3(x, position.y(), position.z()));
             }
         }
     }

@@ -6,16 +6,16 @@ import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * A box somewhere in space. Two boxes overlap when no axis separates them.
+ * Oriented bounding box with a separating axis test.
  *
- * <p>As in the original ({@code boxcollider.cpp}) the axes between two edges are not brought to length 1: nearly parallel
- * edges give a nearly vanishing axis, along which the boxes count as separated. So boxes that are turned against each other
- * about one common axis only never overlap.
+ * <p>As in SimSpark ({@code boxcollider.cpp}) the cross products of two edges are not normalised. Nearly parallel edges give a
+ * nearly zero axis, along which the boxes count as separated. Boxes that are rotated relative to each other about a single
+ * common axis therefore never overlap.
  *
- * @param centre its centre
- * @param x half its edge along its x axis
- * @param y half its edge along its y axis
- * @param z half its edge along its z axis
+ * @param centre centre
+ * @param x half edge along the box's x axis
+ * @param y half edge along the box's y axis
+ * @param z half edge along the box's z axis
  */
 record OrientedBox(Vector3 centre, Vector3 x, Vector3 y, Vector3 z) {
 

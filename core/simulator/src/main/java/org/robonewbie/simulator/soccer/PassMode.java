@@ -12,8 +12,7 @@ import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
 /**
- * The right of one team to pass undisturbed, and the time after it in which the team may not score (since rcssserver3d
- * 0.7.2).
+ * Pass mode of one team and the time after it in which the team may not score (since rcssserver3d 0.7.2).
  */
 final class PassMode implements Memory {
 
@@ -22,7 +21,7 @@ final class PassMode implements Memory {
     private final Match match;
     private final TeamSide side;
     private final Set<Player> touchers = new LinkedHashSet<>();
-    private Vector3 place = Vector3.ZERO;
+    private Vector3 start = Vector3.ZERO;
     private long lastTick = FoulHistory.NEVER;
     private long lockedUntil = FoulHistory.NEVER;
     private boolean ballWasAway;
@@ -32,7 +31,7 @@ final class PassMode implements Memory {
         this.side = side;
     }
 
-    /** Grants the wish of a player of this team if all conditions hold. */
+    /** Starts pass mode if all conditions hold. */
     void request(Player player) {
         if (isPossible() && Referee.flatDistance(player, ball()) <= get(SoccerParameter.PASS_MODE_MAX_BALL_DISTANCE)) {
             match.setPlayMode(PlayModeRules.of(side, PlayMode.PASS_LEFT, PlayMode.PASS_RIGHT));
@@ -41,10 +40,10 @@ final class PassMode implements Memory {
 
     void begin() {
         lastTick = match.currentTick();
-        place = ball();
+        start = ball();
     }
 
-    /** Notes that the pass mode is over; the team may not score for some time. */
+    /** Ends pass mode and starts the time in which the team may not score. */
     void end() {
         lastTick = match.currentTick();
         lockedUntil = lastTick + PortableMath.round(get(SoccerParameter.PASS_MODE_SCORE_WAIT_TIME) / Cycle.SECONDS);
@@ -52,20 +51,20 @@ final class PassMode implements Memory {
         ballWasAway = false;
     }
 
-    /** Allows the team to score again at once. */
+    /** Allows the team to score. */
     void unlock() {
         lockedUntil = FoulHistory.NEVER;
     }
 
-    /** Watches whether two players of the team have touched the ball and it has left its place. */
-    void watch() {
+    /** Allows the team to score once two of its players have touched the ball and it has left its start position. */
+    void update() {
         if (!isLocked()) {
             return;
         }
         Optional<BallTracker.Touch> touch = match.ball().lastTouch();
         touch.filter(last -> last.tick() > lastTick && last.player().side() == side)
                 .ifPresent(last -> touchers.add(last.player()));
-        ballWasAway |= PortableMath.hypot(ball().x() - place.x(), ball().y() - place.y()) >= AWAY_DISTANCE;
+        ballWasAway |= PortableMath.hypot(ball().x() - start.x(), ball().y() - start.y()) >= AWAY_DISTANCE;
         if (touchers.size() >= 2 && ballWasAway) {
             unlock();
         }
@@ -75,7 +74,7 @@ final class PassMode implements Memory {
         return match.currentTick() < lockedUntil;
     }
 
-    /** How long the team may not score, in seconds. */
+    /** Remaining time in which the team may not score, in seconds. */
     double lockedSeconds() {
         return isLocked() ? (lockedUntil - match.currentTick()) * Cycle.SECONDS : 0;
     }
@@ -103,7 +102,7 @@ final class PassMode implements Memory {
     @Override
     public void save(StateWriter out, Roster roster) {
         roster.saveAll(touchers, out);
-        out.putVector(place);
+        out.putVector(start);
         out.putLong(lastTick);
         out.putLong(lockedUntil);
         out.putBoolean(ballWasAway);
@@ -113,7 +112,7 @@ final class PassMode implements Memory {
     public void restore(StateReader in, Roster roster) {
         touchers.clear();
         touchers.addAll(roster.restoreAll(in));
-        place = in.getVector();
+        start = in.getVector();
         lastTick = in.getLong();
         lockedUntil = in.getLong();
         ballWasAway = in.getBoolean();

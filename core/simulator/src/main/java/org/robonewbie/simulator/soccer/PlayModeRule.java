@@ -1,11 +1,11 @@
 package org.robonewbie.simulator.soccer;
 
-/** What the referee does in one play mode. */
+/** Actions of the referee in one play mode. */
 interface PlayModeRule extends Memory {
 
-    /** Begins the play mode. */
+    /** Called when the play mode starts. */
     default void begin() {}
 
-    /** Does what is due in each cycle, and may decide on another play mode. */
+    /** Called in each cycle; can change the play mode. */
     void apply();
 }

@@ -7,7 +7,7 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
-/** The rule for each play mode. */
+/** Rules of all play modes. */
 final class PlayModeRules implements Memory {
 
     private final Map<PlayMode, PlayModeRule> rules = new EnumMap<>(PlayMode.class);
@@ -33,7 +33,7 @@ final class PlayModeRules implements Memory {
     PlayModeRule of(PlayMode playMode) {
         PlayModeRule rule = rules.get(playMode);
         if (rule == null) {
-            throw new IllegalStateException("There is no rule for play mode " + playMode);
+            throw new IllegalStateException("No rule for play mode " + playMode);
         }
         return rule;
     }

@@ -6,7 +6,7 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
 
-/** The running game: double touch of who took a kick, goals, and the ball leaving the pitch. */
+/** Running play: double touches after a set piece, goals, and the ball leaving the pitch. */
 final class PlayOnRule implements PlayModeRule {
 
     private static final long DOUBLE_TOUCH_TICKS = 5;
@@ -19,9 +19,9 @@ final class PlayOnRule implements PlayModeRule {
 
     @Override
     public void apply() {
-        match.passMode(TeamSide.LEFT).watch();
-        match.passMode(TeamSide.RIGHT).watch();
-        forgetSetPieceAfterOthersTouch();
+        match.passMode(TeamSide.LEFT).update();
+        match.passMode(TeamSide.RIGHT).update();
+        updateSetPiece();
         if (isDoubleTouch()) {
             TeamSide side = match.setPiece().orElseThrow().side().opponent();
             match.setPlayMode(PlayModeRules.of(side, PlayMode.FREE_KICK_LEFT, PlayMode.FREE_KICK_RIGHT));
@@ -37,7 +37,8 @@ final class PlayOnRule implements PlayModeRule {
         }
     }
 
-    private void forgetSetPieceAfterOthersTouch() {
+    /** Ends a set piece when another player touches the ball; a kick-off only outside the centre circle or by an opponent. */
+    private void updateSetPiece() {
         Optional<SetPiece> piece = match.setPiece();
         Optional<BallTracker.Touch> touch = match.ball().lastTouch();
         if (piece.isEmpty()
@@ -53,12 +54,7 @@ final class PlayOnRule implements PlayModeRule {
         if (other && released) {
             match.setSetPiece(Optional.empty());
         } else if (other) {
-            match.setSetPiece(Optional.of(new SetPiece(
-                    piece.get().side(),
-                    Optional.empty(),
-                    piece.get().tick(),
-                    piece.get().indirect(),
-                    true)));
+            match.setSetPiece(piece.map(SetPiece::withoutTaker));
         }
     }
 
@@ -83,8 +79,8 @@ final class PlayOnRule implements PlayModeRule {
         return match.isShootout()
                 && match.players(TeamSide.RIGHT).stream()
                         .map(Player::position)
-                        .anyMatch(
-                                place -> place.x() < area.minX() || place.y() < area.minY() || place.y() > area.maxY());
+                        .anyMatch(position ->
+                                position.x() < area.minX() || position.y() < area.minY() || position.y() > area.maxY());
     }
 
     private void judgeGoal(TeamSide goal) {

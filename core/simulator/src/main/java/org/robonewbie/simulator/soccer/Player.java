@@ -6,7 +6,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.simulator.physics.BoundingBox;
 import org.robonewbie.simulator.world.Robot;
 
-/** A robot that has joined a team. */
+/** Robot that has joined a team. */
 public final class Player {
 
     private final Team team;
@@ -15,22 +15,19 @@ public final class Player {
     private final FoulHistory fouls;
 
     Player(Team team, int number, Robot robot) {
+        this(team, number, robot, new FoulHistory(robot.model().hinges().size()));
+    }
+
+    private Player(Team team, int number, @Nullable Robot robot, FoulHistory fouls) {
         this.team = team;
         this.number = number;
         this.robot = robot;
-        this.fouls = new FoulHistory(robot.model().hinges().size());
+        this.fouls = fouls;
     }
 
-    private Player(Team team, int number) {
-        this.team = team;
-        this.number = number;
-        this.robot = null;
-        this.fouls = new FoulHistory(0);
-    }
-
-    /** Stands for a player that has left and is only remembered for what it did. */
+    /** Creates a placeholder for a player that has left. */
     static Player departed(Team team, int number) {
-        return new Player(team, number);
+        return new Player(team, number, null, new FoulHistory(0));
     }
 
     /** {@return the player's team} */
@@ -38,7 +35,7 @@ public final class Player {
         return team;
     }
 
-    /** {@return the half that the player's team defends at present} */
+    /** {@return the half that the player's team currently defends} */
     public TeamSide side() {
         return team.side();
     }
@@ -48,7 +45,7 @@ public final class Player {
         return number;
     }
 
-    /** {@return the player's robot} */
+    /** {@return the robot of the player} */
     public Robot robot() {
         if (robot == null) {
             throw new IllegalStateException(this + " has left the game");
@@ -56,7 +53,7 @@ public final class Player {
         return robot;
     }
 
-    /** {@return the position of the torso's centre in the world frame, metres} */
+    /** {@return the position of the torso in the world frame in metres} */
     public Vector3 position() {
         return robot().linkPosition(0);
     }
@@ -69,7 +66,7 @@ public final class Player {
         return number == 1;
     }
 
-    /** Whether the box around the robot is closer to a point than a distance in metres. */
+    /** Whether the robot's bounding box is within a distance of a point, in metres. */
     boolean isWithin(double distance, Vector3 point) {
         BoundingBox box = robot().boundingBox();
         double x = gap(point.x(), box.min().x(), box.max().x());

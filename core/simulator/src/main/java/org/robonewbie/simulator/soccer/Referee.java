@@ -2,6 +2,7 @@ package org.robonewbie.simulator.soccer;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import org.robonewbie.nao.Cycle;
@@ -15,14 +16,13 @@ import org.robonewbie.protocol.monitor.FoulType;
 import org.robonewbie.protocol.order.PlayerNumber;
 
 /**
- * Judges fouls in each tick and lifts offenders off the pitch (SimSpark: {@code soccerruleaspect.cpp}).
+ * Judges fouls in each cycle and enforces penalties (SimSpark: {@code soccerruleaspect.cpp}).
  *
- * <p>A punished robot is held in the air for a moment and then placed beside the pitch; until then nothing else that it does is
- * a foul.
+ * <p>A punished robot is held in the air for a short time and then placed beside the pitch. Until then it commits no other foul.
  */
 final class Referee implements Memory {
 
-    private static final int REMEMBERED_FOULS = 200;
+    private static final int MAX_FOULS = 200;
     private static final double LIFTED_HEIGHT = 1.0;
     private static final double LIFT_PER_TICK = 0.01;
 
@@ -42,9 +42,9 @@ final class Referee implements Memory {
                 new SelfCollisionRule(match));
     }
 
-    /** Judges one tick. */
     void judge(boolean paused) {
-        match.players().forEach(player -> player.fouls().remember(player.robot().torsoVelocity()));
+        match.players()
+                .forEach(player -> player.fouls().addVelocity(player.robot().torsoVelocity()));
         if (paused) {
             match.players().forEach(player -> player.fouls().forgiveFouls());
             return;
@@ -55,26 +55,26 @@ final class Referee implements Memory {
         }
     }
 
-    /** The newest fouls of the match in order; a penalty counts once for each tick that it lasts. */
+    /** Latest fouls in order; a penalty is listed once for each tick that it lasts. */
     List<Foul> fouls() {
         return Collections.unmodifiableList(fouls);
     }
 
-    /** Lifts a player off the pitch, beginning in this tick. */
+    /** Starts a penalty, which removes the player from the pitch. */
     void punish(Player player, FoulType foul) {
         if (!player.fouls().isPunished()) {
             player.fouls().punish(foul);
-            match.note(new MatchEvent.FoulCalled(foul, player.side(), player.number()));
+            match.addEvent(new MatchEvent.FoulCalled(foul, player.side(), player.number()));
         }
     }
 
-    /** Notes a foul that is punished in another way. */
-    void note(Player player, FoulType foul) {
-        match.note(new MatchEvent.FoulCalled(foul, player.side(), player.number()));
+    /** Reports a foul without a penalty. */
+    void report(Player player, FoulType foul) {
+        match.addEvent(new MatchEvent.FoulCalled(foul, player.side(), player.number()));
         add(player, foul);
     }
 
-    /** Both sides in random order. */
+    /** Returns both sides in random order. */
     List<TeamSide> sides() {
         return match.random().nextBoolean()
                 ? List.of(TeamSide.LEFT, TeamSide.RIGHT)
@@ -84,7 +84,7 @@ final class Referee implements Memory {
     private void add(Player player, FoulType foul) {
         foulCount++;
         fouls.add(new Foul(foulCount, foul, new PlayerNumber(player.side(), player.number())));
-        if (fouls.size() > REMEMBERED_FOULS) {
+        if (fouls.size() > MAX_FOULS) {
             fouls.remove(0);
         }
     }
@@ -106,7 +106,7 @@ final class Referee implements Memory {
 
     static Optional<Player> nearest(List<Player> players, Vector3 point, int rank) {
         return players.stream()
-                .sorted((a, b) -> Double.compare(flatDistance(a, point), flatDistance(b, point)))
+                .sorted(Comparator.comparingDouble(player -> flatDistance(player, point)))
                 .skip(rank)
                 .findFirst();
     }

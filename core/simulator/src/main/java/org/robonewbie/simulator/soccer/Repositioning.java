@@ -10,7 +10,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.simulator.physics.BoundingBox;
 
-/** Moves robots out of the way to free places, as the referee does (SimSpark: {@code soccerruleaspect.cpp}). */
+/** Moves robots to free positions on behalf of the referee (SimSpark: {@code soccerruleaspect.cpp}). */
 final class Repositioning {
 
     private static final int COLUMNS = 10;
@@ -26,7 +26,7 @@ final class Repositioning {
         this.agentRadius = match.parameters().get(SoccerParameter.AGENT_RADIUS);
     }
 
-    /** Moves the robots of a team out of a ball-shaped space. */
+    /** Moves the robots of a team out of a circle. */
     void clearCircle(TeamSide side, Vector3 centre, double radius, double moveDistance) {
         for (Player player : match.players(side)) {
             if (player.isWithin(radius, centre)) {
@@ -35,7 +35,7 @@ final class Repositioning {
         }
     }
 
-    /** Moves the robots of a team out of a rectangle towards their own side. */
+    /** Moves the robots of a team out of a rectangle, towards their own goal. */
     void clearArea(TeamSide side, Area area, double moveDistance) {
         double x = side == TeamSide.LEFT ? area.minX() - moveDistance : area.maxX() + moveDistance;
         for (Player player : match.players(side)) {
@@ -46,7 +46,7 @@ final class Repositioning {
         }
     }
 
-    /** Pushes the robots of a team straight away from a point. */
+    /** Moves the robots of a team radially away from a point. */
     void pushAway(TeamSide side, Vector3 centre, double within, double distance) {
         for (Player player : match.players(side)) {
             Vector3 position = player.position();
@@ -57,26 +57,26 @@ final class Repositioning {
                 double factor = length == 0 ? 0 : distance / length;
                 double pushedX = length == 0 ? centre.x() + ownDirection(side) * distance : centre.x() + factor * x;
                 Vector3 wanted = new Vector3(pushedX, centre.y() + factor * y, position.z());
-                place(player, search(player, wanted, place -> isFree(player, place)));
+                place(player, search(player, wanted, target -> isFree(player, target)));
             }
         }
     }
 
-    /** Moves a robot to a place or, if that is taken, to a free one nearby. */
+    /** Moves a robot to a position or, if that is occupied, to a free one nearby. */
     void move(Player player, Vector3 wanted) {
-        place(player, search(player, wanted, place -> isFree(player, place) && !isAtBall(place)));
+        place(player, search(player, wanted, target -> isFree(player, target) && !isAtBall(target)));
     }
 
-    /** Moves a robot straight away from a point by some metres, or to a free place nearby. */
+    /** Moves a robot radially away from a point, or to a free position nearby. */
     void moveAway(Player player, Vector3 centre, double distance) {
         Vector3 position = player.position();
         double x = position.x() - centre.x();
         double y = position.y() - centre.y();
         double length = PortableMath.hypot(x, y);
-        Vector3 way = length == 0
+        Vector3 offset = length == 0
                 ? new Vector3(ownDirection(player.side()) * distance, 0, 0)
                 : new Vector3(x / length * distance, y / length * distance, 0);
-        move(player, position.plus(way));
+        move(player, position.plus(offset));
     }
 
     private void place(Player player, Vector3 position) {
@@ -107,46 +107,46 @@ final class Repositioning {
     }
 
     private List<Vector3> candidates(Player player, Vector3 wanted) {
-        List<Vector3> places = new ArrayList<>();
+        List<Vector3> positions = new ArrayList<>();
         for (int column = 0; column < COLUMNS; column++) {
             for (int row = -ROWS / 2; row <= ROWS / 2; row++) {
-                places.add(wanted.plus(
+                positions.add(wanted.plus(
                         new Vector3(ownDirection(player.side()) * column * agentRadius, row * agentRadius, 0)));
             }
         }
         Vector3 present = player.position();
-        places.sort(Comparator.comparingDouble(present::distanceTo));
-        return places;
+        positions.sort(Comparator.comparingDouble(present::distanceTo));
+        return positions;
     }
 
-    private boolean isFree(Player player, Vector3 place) {
-        return !isAtGoal(place)
-                && match.players().stream().noneMatch(other -> other != player && isTooNear(other, place))
-                && !isFullArea(player, place);
+    private boolean isFree(Player player, Vector3 target) {
+        return !isAtGoal(target)
+                && match.players().stream().noneMatch(other -> other != player && isTooNear(other, target))
+                && !isFullArea(player, target);
     }
 
-    private boolean isTooNear(Player other, Vector3 place) {
+    private boolean isTooNear(Player other, Vector3 target) {
         BoundingBox box = other.robot().boundingBox();
-        return place.x() > box.min().x() - agentRadius
-                && place.x() < box.max().x() + agentRadius
-                && place.y() > box.min().y() - agentRadius
-                && place.y() < box.max().y() + agentRadius;
+        return target.x() > box.min().x() - agentRadius
+                && target.x() < box.max().x() + agentRadius
+                && target.y() > box.min().y() - agentRadius
+                && target.y() < box.max().y() + agentRadius;
     }
 
-    private boolean isAtBall(Vector3 place) {
+    private boolean isAtBall(Vector3 target) {
         double distance =
                 Math.max(2 * agentRadius, match.parameters().get(SoccerParameter.PASS_MODE_MIN_OPPONENT_BALL_DISTANCE));
         Vector3 ball = match.ball().position();
-        return PortableMath.hypot(place.x() - ball.x(), place.y() - ball.y()) < distance;
+        return PortableMath.hypot(target.x() - ball.x(), target.y() - ball.y()) < distance;
     }
 
-    private boolean isAtGoal(Vector3 place) {
-        return Math.abs(place.x()) > field.length() / 2 && Math.abs(place.y()) < field.goalWidth() / 2 + agentRadius;
+    private boolean isAtGoal(Vector3 target) {
+        return Math.abs(target.x()) > field.length() / 2 && Math.abs(target.y()) < field.goalWidth() / 2 + agentRadius;
     }
 
-    private boolean isFullArea(Player player, Vector3 place) {
+    private boolean isFullArea(Player player, Vector3 target) {
         Area area = match.penaltyArea(player.side());
-        if (!area.contains(place)) {
+        if (!area.contains(target)) {
             return false;
         }
         long inside = match.players(player.side()).stream()

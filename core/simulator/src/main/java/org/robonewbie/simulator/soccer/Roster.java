@@ -11,19 +11,18 @@ import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
 /**
- * Numbers the players while a game is saved or restored: those on the pitch in their order, then those that have left but are
- * still remembered, for having touched the ball last or for a collision. Of these it also notes team and number.
+ * Index of players for saving and restoring references to them. Players on the pitch come first. Players that have left but are
+ * still referenced, for example by the last touch of the ball, are appended with their team and number.
  */
 final class Roster {
 
     private final List<Team> teams;
     private final List<Player> known;
-    private final BiFunction<String, TeamSide, Team> forgotten;
+    private final BiFunction<String, TeamSide, Team> createTeam;
 
-    /** Numbers players; a team that has been forgotten since is made again from its name and side. */
-    Roster(List<Team> teams, List<Player> players, BiFunction<String, TeamSide, Team> forgotten) {
+    Roster(List<Team> teams, List<Player> players, BiFunction<String, TeamSide, Team> createTeam) {
         this.teams = teams;
-        this.forgotten = forgotten;
+        this.createTeam = createTeam;
         this.known = new ArrayList<>(players);
     }
 
@@ -48,7 +47,7 @@ final class Roster {
 
     private Team restoreTeam(StateReader in) {
         int index = in.getIndex(teams.size() + 1);
-        return index < teams.size() ? teams.get(index) : forgotten.apply(in.getText(), in.getEnum(TeamSide.values()));
+        return index < teams.size() ? teams.get(index) : createTeam.apply(in.getText(), in.getEnum(TeamSide.values()));
     }
 
     Player restore(StateReader in) {

@@ -12,7 +12,7 @@ import org.robonewbie.nao.model.Shape;
 import org.robonewbie.protocol.monitor.FoulType;
 import org.robonewbie.simulator.world.Robot;
 
-/** A robot whose limbs run into each other must keep them still for a moment. */
+/** Self-collision foul: the limbs of a robot that collide with each other are frozen for a short time. */
 final class SelfCollisionRule implements FoulRule {
 
     private static final Set<String> ALLOWED = Set.of(
@@ -58,7 +58,7 @@ final class SelfCollisionRule implements FoulRule {
             }
         }
         if (foul) {
-            match.referee().note(player, FoulType.SELF_COLLISION);
+            match.referee().report(player, FoulType.SELF_COLLISION);
         }
     }
 
@@ -78,11 +78,11 @@ final class SelfCollisionRule implements FoulRule {
                 + model.links().get(second).name());
     }
 
-    /** Punishes a collision; returns whether a hinge was newly frozen. */
+    /** Punishes a collision; returns whether a hinge was frozen. */
     private boolean punish(Player player, int firstLink, int secondLink) {
         if (match.parameters().isOn(SoccerParameter.SELF_COLLISION_BEAM_PENALTY)) {
             long cooldown = ticks(SoccerParameter.SELF_COLLISION_BEAM_COOLDOWN_TIME);
-            if (player.fouls().mayPunishSelfCollision(match.currentTick(), cooldown)) {
+            if (player.fouls().startSelfCollisionPenalty(match.currentTick(), cooldown)) {
                 match.referee().punish(player, FoulType.SELF_COLLISION);
             }
             return false;
@@ -92,7 +92,7 @@ final class SelfCollisionRule implements FoulRule {
         return firstFrozen || secondFrozen;
     }
 
-    /** Freezes all hinges of the limb to which a link belongs; the torso has none. */
+    /** Freezes all hinges of a link's limb; the torso has none. */
     private boolean freeze(Player player, int link) {
         NaoModel model = player.robot().model();
         String limb = limb(model.links().get(link).name());
@@ -111,7 +111,7 @@ final class SelfCollisionRule implements FoulRule {
         return frozen;
     }
 
-    /** The prefix of the names of a limb's effectors, such as {@code rae}; empty for the torso. */
+    /** Prefix of the effector names of a limb, such as {@code rae}; empty for the torso. */
     private static String limb(String link) {
         if (link.equals(NaoModel.TORSO)) {
             return "";

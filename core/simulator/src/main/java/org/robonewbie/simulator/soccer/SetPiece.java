@@ -6,15 +6,19 @@ import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
 /**
- * The kick with which play went on, remembered until another robot has touched the ball.
+ * Set piece that started the current play, valid until another robot touches the ball.
  *
- * @param side the team that had the kick
- * @param taker who kicked
- * @param tick when
- * @param indirect whether the kick may not go into the opponents' goal
- * @param kickOff whether it was a kick-off, which stays indirect until the ball is touched outside the centre circle
+ * @param side team that took the kick
+ * @param taker player that took the kick
+ * @param tick tick of the kick
+ * @param indirect whether the kick must not go directly into the opponents' goal
+ * @param kickOff whether it is a kick-off, which stays indirect until the ball is touched outside the centre circle
  */
 record SetPiece(TeamSide side, Optional<Player> taker, long tick, boolean indirect, boolean kickOff) {
+
+    SetPiece withoutTaker() {
+        return new SetPiece(side, Optional.empty(), tick, indirect, kickOff);
+    }
 
     void save(StateWriter out, Roster roster) {
         out.putEnum(side);

@@ -6,11 +6,12 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
+import java.util.function.ToDoubleFunction;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * A value for each {@link SoccerParameter}; it never changes.
+ * Immutable values of all {@link SoccerParameter}s.
  *
  * <pre>{@code
  * SoccerParameters parameters = SoccerParameters.league().with("RuleHalfTime=60");
@@ -37,46 +38,47 @@ public final class SoccerParameters {
         this.values = values;
     }
 
-    /** {@return the values of the league's profile, those of rcssserver3d 0.7.3} */
+    /** {@return the league profile with the values of rcssserver3d 0.7.3} */
     public static SoccerParameters league() {
-        return new SoccerParameters(Arrays.stream(SoccerParameter.values())
-                .mapToDouble(SoccerParameter::leagueValue)
-                .toArray());
+        return of(SoccerParameter::leagueValue);
     }
 
-    /** {@return the values of the beginners' profile: a small pitch, immediate kick-off, no fouls, no beam noise} */
+    /** {@return the beginners' profile: a small pitch, automatic kick-off, no fouls, no beam noise} */
     public static SoccerParameters beginner() {
-        return new SoccerParameters(Arrays.stream(SoccerParameter.values())
-                .mapToDouble(SoccerParameter::beginnerValue)
-                .toArray());
+        return of(SoccerParameter::beginnerValue);
+    }
+
+    private static SoccerParameters of(ToDoubleFunction<SoccerParameter> value) {
+        return new SoccerParameters(
+                Arrays.stream(SoccerParameter.values()).mapToDouble(value).toArray());
     }
 
     /**
-     * Reads a number.
+     * Returns a numeric value.
      *
-     * @param parameter which one
-     * @return its value in its own unit
+     * @param parameter the parameter
+     * @return the value in the unit of the parameter
      */
     public double get(SoccerParameter parameter) {
         return values[parameter.ordinal()];
     }
 
     /**
-     * Reads a yes or no.
+     * Returns a boolean value.
      *
-     * @param parameter which one
-     * @return whether it is yes
+     * @param parameter the parameter
+     * @return whether it is true
      */
     public boolean isOn(SoccerParameter parameter) {
         return values[parameter.ordinal()] != 0;
     }
 
     /**
-     * Changes one value.
+     * Returns a copy with another value.
      *
-     * @param parameter which one
-     * @param value the new value; 1 for yes and 0 for no
-     * @return parameters that differ in this value
+     * @param parameter the parameter
+     * @param value the new value; 1 for true and 0 for false
+     * @return the changed parameters
      */
     public SoccerParameters with(SoccerParameter parameter, double value) {
         double[] changed = values.clone();
@@ -85,12 +87,11 @@ public final class SoccerParameters {
     }
 
     /**
-     * Changes one value as it is written on the command line.
+     * Returns a copy with an assignment from the command line.
      *
-     * @param assignment such as {@code RuleHalfTime=60} or {@code UseCharging=false}
-     * @return parameters that differ in this value
-     * @throws IllegalArgumentException if there is no such parameter or the value is no number; the message says what
-     *     to write
+     * @param assignment an assignment such as {@code RuleHalfTime=60} or {@code UseCharging=false}
+     * @return the changed parameters
+     * @throws IllegalArgumentException if the parameter does not exist or the value is invalid; the message contains the expected format
      */
     public SoccerParameters with(String assignment) {
         int equals = assignment.indexOf('=');
@@ -117,9 +118,9 @@ public final class SoccerParameters {
     }
 
     /**
-     * Writes all values as they can be read again.
+     * Returns all values in the format of {@link #with(String)}.
      *
-     * @return one assignment for each parameter, in their order
+     * @return one assignment per parameter, in declaration order
      */
     public List<String> assignments() {
         List<String> assignments = new ArrayList<>();
@@ -129,7 +130,7 @@ public final class SoccerParameters {
         return assignments;
     }
 
-    /** {@return a readable line for each parameter: name, value in the league, value for beginners, meaning} */
+    /** {@return a help text with one line per parameter: name, league value, beginners' value, description} */
     public static List<String> describe() {
         return Arrays.stream(SoccerParameter.values())
                 .map(parameter -> String.format(
@@ -158,13 +159,13 @@ public final class SoccerParameters {
     }
 
     private static double parse(SoccerParameter parameter, String text) {
-        if (parameter.isYesOrNo()) {
+        if (parameter.isBoolean()) {
             return switch (text) {
                 case "true" -> 1;
                 case "false" -> 0;
                 default ->
                     throw new IllegalArgumentException("Value \"" + text + "\" of " + parameter.simSparkName()
-                            + " is neither true nor false. Write one of them.");
+                            + " is neither true nor false. Write true or false.");
             };
         }
         try {
@@ -174,10 +175,11 @@ public final class SoccerParameters {
                 return value;
             }
         } catch (NumberFormatException e) {
-            // Told below, together with numbers that are not finite.
+            // Reported below, like values that are not finite.
         }
         throw new IllegalArgumentException("Value \"" + text + "\" of " + parameter.simSparkName()
-                + " is not a number. It is meant in " + parameter.description() + ".");
+                + " is not a number. Write, for example, " + parameter.simSparkName() + "="
+                + text(parameter, parameter.leagueValue()) + " (" + parameter.description() + ").");
     }
 
     private static void checkSize(SoccerParameter parameter, double value) {
@@ -189,7 +191,7 @@ public final class SoccerParameters {
     }
 
     private static String text(SoccerParameter parameter, double value) {
-        if (parameter.isYesOrNo()) {
+        if (parameter.isBoolean()) {
             return value == 0 ? "false" : "true";
         }
         return value == PortableMath.rint(value) && Math.abs(value) < 1e15

@@ -4,10 +4,10 @@ import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 
-/** Where the ball is put for a kick; all places are centres of a lying ball in the world frame, metres. */
+/** Positions of the ball for set pieces, in the world frame in metres, and waiting positions beside the pitch. */
 final class Spots {
 
-    private static final double PLACE_BESIDE_PITCH = 0.6;
+    private static final double SPACING_BESIDE_PITCH = 0.6;
     private static final int NUMBER_AT_HALFWAY_LINE = 7;
     private static final double DISTANCE_BESIDE_PITCH = 0.5;
 
@@ -18,7 +18,7 @@ final class Spots {
         return at(match, out.x(), Math.copySign(sideLine(match), out.y()));
     }
 
-    /** The corner spot lies half way between goal post and corner flag. */
+    /** The corner spot is halfway between goal post and corner flag. */
     static Vector3 corner(Match match, TeamSide attackers) {
         SoccerField field = match.field();
         double x = field.length() / 2 - match.ball().radius();
@@ -39,30 +39,30 @@ final class Spots {
         return outOfPenaltyAreas(match, match.ball().lastValidPosition());
     }
 
-    static Vector3 dropBall(Match match, Vector3 place) {
-        Vector3 spot = outOfPenaltyAreas(match, place);
+    static Vector3 dropBall(Match match, Vector3 position) {
+        Vector3 spot = outOfPenaltyAreas(match, position);
         double limit = sideLine(match);
         return at(match, spot.x(), Math.max(-limit, Math.min(limit, spot.y())));
     }
 
-    /** Where a player waits beside the pitch, on the ground: each number has its place, on the side away from the ball. */
+    /** Waiting position of a player beside the pitch, on the side away from the ball; each number has its own. */
     static Vector3 besidePitch(Match match, Player player) {
-        double x = PLACE_BESIDE_PITCH * (NUMBER_AT_HALFWAY_LINE - player.number());
+        double x = SPACING_BESIDE_PITCH * (NUMBER_AT_HALFWAY_LINE - player.number());
         double y = match.field().width() / 2 + DISTANCE_BESIDE_PITCH;
         return new Vector3(
                 player.side() == TeamSide.LEFT ? -x : x, match.ball().position().y() < 0 ? y : -y, 0);
     }
 
-    /** Moves a place inside a penalty area to the area's front corner on the same side. */
-    private static Vector3 outOfPenaltyAreas(Match match, Vector3 place) {
+    /** Moves a position inside a penalty area to the nearer front corner of the area. */
+    private static Vector3 outOfPenaltyAreas(Match match, Vector3 position) {
         for (TeamSide side : TeamSide.values()) {
             Area area = match.penaltyArea(side);
-            if (area.contains(place)) {
+            if (area.contains(position)) {
                 double x = side == TeamSide.LEFT ? area.maxX() : area.minX();
-                return at(match, x, place.y() < 0 ? area.minY() : area.maxY());
+                return at(match, x, position.y() < 0 ? area.minY() : area.maxY());
             }
         }
-        return at(match, place.x(), place.y());
+        return at(match, position.x(), position.y());
     }
 
     private static double sideLine(Match match) {

@@ -6,7 +6,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
-/** The row of places at the side line where new players of a team appear; as in SimSpark a place is never reused. */
+/** Start positions of a team at the side line. As in SimSpark a position is never reused. */
 public final class StartPositions {
 
     private final double radius;
@@ -15,10 +15,10 @@ public final class StartPositions {
     private double y;
 
     /**
-     * Begins with the place of the first player.
+     * Creates the positions of a team.
      *
-     * @param side the team's side
-     * @param parameters tell the size of the pitch and the distance between players
+     * @param side side of the team
+     * @param parameters size of the pitch and radius of a robot
      */
     public StartPositions(TeamSide side, SoccerParameters parameters) {
         SoccerField field = parameters.field();
@@ -30,18 +30,18 @@ public final class StartPositions {
     }
 
     /**
-     * Takes the next place.
+     * Returns the next position.
      *
-     * @return centre of the torso in the world frame, metres
+     * @return position of the torso in the world frame in metres
      */
     public Vector3 next() {
-        Vector3 place = new Vector3(x, y, radius);
+        Vector3 position = new Vector3(x, y, radius);
         y -= 3 * radius;
         if (y < -halfWidth) {
             y = halfWidth - 2 * radius;
             x += 2 * radius;
         }
-        return place;
+        return position;
     }
 
     void save(StateWriter out) {

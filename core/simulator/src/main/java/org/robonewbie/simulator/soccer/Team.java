@@ -8,10 +8,10 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.world.Robot;
 
-/** The players that carry the same name and defend the same half. */
+/** Team of a match. */
 public final class Team {
 
-    /** Players in a full team, and their highest number. */
+    /** Maximum number of players, and the highest shirt number. */
     public static final int SIZE = 11;
 
     private final String name;
@@ -26,12 +26,12 @@ public final class Team {
         this.parameters = parameters;
     }
 
-    /** {@return the team's name as given by its first player, possibly empty} */
+    /** {@return the team name as given by its first player, possibly empty} */
     public String name() {
         return name;
     }
 
-    /** {@return the half that the team defends at present} */
+    /** {@return the half that the team currently defends} */
     public TeamSide side() {
         return side;
     }
@@ -45,30 +45,30 @@ public final class Team {
         side = side.opponent();
     }
 
-    /** Why a robot may not join; empty if it may. Number 0 asks for any free one. */
+    /** Reason why a robot may not join; empty if it may. Number 0 stands for any free one. */
     Optional<String> objection(int number, RobotType type) {
         if (players.size() >= SIZE) {
-            return Optional.of("team \"" + name + "\" has all of its " + SIZE + " players already");
+            return Optional.of("team \"" + name + "\" already has all " + SIZE + " players");
         }
         if (number < 0 || number > SIZE) {
             return Optional.of("number " + number + " does not exist; choose 1 to " + SIZE);
         }
         if (isTaken(number)) {
-            return Optional.of(
-                    "number " + number + " of team \"" + name + "\" is taken; choose another one or 0 for any");
+            return Optional.of("number " + number + " of team \"" + name
+                    + "\" is taken; choose another one, or 0 for any free one");
         }
         return typeObjection(type);
     }
 
-    /** Takes a robot in; number 0 stands for the lowest free one. */
+    /** Adds a robot; number 0 stands for the lowest free one. */
     Player add(int number, Robot robot) {
         Player player = new Player(this, number == 0 ? lowestFreeNumber() : number, robot);
         players.add(player);
         return player;
     }
 
-    /** Begins a restored game on a side, without players. */
-    void begin(TeamSide newSide) {
+    /** Resets the team before a restored match. */
+    void reset(TeamSide newSide) {
         side = newSide;
         players.clear();
     }
@@ -88,14 +88,15 @@ public final class Team {
     private Optional<String> typeObjection(RobotType type) {
         int limit = (int) parameters.get(SoccerParameter.MAX_ROBOT_TYPE_COUNT);
         if (count(type) >= limit) {
-            return Optional.of("team \"" + name + "\" has " + count(type) + " robots of type " + type.ordinal()
-                    + " already and MaxRobotTypeCount is " + limit + "; choose another type");
+            return Optional.of("team \"" + name + "\" already has " + count(type) + " robots of type " + type.ordinal()
+                    + " and MaxRobotTypeCount is " + limit + "; choose another type");
         }
         int pairLimit = (int) parameters.get(SoccerParameter.MAX_SUM_TWO_ROBOT_TYPES);
         for (RobotType other : RobotType.values()) {
             if (other != type && count(other) > 0 && count(type) + count(other) >= pairLimit) {
-                return Optional.of("team \"" + name + "\" has " + pairLimit + " robots of types " + type.ordinal()
-                        + " and " + other.ordinal() + " already, which is MaxSumTwoRobotTypes; choose another type");
+                return Optional.of("team \"" + name + "\" already has " + pairLimit + " robots of types "
+                        + type.ordinal() + " and " + other.ordinal()
+                        + ", which is MaxSumTwoRobotTypes; choose another type");
             }
         }
         int missing = (int) parameters.get(SoccerParameter.MIN_ROBOT_TYPES_COUNT) - typesPresent();

@@ -10,8 +10,8 @@ import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * The two teams: the first team name to appear plays on the left, the second on the right, and both stay reserved when their
- * players leave (SimSpark: {@code gamestateaspect.cpp}), until the game is reset.
+ * The two teams of a match (SimSpark: {@code gamestateaspect.cpp}). The first team name plays on the left, the second on the
+ * right. Both names stay reserved when the players leave, until the match is reset.
  */
 public final class Teams {
 
@@ -19,13 +19,13 @@ public final class Teams {
     private final List<Team> teams = new ArrayList<>();
     private final List<Player> players = new ArrayList<>();
     private final List<Player> readOnly = Collections.unmodifiableList(players);
-    private final StartPositions leftPlaces;
-    private final StartPositions rightPlaces;
+    private final StartPositions leftPositions;
+    private final StartPositions rightPositions;
 
     Teams(SoccerParameters parameters) {
         this.parameters = parameters;
-        leftPlaces = new StartPositions(TeamSide.LEFT, parameters);
-        rightPlaces = new StartPositions(TeamSide.RIGHT, parameters);
+        leftPositions = new StartPositions(TeamSide.LEFT, parameters);
+        rightPositions = new StartPositions(TeamSide.RIGHT, parameters);
     }
 
     /** {@return all players of both teams in the order in which they joined, unmodifiable} */
@@ -36,8 +36,8 @@ public final class Teams {
     /**
      * Returns the team of a side.
      *
-     * @param side the half that it defends
-     * @return the team; empty before it has joined
+     * @param side half that the team defends
+     * @return the team; empty before its first player joins
      */
     public Optional<Team> team(TeamSide side) {
         for (int i = 0; i < teams.size(); i++) {
@@ -51,19 +51,19 @@ public final class Teams {
     /**
      * Returns the name of a team.
      *
-     * @param side the half that it defends
-     * @return its name, empty before it has joined
+     * @param side half that the team defends
+     * @return the name; empty before its first player joins
      */
     public String name(TeamSide side) {
         return team(side).map(Team::name).orElse("");
     }
 
     /**
-     * Looks up a player.
+     * Finds a player.
      *
-     * @param side the half that the team defends
-     * @param number the player's number
-     * @return the player; empty if there is none
+     * @param side half that the team defends
+     * @param number shirt number
+     * @return the player, if there is one
      */
     public Optional<Player> player(TeamSide side, int number) {
         return players.stream()
@@ -71,7 +71,7 @@ public final class Teams {
                 .findFirst();
     }
 
-    /** Looks up whose body a robot is. */
+    /** Finds the player of a robot. */
     Optional<Player> playerOf(Robot robot) {
         for (int i = 0; i < players.size(); i++) {
             if (players.get(i).robot() == robot) {
@@ -82,16 +82,16 @@ public final class Teams {
     }
 
     /**
-     * Takes a robot into a team and puts it to the side line of its half.
+     * Adds a robot to a team and moves it to its start position at the side line.
      *
-     * @param name the team's name
-     * @param number the wanted number, 0 for the lowest free one
+     * @param name team name
+     * @param number requested number; 0 for the lowest free one
      * @param robot the robot
      * @return the new player
-     * @throws JoinRefusedException if team, number or robot type are not allowed; the message says why
+     * @throws JoinRefusedException if team, number or robot type are not allowed
      */
     public Player join(String name, int number, Robot robot) throws JoinRefusedException {
-        Team team = findOrFound(name);
+        Team team = findOrCreate(name);
         Optional<String> objection = team.objection(number, robot.model().type());
         if (objection.isPresent()) {
             throw new JoinRefusedException(objection.get());
@@ -103,9 +103,9 @@ public final class Teams {
     }
 
     /**
-     * Takes a player out of its team; the number becomes free.
+     * Removes a player from its team and frees its number.
      *
-     * @param player the player that leaves
+     * @param player the player
      */
     public void leave(Player player) {
         players.remove(player);
@@ -113,21 +113,20 @@ public final class Teams {
     }
 
     /**
-     * Moves a player to where a new player of its team appears.
+     * Moves a player to the next start position of its team.
      *
      * @param player the player
      */
     public void putToStart(Player player) {
         boolean left = player.side() == TeamSide.LEFT;
-        player.robot().moveUpright((left ? leftPlaces : rightPlaces).next(), left ? -90 : 90);
+        player.robot().moveUpright((left ? leftPositions : rightPositions).next(), left ? -90 : 90);
     }
 
-    /** Frees the names of teams without players, so that others can play. */
-    void forgetEmpty() {
+    /** Frees the names of teams without players. */
+    void removeEmpty() {
         teams.removeIf(team -> team.players().isEmpty());
     }
 
-    /** Replaces a player's body. */
     Player replaceRobot(Player old, Robot robot) {
         Player replacement = new Player(old.team(), old.number(), robot);
         old.team().replace(old, replacement);
@@ -139,7 +138,7 @@ public final class Teams {
         teams.forEach(Team::changeSide);
     }
 
-    private Team findOrFound(String name) throws JoinRefusedException {
+    private Team findOrCreate(String name) throws JoinRefusedException {
         for (Team team : teams) {
             if (team.name().equals(name)) {
                 return team;
@@ -147,12 +146,12 @@ public final class Teams {
         }
         if (!name.chars().allMatch(character -> character > ' ' && character != '(' && character != ')')) {
             throw new JoinRefusedException(
-                    "team name \"" + name + "\" has blanks or parentheses, which no message to the"
-                            + " others could carry; choose a name without");
+                    "team name \"" + name + "\" has blanks or parentheses, which messages to other agents cannot"
+                            + " contain; choose a name without them");
         }
         if (teams.size() == 2) {
             throw new JoinRefusedException("teams \"" + teams.get(0).name() + "\" and \""
-                    + teams.get(1).name() + "\" play already; a third team \"" + name + "\" cannot");
+                    + teams.get(1).name() + "\" are already playing; there is no room for team \"" + name + "\"");
         }
         TeamSide side = teams.isEmpty() ? TeamSide.LEFT : teams.get(0).side().opponent();
         Team team = new Team(name, side, parameters);
@@ -170,11 +169,11 @@ public final class Teams {
             out.putInt(player.number());
             out.putInt(robots.indexOf(player.robot()));
         });
-        leftPlaces.save(out);
-        rightPlaces.save(out);
+        leftPositions.save(out);
+        rightPositions.save(out);
     }
 
-    /** Takes on a state; players with the same team, number and robot as before stay the same objects. */
+    /** Restores the state. Players with the same team, number and robot stay the same objects. */
     void restore(StateReader in, List<Robot> robots) {
         List<Team> formerTeams = List.copyOf(teams);
         teams.clear();
@@ -187,8 +186,8 @@ public final class Teams {
                 robots.get(in.getIndex(robots.size())),
                 formerPlayers)));
         players.forEach(player -> player.team().add(player));
-        leftPlaces.restore(in);
-        rightPlaces.restore(in);
+        leftPositions.restore(in);
+        rightPositions.restore(in);
     }
 
     Roster roster() {
@@ -200,7 +199,7 @@ public final class Teams {
                 .filter(candidate -> candidate.name().equals(name))
                 .findFirst()
                 .orElseGet(() -> new Team(name, side, parameters));
-        team.begin(side);
+        team.reset(side);
         return team;
     }
 

@@ -10,7 +10,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.monitor.FoulType;
 import org.robonewbie.simulator.world.RobotContact;
 
-/** Only some robots may touch each other at a time; who joins such a group is moved away from it. */
+/** Touching foul: limits the size of a group of robots in contact and moves a newcomer away from it. */
 final class TouchingRule implements FoulRule {
 
     private final Match match;
@@ -31,7 +31,7 @@ final class TouchingRule implements FoulRule {
         groups.forEach(group -> group.forEach(player -> player.fouls().setTouched(group)));
     }
 
-    /** Collects players that are connected by contacts, in the order of the contacts. */
+    /** Connected components of players in contact, in the order of the contacts. */
     private List<Set<Player>> groups() {
         List<Set<Player>> groups = new ArrayList<>();
         for (RobotContact contact : match.robotContacts()) {
@@ -44,7 +44,7 @@ final class TouchingRule implements FoulRule {
         return groups;
     }
 
-    /** Joins the groups of two players; the group that was touched last is the last of all. */
+    /** Merges the groups of two players; the merged group becomes the last one. */
     private static void join(List<Set<Player>> groups, Player first, Player second) {
         for (int i = groups.size() - 1; i >= 0; i--) {
             if (groups.get(i).contains(first) && groups.get(i).contains(second)) {
@@ -64,7 +64,7 @@ final class TouchingRule implements FoulRule {
         groups.add(joined);
     }
 
-    /** Feet and toes do not notice each other in the original. */
+    /** Contacts between feet or toes do not count in rcssserver3d. */
     private static boolean isBetweenFeet(RobotContact contact) {
         return isFoot(contact.first().name()) && isFoot(contact.second().name());
     }
@@ -82,7 +82,7 @@ final class TouchingRule implements FoulRule {
                 .findFirst();
     }
 
-    /** Punishes the newcomer if its team is at least half of the group, else an opponent, but no goalkeeper. */
+    /** The newcomer if its team is at least half of the group, otherwise an opponent; never a goalkeeper. */
     private static Optional<Player> offender(Player newcomer, Set<Player> group) {
         TeamSide side = newcomer.side();
         long mates = group.stream().filter(player -> player.side() == side).count();
@@ -105,7 +105,7 @@ final class TouchingRule implements FoulRule {
         for (Player member : group) {
             centre = centre.plus(member.position().times(1.0 / group.size()));
         }
-        match.referee().note(player, FoulType.TOUCHING);
+        match.referee().report(player, FoulType.TOUCHING);
         match.repositioning().moveAway(player, centre, match.parameters().get(SoccerParameter.AGENT_RADIUS));
     }
 }

@@ -1,5 +1,5 @@
 /**
- * The game: its settings, its state and the automatic referee, which knows one small class for each rule. Read {@link
+ * Soccer match: parameters, state, and the automatic referee with one class per rule. Read {@link
  * org.robonewbie.simulator.soccer.Match} first.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.

@@ -6,10 +6,10 @@ import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
 /**
- * The random numbers of {@link java.util.Random}, whose state cannot be read: a seed gives the very same sequence.
+ * Restorable equivalent of {@link java.util.Random}: the same seed gives the same sequence.
  *
- * <p>The documentation of {@code java.util.Random} specifies all of its numbers: a linear congruential generator of 48 bits
- * (D. H. Lehmer; Knuth, The Art of Computer Programming 2, section 3.2.1), of which the upper bits are used.
+ * <p>48-bit linear congruential generator as specified by {@code java.util.Random} (D. H. Lehmer; Knuth, The Art of Computer
+ * Programming 2, section 3.2.1).
  */
 public final class JavaUtilRandom implements RandomGenerator, Restorable {
 
@@ -21,9 +21,9 @@ public final class JavaUtilRandom implements RandomGenerator, Restorable {
     private long state;
 
     /**
-     * Begins a sequence.
+     * Creates a generator.
      *
-     * @param seed which sequence
+     * @param seed seed of the sequence
      */
     public JavaUtilRandom(long seed) {
         state = (seed ^ MULTIPLIER) & MASK;

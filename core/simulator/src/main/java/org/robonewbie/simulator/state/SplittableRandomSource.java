@@ -6,8 +6,8 @@ import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
 /**
- * The long integers and doubles of {@link java.util.SplittableRandom}, whose state cannot be read: a seed gives the very same
- * sequence. Shorter integers differ.
+ * Restorable equivalent of {@link java.util.SplittableRandom}: the same seed gives the same sequence of {@code long} and
+ * {@code double} values. Other types differ.
  *
  * <p>Source: SplitMix64 in Steele, Lea and Flood, "Fast splittable pseudorandom number generators" (OOPSLA 2014).
  */
@@ -18,9 +18,9 @@ public final class SplittableRandomSource implements RandomGenerator, Restorable
     private long state;
 
     /**
-     * Begins a sequence.
+     * Creates a generator.
      *
-     * @param seed which sequence
+     * @param seed seed of the sequence
      */
     public SplittableRandomSource(long seed) {
         state = seed;

@@ -7,7 +7,7 @@ import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
 /**
- * The state of a world between two steps, immutable.
+ * Immutable state of a world between two steps.
  *
  * <pre>{@code
  * WorldState start = world.save();
@@ -15,12 +15,12 @@ import org.robonewbie.nao.state.StateWriter;
  * world.restore(start);
  * }</pre>
  *
- * <p>A state only fits a world with the same settings, so these are part of it. As bytes it begins with {@code RNSTATE}, the
- * version of the format, and a checksum (CRC-32) of all that follows: the settings as text, then the content.
+ * <p>A state can be restored only in a world with the same settings, so these are part of it. The binary format starts with
+ * {@code RNSTATE}, the format version and a CRC-32 checksum of the rest: the settings as text, then the content.
  */
 public final class WorldState {
 
-    /** Version of the content; every change of what is saved needs a new one. */
+    /** Format version. Increment it with every change of the saved content. */
     private static final byte VERSION = 1;
 
     private static final byte[] MAGIC = {'R', 'N', 'S', 'T', 'A', 'T', 'E', VERSION};
@@ -36,8 +36,8 @@ public final class WorldState {
     /**
      * Saves a world.
      *
-     * @param settings what must agree between this world and one that continues from the state, one setting per line
-     * @param world what is saved
+     * @param settings settings that must match when the state is restored, one per line
+     * @param world the world
      * @return its state
      */
     public static WorldState of(String settings, Restorable world) {
@@ -50,8 +50,8 @@ public final class WorldState {
      * Restores a world to this state.
      *
      * @param present the settings of the world
-     * @param world what is restored
-     * @throws IllegalArgumentException if the settings differ, or the content is that of another version
+     * @param world the world
+     * @throws IllegalArgumentException if the settings differ or the content does not fit the world
      */
     public void restore(String present, Restorable world) {
         if (!settings.equals(present)) {
@@ -65,29 +65,29 @@ public final class WorldState {
     /**
      * Reads a state.
      *
-     * @param bytes what {@link #toBytes()} made
+     * @param bytes the result of {@link #toBytes()}
      * @return the state
-     * @throws IllegalArgumentException if the bytes are no state, of another version, or damaged; the message says where
+     * @throws IllegalArgumentException if the bytes are not a state, have another version, or are damaged
      */
     public static WorldState ofBytes(byte[] bytes) {
-        int wrong = Arrays.mismatch(MAGIC, bytes);
-        if (wrong >= 0 && wrong < MAGIC.length) {
+        int mismatch = Arrays.mismatch(MAGIC, bytes);
+        if (mismatch >= 0 && mismatch < MAGIC.length) {
             throw new IllegalArgumentException(
-                    wrong == MAGIC.length - 1 && bytes.length > wrong
-                            ? "The saved state has version " + bytes[wrong] + ", and this RoboNewbie reads version "
-                                    + VERSION + " only. Save it again."
-                            : "This is no saved state of a world (byte " + wrong + "). Choose another file.");
+                    mismatch == MAGIC.length - 1 && bytes.length > mismatch
+                            ? "The saved state has version " + bytes[mismatch]
+                                    + ", but this RoboNewbie reads only version " + VERSION + ". Save it again."
+                            : "This is not a saved state of a world (byte " + mismatch + "). Choose another file.");
         }
         StateReader in = new StateReader(bytes, MAGIC.length);
         if (in.getLong() != checksum(bytes, MAGIC.length + Long.BYTES)) {
-            throw in.damaged("does not agree with its checksum");
+            throw in.damaged("does not match its checksum");
         }
         WorldState state = new WorldState(in.getText(), in.getBytes());
         in.finish();
         return state;
     }
 
-    /** {@return the state as bytes, equal for equal states} */
+    /** {@return the binary format of the state, equal for equal states} */
     public byte[] toBytes() {
         StateWriter body = new StateWriter();
         body.putText(settings);

@@ -1,6 +1,6 @@
 /**
- * What a world is at one moment, as a value: kept in memory, written to a file, and gone on from to the bit. Read {@link
- * org.robonewbie.simulator.state.WorldState} first.
+ * World states that can be kept in memory or in a file and restored bit-identically, and the random sources that are part of
+ * them. Read {@link org.robonewbie.simulator.state.WorldState} first.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

@@ -7,7 +7,7 @@ import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.physics.RigidBody;
 
-/** Proper acceleration from the change of velocity over one step (SimSpark: {@code accelerometer.cpp}). */
+/** Accelerometer: proper acceleration from the change of velocity in one step (SimSpark: {@code accelerometer.cpp}). */
 final class Accelerometer implements Restorable {
 
     private static final double GRAVITY = -9.81;

@@ -7,10 +7,11 @@ import org.robonewbie.simulator.physics.MassDistribution;
 import org.robonewbie.simulator.physics.RigidBody;
 import org.robonewbie.simulator.physics.RotationMatrix;
 
-/** The ball: a soft sphere that bounces, rolls and is slowed by the air. */
+/** Soccer ball: a soft sphere that bounces and rolls, with air drag. */
 public final class Ball {
 
-    private static final Drag DRAG = new Drag(0.01, 5e-5);
+    private static final double LINEAR_DRAG = 0.01;
+    private static final double ANGULAR_DRAG = 5e-5;
 
     private final BallProperties properties;
     private final RigidBody body;
@@ -27,40 +28,40 @@ public final class Ball {
         return properties;
     }
 
-    /** {@return the position of the centre in the world frame, metres} */
+    /** {@return the position of the centre in the world frame in metres} */
     public Vector3 position() {
         return body.position();
     }
 
-    /** {@return the velocity in the world frame, metres per second} */
+    /** {@return the velocity in the world frame in metres per second} */
     public Vector3 velocity() {
         return body.velocity();
     }
 
-    /** {@return the angular velocity in radians per second about the world's axes} */
+    /** {@return the angular velocity about the world axes in radians per second} */
     public Vector3 spin() {
         return body.angularVelocity();
     }
 
-    /** {@return the rotation from the ball's own axes to the world's} */
+    /** {@return the rotation from ball to world axes} */
     public RotationMatrix rotation() {
         return body.rotation();
     }
 
     /**
-     * Moves the ball as a trainer does: it keeps its velocity and spin.
+     * Moves the ball without changing its velocity and spin, like a trainer.
      *
-     * @param position centre of the ball in the world frame, metres; limited to a kilometre
+     * @param position position in the world frame in metres, limited to 1 km per axis
      */
     public void moveTo(Vector3 position) {
-        body.setPosition(WorldLimits.place(position));
+        body.setPosition(WorldLimits.position(position));
         body.wake();
     }
 
     /**
-     * Sets the ball's speed as the trainer does: its spin is taken away.
+     * Sets the velocity and removes the spin, like a trainer.
      *
-     * @param metresPerSecond velocity in the world frame; cut to 1000 m/s
+     * @param metresPerSecond velocity in the world frame, limited to 1000 m/s per axis
      */
     public void setVelocity(Vector3 metresPerSecond) {
         body.setVelocity(WorldLimits.velocity(metresPerSecond));
@@ -69,9 +70,9 @@ public final class Ball {
     }
 
     /**
-     * Places the ball at rest, as the referee does.
+     * Places the ball at rest, like the referee.
      *
-     * @param position centre of the ball in the world frame, metres
+     * @param position position in the world frame in metres
      */
     public void place(Vector3 position) {
         moveTo(position);
@@ -79,9 +80,9 @@ public final class Ball {
     }
 
     /**
-     * Sets the ball's position and motion.
+     * Sets pose, velocity and spin.
      *
-     * @param motion position, velocity and spin
+     * @param motion pose, velocity and spin
      */
     public void place(LinkMotion motion) {
         moveTo(motion.pose().position());
@@ -90,7 +91,7 @@ public final class Ball {
         body.setAngularVelocity(motion.radiansPerSecond());
     }
 
-    /** Returns a ball that went beyond all limits to the centre spot. */
+    /** Returns a ball that has left the world limits to the centre spot. */
     void finishStep() {
         if (!WorldLimits.isWithin(body)) {
             body.setRotation(RotationMatrix.IDENTITY);
@@ -99,6 +100,6 @@ public final class Ball {
     }
 
     void applyDrag() {
-        DRAG.applyTo(body);
+        body.addDamping(LINEAR_DRAG, ANGULAR_DRAG);
     }
 }

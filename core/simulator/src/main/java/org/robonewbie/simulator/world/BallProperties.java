@@ -3,7 +3,7 @@ package org.robonewbie.simulator.world;
 import org.robonewbie.nao.SoccerField;
 
 /**
- * Size and weight of a ball.
+ * Radius and mass of a ball.
  *
  * @param radius in metres
  * @param massKg in kilograms

@@ -10,7 +10,7 @@ import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.physics.Contact;
 
-/** Reads from a step's contacts what referee and foot sensors want to know. */
+/** Evaluation of a step's contacts for the referee and the foot sensors. */
 final class ContactReport {
 
     private final List<RobotPart> ballTouches = new ArrayList<>();
@@ -48,9 +48,9 @@ final class ContactReport {
         Object first = contact.first().owner();
         Object second = contact.second().owner();
         if (first instanceof Ball) {
-            touchedBall(second);
+            addBallTouch(second);
         } else if (second instanceof Ball) {
-            touchedBall(first);
+            addBallTouch(first);
         }
         if (first instanceof RobotPart part) {
             part.robot().addContact(part.link(), contact);
@@ -60,7 +60,7 @@ final class ContactReport {
         }
     }
 
-    private void touchedBall(Object other) {
+    private void addBallTouch(Object other) {
         if (other instanceof RobotPart part) {
             if (ballTouches.stream().noneMatch(touch -> touch.robot() == part.robot())) {
                 ballTouches.add(part);

@@ -13,11 +13,11 @@ import org.robonewbie.simulator.physics.Contact;
 import org.robonewbie.simulator.physics.RigidBody;
 
 /**
- * Adds up the contacts of one foot during a step (SimSpark: {@code forceresistanceperceptor.cpp}).
+ * Force sensor of one foot (SimSpark: {@code forceresistanceperceptor.cpp}).
  *
- * <p>The point is the mean of the contacts' places as they were before the step, each weighted with the strength of its
- * force, in the frame of the foot as it is after the step. While the bodies sleep there are contacts without force; the
- * last reading is repeated then.
+ * <p>The reading is the total contact force and its centre: the mean of the contact points from before the step, weighted by the
+ * magnitude of their forces, in the frame of the foot after the step. Contacts of sleeping bodies have no force; the last
+ * reading is repeated then.
  */
 final class FootPlate implements Restorable {
 
@@ -53,11 +53,13 @@ final class FootPlate implements Restorable {
             contacts.get(i).addTo(sums);
         }
         if (sums[6] > 0) {
-            double share = 1 / sums[6];
+            double weight = 1 / sums[6];
             Vector3 centre = foot.position();
             last = new FootForce(
                     foot.directionToLocal(
-                            share * sums[3] - centre.x(), share * sums[4] - centre.y(), share * sums[5] - centre.z()),
+                            weight * sums[3] - centre.x(),
+                            weight * sums[4] - centre.y(),
+                            weight * sums[5] - centre.z()),
                     foot.directionToLocal(sums[0], sums[1], sums[2]));
         }
     }

@@ -9,12 +9,13 @@ import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.PhysicsWorld;
 import org.robonewbie.simulator.physics.RotationMatrix;
 
-/** Builds what never moves: ground, the four outer walls and both goals (SimSpark: soccer.rsg, goal.rsg). */
+/** Builder of the static environment: ground, outer walls and goals (SimSpark: soccer.rsg, goal.rsg). */
 final class Pitch {
 
     /** Owner of the colliders of ground and walls. */
     static final Object SCENERY = new Object();
 
+    private static final BodyPose ORIGIN = new BodyPose(Vector3.ZERO, RotationMatrix.IDENTITY);
     private static final double WALL_THICKNESS = 1;
     private static final double GOAL_WALL_THICKNESS = 0.04;
     private static final double BORDER_PER_LENGTH = 0.333;
@@ -30,7 +31,7 @@ final class Pitch {
         this.ballRadius = ballRadius;
     }
 
-    /** What stands for the inside of a goal when a contact is reported. */
+    /** Owner of the trigger inside a goal. */
     record GoalMouth(TeamSide side) {}
 
     void build() {
@@ -49,19 +50,11 @@ final class Pitch {
                 new Vector3(WALL_THICKNESS, field.width() + 2 * borderWidth + WALL_THICKNESS, WALL_THICKNESS);
         Vector3 besideLines =
                 new Vector3(field.length() + 2 * borderLength + WALL_THICKNESS, WALL_THICKNESS, WALL_THICKNESS);
-        addWall(new Vector3(-x, 0, 0), besideGoals);
-        addWall(new Vector3(x, 0, 0), besideGoals);
-        addWall(new Vector3(0, y, 0), besideLines);
-        addWall(new Vector3(0, -y, 0), besideLines);
-    }
-
-    private void addWall(Vector3 centre, Vector3 size) {
-        engine.scenery()
-                .addFixture(
-                        new BodyPose(centre, RotationMatrix.IDENTITY),
-                        new Shape.Box(size),
-                        SurfaceMaterials.WALL,
-                        SCENERY);
+        Assembly scenery = engine.scenery();
+        addWall(scenery, ORIGIN, new Vector3(-x, 0, 0), besideGoals);
+        addWall(scenery, ORIGIN, new Vector3(x, 0, 0), besideGoals);
+        addWall(scenery, ORIGIN, new Vector3(0, y, 0), besideLines);
+        addWall(scenery, ORIGIN, new Vector3(0, -y, 0), besideLines);
     }
 
     private void addGoal(TeamSide side) {
@@ -75,21 +68,21 @@ final class Pitch {
         double height = field.goalHeight();
         double thick = GOAL_WALL_THICKNESS;
         addTrigger(parts, goal, side);
-        addGoalWall(parts, goal, new Vector3(0, (width + thick) / 2, 0), new Vector3(depth, thick, height));
-        addGoalWall(parts, goal, new Vector3(0, -(width + thick) / 2, 0), new Vector3(depth, thick, height));
-        addGoalWall(parts, goal, new Vector3((thick - depth) / 2, 0, 0), new Vector3(thick, width, height));
-        addGoalWall(parts, goal, new Vector3(0, 0, (height + thick) / 2), new Vector3(depth, width + 2 * thick, thick));
+        addWall(parts, goal, new Vector3(0, (width + thick) / 2, 0), new Vector3(depth, thick, height));
+        addWall(parts, goal, new Vector3(0, -(width + thick) / 2, 0), new Vector3(depth, thick, height));
+        addWall(parts, goal, new Vector3((thick - depth) / 2, 0, 0), new Vector3(thick, width, height));
+        addWall(parts, goal, new Vector3(0, 0, (height + thick) / 2), new Vector3(depth, width + 2 * thick, thick));
     }
 
-    /** The box in which the ball counts as inside: narrower than the goal by a ball radius on every side. */
+    /** The trigger is smaller than the goal by a ball radius on every side, so that only a ball that is inside touches it. */
     private void addTrigger(Assembly parts, BodyPose goal, TeamSide side) {
         Vector3 size =
                 new Vector3(field.goalDepth() - 2 * ballRadius, field.goalWidth() - 2 * ballRadius, field.goalHeight());
         parts.addTrigger(goal, new Shape.Box(size), new GoalMouth(side));
     }
 
-    private static void addGoalWall(Assembly parts, BodyPose goal, Vector3 centre, Vector3 size) {
-        BodyPose pose = new BodyPose(goal.toWorld(centre), goal.rotation());
-        parts.addFixture(pose, new Shape.Box(size), SurfaceMaterials.WALL, SCENERY);
+    private static void addWall(Assembly assembly, BodyPose frame, Vector3 centre, Vector3 size) {
+        BodyPose pose = new BodyPose(frame.toWorld(centre), frame.rotation());
+        assembly.addFixture(pose, new Shape.Box(size), SurfaceMaterials.WALL, SCENERY);
     }
 }

@@ -11,7 +11,7 @@ import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.MassDistribution;
 import org.robonewbie.simulator.physics.RigidBody;
 
-/** The things of a landscape in the physical world: those that never move, and bodies that can be pushed. */
+/** Things of a landscape in the physical world: static colliders and movable bodies. */
 public final class PlacedThings {
 
     private final Landscape landscape;
@@ -34,12 +34,12 @@ public final class PlacedThings {
         return Optional.of(body);
     }
 
-    /** {@return the landscape as it was at the beginning} */
+    /** {@return the initial landscape} */
     public Landscape landscape() {
         return landscape;
     }
 
-    /** {@return all things of the landscape where they are now, in its order} */
+    /** {@return the things in their current poses, in the order of the landscape} */
     public List<Thing> now() {
         List<Thing> things = new ArrayList<>();
         for (int i = 0; i < bodies.size(); i++) {
@@ -49,7 +49,7 @@ public final class PlacedThings {
         return things;
     }
 
-    /** Returns all things to where they were at the beginning. */
+    /** Returns all things to their initial poses. */
     public void reset() {
         for (int i = 0; i < bodies.size(); i++) {
             reset(i);
@@ -62,14 +62,14 @@ public final class PlacedThings {
     }
 
     /**
-     * Moves a thing, if it can be moved.
+     * Sets pose and velocity of a thing. Does nothing for a static one.
      *
-     * @param index its index in the landscape
-     * @param motion its new pose and velocity
+     * @param index index in the landscape
+     * @param motion new pose and velocity
      */
     public void place(int index, LinkMotion motion) {
         bodies.get(index).ifPresent(body -> {
-            body.setPosition(WorldLimits.place(motion.pose().position()));
+            body.setPosition(WorldLimits.position(motion.pose().position()));
             body.setRotation(motion.pose().rotation());
             body.setVelocity(WorldLimits.velocity(motion.velocity()));
             body.setAngularVelocity(motion.radiansPerSecond());
@@ -77,7 +77,7 @@ public final class PlacedThings {
         });
     }
 
-    /** Returns what went beyond all limits to its beginning. */
+    /** Returns things that have left the world limits to their initial poses. */
     void finishStep() {
         for (int i = 0; i < bodies.size(); i++) {
             if (bodies.get(i).filter(body -> !WorldLimits.isWithin(body)).isPresent()) {

@@ -1,8 +1,6 @@
 package org.robonewbie.simulator.world;
 
-import java.util.EnumMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
@@ -25,9 +23,9 @@ import org.robonewbie.simulator.physics.RigidBody;
 import org.robonewbie.simulator.physics.RotationMatrix;
 
 /**
- * One robot's body in the world: its motors, its true pose, and what its inertial and force sensors feel.
+ * Simulated robot body with motors, inertial sensors and force sensors.
  *
- * <p>Frames are SimSpark's: a link has x to the robot's right, y forward, z up. Indices of hinges and links are those of
+ * <p>Frames are SimSpark's: a link has x to the right of the robot, y forward, z up. Indices of hinges and links are those of
  * {@link NaoModel}.
  *
  * <pre>{@code
@@ -38,18 +36,21 @@ import org.robonewbie.simulator.physics.RotationMatrix;
  */
 public final class Robot {
 
-    /** Where the torso's centre of a new robot is, in the world frame. */
+    /** Position of a new robot's torso in the world frame. */
     public static final Vector3 START_POSITION = new Vector3(0, -1, 1.5);
 
-    private static final Drag DRAG = new Drag(0.01, 0.01);
+    /** Links with force sensors, in the order of {@link FootForces}. Only robot type 4 has toes. */
+    private static final List<String> FOOT_LINKS = List.of("lfoot", "rfoot", "ltoe", "rtoe");
+
+    /** Linear and angular drag (SimSpark: {@code dragcontroller.cpp}). */
+    private static final double DRAG = 0.01;
 
     private final NaoModel model;
     private final Assembly assembly;
     private final List<RigidBody> bodies;
     private final List<MotorHinge> hinges;
     private final Accelerometer accelerometer = new Accelerometer();
-    private final Map<FootSensor, FootPlate> plates = new EnumMap<>(FootSensor.class);
-    private final List<FootPlate> allPlates;
+    private final List<FootPlate> plates;
     private Optional<Beam> beam = Optional.empty();
 
     private record Beam(Vector3 position, double yawDegrees) {}
@@ -60,25 +61,20 @@ public final class Robot {
         RobotBuilder builder = new RobotBuilder(this, assembly);
         this.bodies = builder.addBodies(START_POSITION);
         this.hinges = builder.addHinges(bodies, START_POSITION);
-        addFootPlates();
-        allPlates = List.copyOf(plates.values());
+        this.plates = footPlates(model);
     }
 
-    /**
-     * Describes the robot's links and hinges.
-     *
-     * @return the model of its type
-     */
+    /** {@return the links and hinges of this robot type} */
     public NaoModel model() {
         return model;
     }
 
     /**
-     * Commands a motor as SimSpark does: the speed is cut to what the motor can do, ignored while the joint is on or
-     * beyond one of its stops, and kept until the next command. A speed other than 0 wakes a sleeping limb.
+     * Sets the target speed of a motor like SimSpark. The speed is limited to the motor's maximum, ignored while the joint is at
+     * or beyond a stop, and kept until the next command. A speed other than 0 wakes a sleeping limb.
      *
      * @param hingeIndex index of the hinge
-     * @param radiansPerSecond the speed; 0 holds the joint; NaN is ignored
+     * @param radiansPerSecond target speed; 0 holds the joint; NaN is ignored
      */
     public void setMotorSpeed(int hingeIndex, double radiansPerSecond) {
         Hinge hinge = model.hinges().get(hingeIndex);
@@ -97,10 +93,10 @@ public final class Robot {
     }
 
     /**
-     * Commands the motor of a joint.
+     * Sets the target speed of a joint's motor.
      *
      * @param joint the joint
-     * @param radiansPerSecond the speed
+     * @param radiansPerSecond target speed
      * @see #setMotorSpeed(int, double)
      */
     public void setMotorSpeed(Joint joint, double radiansPerSecond) {
@@ -108,20 +104,20 @@ public final class Robot {
     }
 
     /**
-     * Measures the angle of a hinge.
+     * Returns the angle of a hinge.
      *
      * @param hingeIndex index of the hinge
-     * @return degrees, slightly beyond the stops at times
+     * @return degrees; can slightly exceed the stops
      */
     public double jointDegrees(int hingeIndex) {
         return PortableMath.toDegrees(hinges.get(hingeIndex).angleRadians());
     }
 
     /**
-     * Measures the angle of a joint.
+     * Returns the angle of a joint.
      *
      * @param joint the joint
-     * @return degrees, slightly beyond the stops at times
+     * @return degrees; can slightly exceed the stops
      */
     public double jointDegrees(Joint joint) {
         return jointDegrees(model.hingeIndex(joint));
@@ -132,32 +128,27 @@ public final class Robot {
         return bodies.get(0).pose();
     }
 
-    /** {@return the direction in which the torso faces in degrees, 0 along the world's x axis, positive to the left} */
+    /** {@return the heading of the torso in degrees, 0 along the world's x axis, positive to the left} */
     public double headingDegrees() {
         return BodyState.headingDegrees(bodies.get(0).axisY());
     }
 
-    /** {@return how far the torso leans to any side in degrees: 0 upright, 180 upside down} */
+    /** {@return the tilt of the torso in degrees: 0 upright, 180 upside down} */
     public double tiltDegrees() {
         return BodyState.tiltDegrees(bodies.get(0).upwards());
     }
 
-    /** {@return whether the torso is tilted by more than 60 degrees or its centre is lower than 0.2 m} */
+    /** {@return whether the torso is tilted by more than 60 degrees or its centre is below 0.2 m} */
     public boolean isFallen() {
         return BodyState.isFallen(tiltDegrees(), linkPosition(0).z());
     }
 
-    /** {@return whether the robot is on its feet, as {@link BodyState#isStanding()} has it} */
-    public boolean isStanding() {
-        return BodyState.isStanding(tiltDegrees(), linkPosition(0).z());
-    }
-
-    /** {@return the torso's pose and all joint angles, as they are now} */
+    /** {@return the current torso pose and joint angles} */
     public BodyState body() {
         return BodyState.measured(model.type(), torso().toBodyAxes(), this::jointDegrees);
     }
 
-    /** {@return the velocity of the torso in the world frame, metres per second} */
+    /** {@return the velocity of the torso in the world frame in metres per second} */
     public Vector3 torsoVelocity() {
         return bodies.get(0).velocity();
     }
@@ -166,52 +157,47 @@ public final class Robot {
      * Returns the pose of a link.
      *
      * @param linkIndex index of the link
-     * @return its pose in the world frame
+     * @return pose in the world frame
      */
     public BodyPose linkPose(int linkIndex) {
         return bodies.get(linkIndex).pose();
     }
 
     /**
-     * Returns where a link is.
+     * Returns the position of a link.
      *
      * @param linkIndex index of the link
-     * @return its centre in the world frame
+     * @return centre in the world frame, metres
      */
     public Vector3 linkPosition(int linkIndex) {
         return bodies.get(linkIndex).position();
     }
 
-    /** {@return the gyro: the torso's angular velocity about its own axes in degrees per second} */
+    /** {@return the gyroscope reading: angular velocity of the torso about its axes in degrees per second} */
     public Vector3 gyroDegreesPerSecond() {
-        return bodies.get(0).ownAngularVelocity().times(PortableMath.toDegrees(1));
+        return bodies.get(0).localAngularVelocity().times(PortableMath.toDegrees(1));
     }
 
     /**
-     * {@return the accelerometer: specific force along the torso's own axes in metres per second squared, (0, 0, 9.81) at rest;
-     * as in SimSpark one step older than the gyro}
+     * {@return the accelerometer reading: proper acceleration along the torso's axes in metres per second squared, (0, 0, 9.81)
+     * at rest; as in SimSpark one step older than the gyroscope reading}
      */
     public Vector3 acceleration() {
         return accelerometer.reading();
     }
 
     /**
-     * Feels what the feet touch.
-     *
-     * @return point and force of each plate in the frame of its link; empty where nothing was touched in the last step
+     * {@return the readings of the foot force sensors, in the frame of their links; empty for a sensor without contact in the
+     * last step}
      */
     public FootForces footForces() {
-        return new FootForces(
-                reading(FootSensor.LEFT_FOOT),
-                reading(FootSensor.RIGHT_FOOT),
-                reading(FootSensor.LEFT_TOE),
-                reading(FootSensor.RIGHT_TOE));
+        return new FootForces(reading(0), reading(1), reading(2), reading(3));
     }
 
     /**
-     * Pushes the torso at its centre during the next step, as a hand or another robot would.
+     * Applies an external force to the centre of the torso in the next step.
      *
-     * @param newtons the force in the world frame; cut to 1000 N
+     * @param newtons force in the world frame, limited to 1000 N per axis
      */
     public void push(Vector3 newtons) {
         bodies.get(0).wake();
@@ -219,28 +205,28 @@ public final class Robot {
     }
 
     /**
-     * Moves the robot as it is, without turning it or its joints, and stops all movement; it is not woken.
+     * Translates the robot and stops all motion. Does not wake it.
      *
-     * @param position new centre of the torso in the world frame, metres
+     * @param position new position of the torso in the world frame, metres
      */
     public void moveTo(Vector3 position) {
-        Vector3 way = WorldLimits.place(position).minus(torso().position());
+        Vector3 offset = WorldLimits.position(position).minus(torso().position());
         for (RigidBody body : bodies) {
-            body.setPosition(body.position().plus(way));
+            body.setPosition(body.position().plus(offset));
             stop(body);
         }
     }
 
     /**
-     * Sets pose and motion of all links and wakes them; all motors stop until they are commanded again.
+     * Sets pose and velocity of all links and wakes them. All motors hold until the next command.
      *
-     * @param links one motion for each link of the {@link #model}, in its order, with joints that hold together
+     * @param links one motion per link of the {@link #model}, consistent with its joints
      */
     public void place(List<LinkMotion> links) {
         for (int i = 0; i < bodies.size(); i++) {
             RigidBody body = bodies.get(i);
             LinkMotion motion = links.get(i);
-            body.setPosition(WorldLimits.place(motion.pose().position()));
+            body.setPosition(WorldLimits.position(motion.pose().position()));
             body.setRotation(motion.pose().rotation());
             body.setVelocity(motion.velocity());
             body.setAngularVelocity(motion.radiansPerSecond());
@@ -251,41 +237,42 @@ public final class Robot {
     }
 
     /**
-     * Places the robot upright with its joints as they are and stops all motion; it is not woken.
+     * Places the robot upright without changing its joints and stops all motion. Does not wake it.
      *
-     * @param position new centre of the torso in the world frame, metres
-     * @param yawDegrees rotation about the vertical: 0 looks along the world's y axis, -90 along its x axis
+     * @param position new position of the torso in the world frame, metres
+     * @param yawDegrees rotation about the vertical axis: 0 faces along the world's y axis, -90 along its x axis
      */
     public void moveUpright(Vector3 position, double yawDegrees) {
         BodyPose torso = torso();
-        Vector3 place = WorldLimits.place(position);
+        Vector3 target = WorldLimits.position(position);
         double yaw = Double.isFinite(yawDegrees) ? PortableMath.toRadians(yawDegrees) : 0;
-        RotationMatrix turn = RotationMatrix.aboutZ(yaw).after(torso.rotation().inverse());
+        RotationMatrix rotation =
+                RotationMatrix.aboutZ(yaw).after(torso.rotation().inverse());
         for (RigidBody body : bodies) {
             Vector3 fromTorso = body.position().minus(torso.position());
-            body.setPosition(place.plus(turn.apply(fromTorso)));
-            body.setRotation(turn.after(body.rotation()));
+            body.setPosition(target.plus(rotation.apply(fromTorso)));
+            body.setRotation(rotation.after(body.rotation()));
             stop(body);
         }
     }
 
     /**
-     * Beams the robot within the next step; the last call before it counts.
+     * Beams the robot in the next step. The last call before the step wins.
      *
-     * <p>The same as {@link #moveUpright}, but later, as in the original: the accelerometer of that step still feels the
-     * movement before.
+     * <p>Like {@link #moveUpright}, but deferred as in rcssserver3d: the accelerometer of that step still measures the previous
+     * motion.
      *
-     * @param position new centre of the torso in the world frame, metres
-     * @param yawDegrees turn about the vertical: 0 looks along the world's y axis, -90 along its x axis
+     * @param position new position of the torso in the world frame, metres
+     * @param yawDegrees rotation about the vertical axis: 0 faces along the world's y axis, -90 along its x axis
      */
     public void beam(Vector3 position, double yawDegrees) {
         beam = Optional.of(new Beam(position, yawDegrees));
     }
 
     /**
-     * Makes all links heavier or lighter than those of the type, to try what a robot can carry; no part of a saved state.
+     * Scales the mass of all links. Not part of a saved state.
      *
-     * @param factor mass as a multiple of the type's, above 0
+     * @param factor multiple of the robot type's mass, above 0
      */
     public void setMassFactor(double factor) {
         bodies.forEach(body -> body.setMassFactor(factor));
@@ -296,11 +283,7 @@ public final class Robot {
         bodies.forEach(RigidBody::wake);
     }
 
-    /**
-     * Measures the room that the robot takes.
-     *
-     * @return the smallest box along the world's axes around all links that can touch something
-     */
+    /** {@return the bounding box of the torso and all links that collide} */
     public BoundingBox boundingBox() {
         BoundingBox box = BoundingBox.of(model.links().get(0).shape(), torso());
         for (int i = 1; i < bodies.size(); i++) {
@@ -312,24 +295,26 @@ public final class Robot {
         return box;
     }
 
-    /** {@return whether the robot has rested so long that the engine leaves it out of the step} */
+    /** {@return whether the robot is asleep and skipped in the step} */
     public boolean isAsleep() {
         return bodies.get(0).isAsleep();
     }
 
     void prepareStep() {
         accelerometer.measure(bodies.get(0));
-        allPlates.forEach(FootPlate::clear);
+        plates.forEach(FootPlate::clear);
         if (beam.isPresent()) {
             moveUpright(beam.get().position(), beam.get().yawDegrees());
             beam = Optional.empty();
         }
-        DRAG.applyTo(bodies);
+        for (int i = 0; i < bodies.size(); i++) {
+            bodies.get(i).addDamping(DRAG, DRAG);
+        }
     }
 
     void addContact(int linkIndex, Contact contact) {
-        for (int i = 0; i < allPlates.size(); i++) {
-            allPlates.get(i).addContact(linkIndex, contact);
+        for (int i = 0; i < plates.size(); i++) {
+            plates.get(i).addContact(linkIndex, contact);
         }
     }
 
@@ -337,13 +322,13 @@ public final class Robot {
         if (!WorldLimits.areWithin(bodies)) {
             rebuild();
         }
-        for (int i = 0; i < allPlates.size(); i++) {
-            FootPlate plate = allPlates.get(i);
+        for (int i = 0; i < plates.size(); i++) {
+            FootPlate plate = plates.get(i);
             plate.update(bodies.get(plate.link()));
         }
     }
 
-    /** Puts a robot that was torn apart into the pose of a new one. */
+    /** Resets a robot whose links have been torn apart to the initial pose. */
     private void rebuild() {
         for (int i = 0; i < bodies.size(); i++) {
             bodies.get(i).setRotation(RotationMatrix.IDENTITY);
@@ -357,19 +342,16 @@ public final class Robot {
         assembly.remove();
     }
 
-    private void addFootPlates() {
-        for (int i = 0; i < model.links().size(); i++) {
-            for (FootSensor sensor : FootSensor.values()) {
-                if (model.links().get(i).name().equals(sensor.linkName())) {
-                    plates.put(sensor, new FootPlate(i));
-                }
-            }
-        }
+    private static List<FootPlate> footPlates(NaoModel model) {
+        List<String> names = model.links().stream().map(Link::name).toList();
+        return FOOT_LINKS.stream()
+                .filter(names::contains)
+                .map(name -> new FootPlate(names.indexOf(name)))
+                .toList();
     }
 
-    private Optional<FootForce> reading(FootSensor sensor) {
-        FootPlate plate = plates.get(sensor);
-        return plate == null ? Optional.empty() : plate.reading();
+    private Optional<FootForce> reading(int foot) {
+        return foot < plates.size() ? plates.get(foot).reading() : Optional.empty();
     }
 
     private static void stop(RigidBody body) {
@@ -377,10 +359,10 @@ public final class Robot {
         body.setAngularVelocity(Vector3.ZERO);
     }
 
-    /** Writes what sensors remember and where the robot is about to be beamed; the engine keeps its limbs. */
+    /** Saves the state of the sensors and a pending beam. The engine saves the links. */
     void save(StateWriter out) {
         accelerometer.save(out);
-        plates.values().forEach(plate -> plate.save(out));
+        plates.forEach(plate -> plate.save(out));
         out.putOptional(beam, target -> {
             out.putVector(target.position());
             out.putDouble(target.yawDegrees());
@@ -389,7 +371,7 @@ public final class Robot {
 
     void restore(StateReader in) {
         accelerometer.restore(in);
-        plates.values().forEach(plate -> plate.restore(in));
+        plates.forEach(plate -> plate.restore(in));
         beam = in.getOptional(() -> new Beam(in.getVector(), in.getDouble()));
     }
 }

@@ -12,14 +12,11 @@ import org.robonewbie.simulator.physics.MassDistribution;
 import org.robonewbie.simulator.physics.MotorHinge;
 import org.robonewbie.simulator.physics.RigidBody;
 
-/** Creates a robot's bodies and hinges in an engine, in construction pose (SimSpark: hingejoint.rsg and the NAO's files). */
+/** Creates the bodies and hinges of a robot in its initial pose (SimSpark: hingejoint.rsg and the NAO's scene files). */
 final class RobotBuilder {
 
     private static final double MAX_TORQUE = 10;
-    private static final double HINGE_CFM = 1e-8;
-    private static final double STOP_ERP = 0.8;
     private static final double STOP_BOUNCE = 1;
-    private static final double FUDGE_FACTOR = 1e-5;
 
     private final Robot robot;
     private final Assembly assembly;
@@ -59,9 +56,6 @@ final class RobotBuilder {
                 PortableMath.toRadians(hinge.minDegrees()),
                 PortableMath.toRadians(hinge.maxDegrees()),
                 MAX_TORQUE,
-                HINGE_CFM,
-                STOP_ERP,
-                STOP_BOUNCE,
-                FUDGE_FACTOR);
+                STOP_BOUNCE);
     }
 }

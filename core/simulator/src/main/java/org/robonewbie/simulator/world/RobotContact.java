@@ -3,10 +3,10 @@ package org.robonewbie.simulator.world;
 import org.robonewbie.nao.Vector3;
 
 /**
- * Two robots touch.
+ * Contact point between two robots.
  *
- * @param first a part of one robot
- * @param second a part of another robot
- * @param position where, in the world frame, metres
+ * @param first part of one robot
+ * @param second part of another robot
+ * @param position position in the world frame in metres
  */
 public record RobotContact(RobotPart first, RobotPart second, Vector3 position) {}

@@ -17,11 +17,10 @@ import org.robonewbie.simulator.physics.sparse.SparsePhysicsWorld;
 import org.robonewbie.simulator.state.WorldState;
 
 /**
- * The physical world of SimSpark's soccer simulation: ground, walls, goals, ball, robots, and the things of a
- * landscape.
+ * Physical world of SimSpark's soccer simulation: ground, walls, goals, ball, robots and the things of a landscape.
  *
- * <p>It knows no rules, no time and no randomness: equal calls in equal order give bit-identical worlds. One thread at a
- * time. Dropping a world frees it.
+ * <p>It has no rules, clock or randomness: the same calls in the same order give bit-identical worlds. Not thread-safe. A world
+ * needs no closing.
  *
  * <pre>{@code
  * SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE);
@@ -41,42 +40,21 @@ public final class SoccerWorld implements Restorable {
     private final ContactReport report = new ContactReport();
 
     /**
-     * Creates a pitch with the standard ball in its middle.
+     * Creates a bare pitch with the standard ball on the centre spot.
      *
      * @param field dimensions of the pitch
      */
     public SoccerWorld(SoccerField field) {
-        this(field, BallProperties.STANDARD);
+        this(field, BallProperties.STANDARD, new SparsePhysicsWorld(), Landscape.SOCCER);
     }
 
     /**
-     * Creates a pitch with a ball in its middle.
+     * Creates a pitch with a ball on the centre spot.
      *
      * @param field dimensions of the pitch
      * @param ballProperties radius and mass of the ball
-     */
-    public SoccerWorld(SoccerField field, BallProperties ballProperties) {
-        this(field, ballProperties, new SparsePhysicsWorld());
-    }
-
-    /**
-     * Creates a pitch in a given engine.
-     *
-     * @param field dimensions of the pitch
-     * @param ballProperties radius and mass of the ball
-     * @param engine an empty world
-     */
-    public SoccerWorld(SoccerField field, BallProperties ballProperties, PhysicsWorld engine) {
-        this(field, ballProperties, engine, Landscape.SOCCER);
-    }
-
-    /**
-     * Creates a pitch in a given engine with things on it.
-     *
-     * @param field dimensions of the pitch
-     * @param ballProperties radius and mass of the ball
-     * @param engine an empty world
-     * @param landscape what stands on the pitch
+     * @param engine an empty physics world
+     * @param landscape the things on the pitch
      */
     public SoccerWorld(SoccerField field, BallProperties ballProperties, PhysicsWorld engine, Landscape landscape) {
         this.field = field;
@@ -96,15 +74,15 @@ public final class SoccerWorld implements Restorable {
         return ball;
     }
 
-    /** {@return what else stands on the pitch} */
+    /** {@return the things on the pitch} */
     public PlacedThings things() {
         return things;
     }
 
     /**
-     * Adds a robot; it appears upright above the ground at {@link Robot#START_POSITION} and falls.
+     * Adds a robot, which appears upright above the ground at {@link Robot#START_POSITION} and falls.
      *
-     * @param type its build
+     * @param type robot type
      * @return the new robot
      */
     public Robot addRobot(RobotType type) {
@@ -114,7 +92,7 @@ public final class SoccerWorld implements Restorable {
     }
 
     /**
-     * Takes a robot out of the world; it must not be used afterwards.
+     * Removes a robot from the world. It must not be used afterwards.
      *
      * @param robot a robot of this world
      */
@@ -125,30 +103,30 @@ public final class SoccerWorld implements Restorable {
         }
     }
 
-    /** {@return all robots in the order in which they were added, unmodifiable} */
+    /** {@return the robots in the order in which they were added, unmodifiable} */
     public List<Robot> robots() {
         return readOnlyRobots;
     }
 
     /**
-     * Changes how well all surfaces hold on to each other, to try robots on other grounds; no part of a saved state.
+     * Scales the grip of all surfaces. Not part of a saved state.
      *
-     * @param factor above 0; 1 as in SimSpark, with 0.5 they slip twice as fast under the same force
+     * @param factor above 0; 1 as in SimSpark, and at 0.5 surfaces slip twice as fast under the same force
      */
     public void setGrip(double factor) {
         engine.setGrip(factor);
     }
 
     /**
-     * Lets others help with the next steps; what happens stays the same to the bit.
+     * Sets the executor of the next steps. Results stay bit-identical.
      *
-     * @param crew who does the work; {@link Crew#ALONE} at first
+     * @param crew executor; initially {@link Crew#ALONE}
      */
     public void setCrew(Crew crew) {
         engine.setCrew(crew);
     }
 
-    /** Advances the world by one cycle of 20 ms: accelerometers, beams, drag, contacts, movement, foot sensors. */
+    /** Advances the world by one cycle of 20 ms: accelerometers, beams, drag, contacts, motion, foot sensors. */
     public void step() {
         ball.applyDrag();
         robots.forEach(Robot::prepareStep);
@@ -161,8 +139,8 @@ public final class SoccerWorld implements Restorable {
     }
 
     /**
-     * {@return who touched the ball in the last step: for each robot the first part that touched, in the order in which the
-     * contacts were found}
+     * {@return the robot parts that touched the ball in the last step: the first one of each robot, in the order of the
+     * contacts}
      */
     public List<RobotPart> ballTouches() {
         return report.ballTouches();
@@ -171,25 +149,24 @@ public final class SoccerWorld implements Restorable {
     /**
      * Returns whether the ball was inside a goal at the beginning of the last step.
      *
-     * @param side whose goal
-     * @return true while the ball touches the box that fills the goal
+     * @param side side of the goal
+     * @return whether the ball touched the box that fills the goal
      */
     public boolean isBallInGoal(TeamSide side) {
         return report.isBallInGoal(side);
     }
 
     /**
-     * {@return where robots touched each other in the last step: one entry per contact point, in the order in which they were
-     * found}
+     * {@return the contact points between robots in the last step, in the order of the contacts}
      */
     public List<RobotContact> robotContacts() {
         return report.robotContacts();
     }
 
     /**
-     * Saves everything that moves, between two steps.
+     * Saves everything that moves. Call between two steps.
      *
-     * @return the state, from which this world or another one like it continues to the bit
+     * @return the state, from which any world with the same settings continues bit-identically
      * @throws UnsupportedOperationException if the physics engine cannot be saved
      */
     public WorldState save() {
@@ -197,17 +174,17 @@ public final class SoccerWorld implements Restorable {
     }
 
     /**
-     * Continues from a saved state. Robots stay the same objects where their types agree with those of the state, in the order
-     * in which they came into the world; the others are removed, and missing ones added.
+     * Restores a saved state. Leading robots whose types match those of the state stay the same objects. The others are removed
+     * and missing ones are added.
      *
-     * @param state the state of this world or of one with the same pitch and ball
-     * @throws IllegalArgumentException if the state is that of another kind of world; the message says what differs
+     * @param state the state of a world with the same settings
+     * @throws IllegalArgumentException if the settings differ; the message contains the difference
      */
     public void restore(WorldState state) {
         state.restore(settings(), this);
     }
 
-    /** {@return what must agree between the world that is saved and the one that is restored, one setting in each line} */
+    /** {@return the settings that must match between a saved and a restored world, one per line} */
     public String settings() {
         String pitch = field + "\n" + ball.properties();
         return things.landscape().isBare() ? pitch : pitch + "\n" + things.landscape();
@@ -223,13 +200,13 @@ public final class SoccerWorld implements Restorable {
 
     @Override
     public void restore(StateReader in) {
-        haveRobots(in.getAll(() -> in.getEnum(RobotType.values())));
+        matchRobots(in.getAll(() -> in.getEnum(RobotType.values())));
         engine.restore(in);
         robots.forEach(robot -> robot.restore(in));
         report.restore(in, robots);
     }
 
-    private void haveRobots(List<RobotType> types) {
+    private void matchRobots(List<RobotType> types) {
         int same = 0;
         while (same < Math.min(types.size(), robots.size())
                 && robots.get(same).model().type() == types.get(same)) {

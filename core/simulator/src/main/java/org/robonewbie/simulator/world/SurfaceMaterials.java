@@ -6,16 +6,16 @@ import org.robonewbie.simulator.physics.Material;
 import org.robonewbie.simulator.physics.Material.Bounce;
 
 /**
- * The four surfaces of SimSpark's pitch with the values that really act in rcssserver3d 0.7.3, where some lines of its scene
- * files fail silently; and that of things, which is ours.
+ * Surface materials with the effective values of rcssserver3d 0.7.3, where some lines of the scene files fail silently. Only the
+ * material of things is not SimSpark's.
  */
 final class SurfaceMaterials {
 
-    /** Endless plane of the ground; does not bounce. */
+    /** Ground plane; does not bounce. */
     static final Material GROUND =
             new Material(Optional.empty(), OptionalDouble.of(0.2), OptionalDouble.empty(), OptionalDouble.of(5e-3));
 
-    /** Goal walls and outer walls, SimSpark's default. */
+    /** Goal walls and outer walls; SimSpark's default. */
     static final Material WALL = new Material(
             Optional.of(new Bounce(0.8, 2.0)), OptionalDouble.empty(), OptionalDouble.empty(), OptionalDouble.empty());
 
@@ -23,7 +23,7 @@ final class SurfaceMaterials {
     static final Material BALL = new Material(
             Optional.of(new Bounce(0.8, 0.8)), OptionalDouble.of(0.5), OptionalDouble.of(0.05), OptionalDouble.of(0.6));
 
-    /** Things that can be pushed: as the ground, but they give way to a push and come to rest when it ends. */
+    /** Movable things: like the ground, but with more slip, so that they yield to a push and stop when it ends. */
     static final Material THING =
             new Material(Optional.empty(), OptionalDouble.of(0.2), OptionalDouble.empty(), OptionalDouble.of(0.1));
 

@@ -1,9 +1,9 @@
 /**
- * The pitch with goals, ball and robots as bodies: what moves, what touches what, and what the robots' inertial and force
- * sensors feel. Read {@link org.robonewbie.simulator.world.SoccerWorld} first.
+ * Physical model of the pitch, ball and robots: motion, contacts, inertial sensors and force sensors. Read {@link
+ * org.robonewbie.simulator.world.SoccerWorld} first.
  *
- * <p>All quantities are in SimSpark's frames: the world has x towards the right goal, y to the left of it, z up; a robot's
- * links have x to the right, y forward, z up.
+ * <p>All quantities are in SimSpark's frames. The world has x towards the right goal, y to its left, z up. The links of a robot
+ * have x to the right, y forward, z up.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

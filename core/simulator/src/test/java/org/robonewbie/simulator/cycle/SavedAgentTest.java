@@ -76,7 +76,7 @@ class SavedAgentTest {
         assertThat(counter.count).isEqualTo(10);
         assertThat(printed)
                 .anyMatch(line -> line.contains("cannot save its state: ") && line.contains("too many to count"))
-                .anyMatch(line -> line.contains("cannot take on its saved state: "));
+                .anyMatch(line -> line.contains("cannot restore its saved state: "));
     }
 
     @Test

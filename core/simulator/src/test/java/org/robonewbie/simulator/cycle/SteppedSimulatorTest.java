@@ -100,8 +100,9 @@ class SteppedSimulatorTest {
 
         assertThatIllegalStateException()
                 .isThrownBy(() -> agent.receive(message))
-                .withMessage("The world cannot go on: an agent without team (in this process) has not answered its last"
-                        + " message. Agents of one thread take turns.");
+                .withMessage(
+                        "The next cycle cannot start: an agent without a team (in this process) has not answered its last"
+                                + " message. Let each agent of this thread answer before any agent waits.");
     }
 
     @Test

@@ -97,7 +97,7 @@ class BeginnersSimulatorProviderTest {
 
         assertThatThrownBy(simulator::close)
                 .isInstanceOf(UncheckedIOException.class)
-                .hasMessageContaining("Choose a file in a folder that exists");
+                .hasMessageContaining("Choose a file in an existing folder");
     }
 
     @Test
@@ -107,7 +107,7 @@ class BeginnersSimulatorProviderTest {
         assertThatThrownBy(
                         () -> provider.start(request(OptionalDouble.empty(), Optional.empty(), Optional.of(recording))))
                 .isInstanceOf(IOException.class)
-                .hasMessageContaining("Choose a file in a folder that exists");
+                .hasMessageContaining("Choose a file in an existing folder");
     }
 
     @Test

@@ -57,7 +57,7 @@ class RecordingLimitTest {
         assertThat(said)
                 .singleElement()
                 .asString()
-                .endsWith("ends here because recordings have taken all the room that they may take."
-                        + " The simulation goes on.");
+                .endsWith("ends here because it has reached the size limit for recordings."
+                        + " The simulation continues.");
     }
 }

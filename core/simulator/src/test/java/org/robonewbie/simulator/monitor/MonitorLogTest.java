@@ -12,6 +12,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.protocol.monitor.MonitoredWorld;
+import org.robonewbie.simulator.soccer.SoccerParameters;
 
 class MonitorLogTest {
 
@@ -61,16 +62,16 @@ class MonitorLogTest {
     void fileThatCannotBeWrittenIsToldWithWhatToDo() {
         Path file = folder.resolve("missing").resolve("match.log");
 
-        assertThatThrownBy(() -> MonitorLog.open(file, WatchedWorld.settings(0), console::add))
+        assertThatThrownBy(() -> MonitorLog.open(file, SoccerParameters.league(), console::add))
                 .isInstanceOf(IOException.class)
                 .hasMessageContaining("Log \"" + file + "\" cannot be written")
-                .hasMessageContaining("Choose a file in a folder that exists");
+                .hasMessageContaining("Choose a file in an existing folder");
     }
 
     @Test
     void closedLogTakesNothingMore() throws IOException {
         Path file = folder.resolve("match.log");
-        MonitorLog log = MonitorLog.open(file, WatchedWorld.settings(0), console::add);
+        MonitorLog log = MonitorLog.open(file, SoccerParameters.league(), console::add);
         log.close();
 
         log.cycleEnded(0, () -> {
@@ -84,7 +85,7 @@ class MonitorLogTest {
     private List<String> record(int cycles, int robotComesAt) throws IOException {
         Path file = folder.resolve("match.log");
         try (WatchedWorld watched = new WatchedWorld();
-                MonitorLog log = MonitorLog.open(file, WatchedWorld.settings(0), console::add)) {
+                MonitorLog log = MonitorLog.open(file, SoccerParameters.league(), console::add)) {
             for (int cycle = 0; cycle < cycles; cycle++) {
                 if (cycle == robotComesAt) {
                     watched.addRobot();

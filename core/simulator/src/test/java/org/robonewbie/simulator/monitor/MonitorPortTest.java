@@ -312,7 +312,7 @@ class MonitorPortTest {
             sockets.add(refused);
 
             assertThat(refused.getInputStream().read()).isEqualTo(-1);
-            assertThat(watched.console()).containsExactly("A monitor was refused because 500 are connected already.");
+            assertThat(watched.console()).containsExactly("A monitor was refused because 500 are already connected.");
         } finally {
             for (Socket socket : sockets) {
                 socket.close();

@@ -44,21 +44,25 @@ final class RecordedMonitorMessages {
         List<MonitoredRobotState> robots =
                 world.robots().stream().map(RecordedMonitorMessages::state).toList();
         return new MonitorSnapshot(
-                world.gameState(), world.newFouls(), places(List.of(world.ball().orElseThrow())), List.of(), robots);
+                world.gameState(),
+                world.newFouls(),
+                transforms(List.of(world.ball().orElseThrow())),
+                List.of(),
+                robots);
     }
 
     private static MonitoredRobotState state(MonitoredRobot robot) {
         List<TransformNode> links = NaoModel.of(robot.type()).links().stream()
                 .map(link -> robot.link(link.name()).orElseThrow())
                 .toList();
-        return new MonitoredRobotState(1, robot.type(), Optional.of(robot.player()), false, places(links));
+        return new MonitoredRobotState(1, robot.type(), Optional.of(robot.player()), false, transforms(links));
     }
 
-    private static float[] places(List<TransformNode> nodes) {
-        float[] places = new float[16 * nodes.size()];
-        for (int i = 0; i < places.length; i++) {
-            places[i] = nodes.get(i / 16).element(i % 16);
+    private static float[] transforms(List<TransformNode> nodes) {
+        float[] transforms = new float[16 * nodes.size()];
+        for (int i = 0; i < transforms.length; i++) {
+            transforms[i] = nodes.get(i / 16).element(i % 16);
         }
-        return places;
+        return transforms;
     }
 }

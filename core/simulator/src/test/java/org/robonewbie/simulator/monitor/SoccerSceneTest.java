@@ -26,6 +26,7 @@ import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.sparse.SparsePhysicsWorld;
+import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.simulator.world.BallProperties;
 import org.robonewbie.simulator.world.LinkMotion;
 import org.robonewbie.simulator.world.Robot;
@@ -33,7 +34,7 @@ import org.robonewbie.simulator.world.SoccerWorld;
 
 class SoccerSceneTest {
 
-    private final SoccerScene scene = new SoccerScene(SoccerField.LEAGUE, 0.042);
+    private final SoccerScene scene = new SoccerScene(SoccerParameters.league());
     private final SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE);
 
     @Test
@@ -138,7 +139,7 @@ class SoccerSceneTest {
 
     @Test
     void smallPitchIsDrawnToItsSize() {
-        SoccerScene small = new SoccerScene(SoccerField.BEGINNER, 0.042);
+        SoccerScene small = new SoccerScene(SoccerParameters.beginner());
 
         String text = new MonitorMessageWriter(new Environment(List.of(), List.of()))
                 .writeFull(MonitoredGame.UNKNOWN, List.of(), small.nodes())

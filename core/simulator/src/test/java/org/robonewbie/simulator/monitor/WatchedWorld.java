@@ -12,20 +12,16 @@ import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
-import org.robonewbie.protocol.monitor.Environment;
 import org.robonewbie.protocol.monitor.MonitoredGame;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.protocol.tcp.MonitorLink;
+import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
 /** A world with a monitor port, driven cycle by cycle by a test. */
 final class WatchedWorld implements AutoCloseable {
-
-    static final Environment ENVIRONMENT = new Environment(
-            List.of(new Environment.Measure("FieldLength", 30)),
-            List.of("BeforeKickOff", "KickOff_Left", "KickOff_Right", "PlayOn"));
 
     private final SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE);
     private final List<Robot> robots = new ArrayList<>();
@@ -40,8 +36,7 @@ final class WatchedWorld implements AutoCloseable {
     }
 
     static MonitorSettings settings(int port) {
-        return new MonitorSettings(
-                "127.0.0.1", port, MonitorSettings.STANDARD_STEP_SECONDS, ENVIRONMENT, SoccerField.LEAGUE, 0.042);
+        return new MonitorSettings("127.0.0.1", port, MonitorSettings.DEFAULT_STEP_SECONDS, SoccerParameters.league());
     }
 
     MonitorPort port() {
@@ -107,8 +102,8 @@ final class WatchedWorld implements AutoCloseable {
             TeamSide side = i % 2 == 0 ? TeamSide.LEFT : TeamSide.RIGHT;
             MonitoredRobotState state =
                     MonitoredRobotState.of(i, robots.get(i), Optional.of(new PlayerNumber(side, 1 + i / 2)), false);
-            for (int x = 12; x < state.places().length; x += 16) {
-                state.places()[x] += shift;
+            for (int x = 12; x < state.transforms().length; x += 16) {
+                state.transforms()[x] += shift;
             }
             states.add(state);
         }

@@ -10,7 +10,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
@@ -92,7 +91,7 @@ class RecordingTest {
                 List<Participant> robots =
                         List.of(new Participant(1, Optional.of(player), player.robot(), commands, 0));
                 cycle++;
-                writer.write(Snapshots.of(cycle, match, world, robots), List.of(), Map.of(1, commands));
+                writer.write(Snapshots.of(cycle, match, world, robots), List.of(), robot -> commands);
             }
         }
 
@@ -187,7 +186,7 @@ class RecordingTest {
                 writer.write(
                         Snapshots.of(i, match, world, robots),
                         match.events().stream().map(MatchEvent::text).toList(),
-                        Map.of(1, commands));
+                        index -> commands);
                 match.clearEvents();
                 torsos.add(robot.torso().position());
                 feet.add(robot.linkPose(foot).position());

@@ -15,8 +15,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.model.RobotType;
-import org.robonewbie.simulator.file.ReportFile;
 import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.soccer.SoccerParameters;
@@ -111,7 +111,7 @@ class RunReportTest {
     void writesAllThatIsPromisedAsJson() throws Exception {
         Path file = folder.resolve("report.json");
 
-        ReportFile.write(report(), file);
+        AtomicFile.write(file, report().toJson());
 
         JsonObject json = JsonParser.parseString(Files.readString(file)).getAsJsonObject();
         assertThat(json.keySet())

@@ -220,7 +220,7 @@ class NoiseStatisticsTest {
     private static Vector3 fromCamera(Vector3 place, double[] camera) {
         BodyPose pose = new BodyPose(
                 new Vector3(camera[0], camera[1], camera[2]), RotationMatrix.aboutZ(camera[3] - Math.PI / 2));
-        return pose.toLocal(place);
+        return pose.rotation().inverse().apply(place.minus(pose.position()));
     }
 
     private static void addResiduals(List<PolarPosition> seen, Vector3 local, List<Double> residuals) {

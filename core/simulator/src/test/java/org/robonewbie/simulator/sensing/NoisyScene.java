@@ -78,8 +78,9 @@ final class NoisyScene {
     static Vector3 fromHead(BodyPart part) {
         Robot robot = new SoccerWorld(SoccerField.LEAGUE).addRobot(RobotType.TYPE_0);
         BodyPose head = robot.linkPose(robot.model().linkIndex(BodyPart.HEAD.simSparkName()));
-        return head.toLocal(
-                robot.linkPose(robot.model().linkIndex(part.simSparkName())).position());
+        Vector3 position =
+                robot.linkPose(robot.model().linkIndex(part.simSparkName())).position();
+        return head.rotation().inverse().apply(position.minus(head.position()));
     }
 
     private static SteppedSimulator start() {

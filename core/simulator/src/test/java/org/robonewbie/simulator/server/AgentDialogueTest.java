@@ -13,6 +13,7 @@ import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.cycle.WorldSettings;
 
 class AgentDialogueTest {
 
@@ -91,12 +92,10 @@ class AgentDialogueTest {
 
     private Simulator start() throws IOException {
         return Simulator.start(
-                SimulatorSettings.beginner()
-                        .agentPort(0)
-                        .synchronous(true)
-                        .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
-                        .awaitedAgents(1)
-                        .build(),
+                SimulatorSettings.of(WorldSettings.beginner())
+                        .withAgentPort(0)
+                        .withSpeed(SimulationControl.AS_FAST_AS_POSSIBLE)
+                        .withAwaitedAgents(1),
                 console);
     }
 }

@@ -6,13 +6,13 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.recording.RunReport;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
@@ -151,26 +151,21 @@ class DeterminismTest {
     }
 
     private static SimulatorSettings league(int agents, long seed) {
-        return SimulatorSettings.league()
-                .agentPort(0)
-                .synchronous(true)
-                .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
-                .seed(seed)
-                .awaitedAgents(agents)
-                .seconds(OptionalDouble.of(1))
-                .build();
+        return SimulatorSettings.of(WorldSettings.league().withSeed(seed))
+                .withAgentPort(0)
+                .withSpeed(SimulationControl.AS_FAST_AS_POSSIBLE)
+                .withAwaitedAgents(agents)
+                .withSeconds(1);
     }
 
     /** League beams, since their noise depends on the seed. */
     private static SimulatorSettings settings(int agents, long seed) {
-        return SimulatorSettings.beginner()
-                .parameters(SoccerParameters.beginner().with("BeamNoiseXY=0.05"))
-                .agentPort(0)
-                .synchronous(true)
-                .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
-                .seed(seed)
-                .awaitedAgents(agents)
-                .seconds(OptionalDouble.of(6))
-                .build();
+        return SimulatorSettings.of(WorldSettings.beginner()
+                        .withParameters(SoccerParameters.beginner().with("BeamNoiseXY=0.05"))
+                        .withSeed(seed))
+                .withAgentPort(0)
+                .withSpeed(SimulationControl.AS_FAST_AS_POSSIBLE)
+                .withAwaitedAgents(agents)
+                .withSeconds(6);
     }
 }

@@ -6,13 +6,13 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.Socket;
 import java.util.List;
-import java.util.OptionalInt;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.robonewbie.protocol.tcp.MonitorLink;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.cycle.WorldSettings;
 
 /**
  * Hundreds of clients talk nonsense to the real ports, the same nonsense in each run, while a good agent and a good monitor must
@@ -86,12 +86,10 @@ class FuzzedPortsTest {
 
     private Simulator start() throws IOException {
         return Simulator.start(
-                SimulatorSettings.league()
-                        .agentPort(0)
-                        .monitorPort(OptionalInt.of(0))
-                        .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
-                        .seed(1)
-                        .build(),
+                SimulatorSettings.of(WorldSettings.league().withSeed(1).withSynchronous(false))
+                        .withAgentPort(0)
+                        .withMonitorPort(0)
+                        .withSpeed(SimulationControl.AS_FAST_AS_POSSIBLE),
                 console);
     }
 }

@@ -3,7 +3,6 @@ package org.robonewbie.simulator.server;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.OptionalInt;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.order.Order;
@@ -12,6 +11,7 @@ import org.robonewbie.protocol.tcp.MonitorLink;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
+import org.robonewbie.simulator.cycle.WorldSettings;
 
 /** A server with the rules of the league that waits for its agents, all of which connect by TCP. */
 final class LeagueServer implements AutoCloseable {
@@ -28,14 +28,11 @@ final class LeagueServer implements AutoCloseable {
 
     LeagueServer(boolean synchronous) throws IOException {
         simulator = Simulator.start(
-                SimulatorSettings.league()
-                        .agentPort(0)
-                        .monitorPort(OptionalInt.of(0))
-                        .synchronous(synchronous)
-                        .awaitedAgents(synchronous ? 1 : 0)
-                        .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
-                        .seed(5)
-                        .build(),
+                SimulatorSettings.of(WorldSettings.league().withSeed(5).withSynchronous(synchronous))
+                        .withAgentPort(0)
+                        .withMonitorPort(0)
+                        .withAwaitedAgents(synchronous ? 1 : 0)
+                        .withSpeed(SimulationControl.AS_FAST_AS_POSSIBLE),
                 console);
         simulator.control().addObserver(watcher);
     }

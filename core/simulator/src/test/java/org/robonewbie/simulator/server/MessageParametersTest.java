@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.util.HashSet;
 import java.util.Locale;
-import java.util.OptionalInt;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -18,6 +17,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.tcp.MonitorLink;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /** Each parameter that agents and monitors feel in their messages does as it says. */
@@ -79,7 +79,7 @@ class MessageParametersTest {
             text(agent, "(rae1 -1.4)(rae2 1)(rae3 -1)(rae4 1.5)(syn)");
             LeagueServer.cycles(agent, 100);
         }
-        assertThat(console.sentences().contains("Limbs of player 1 of Stars ran into each other."))
+        assertThat(console.sentences().contains("Limbs of player 1 of Stars collided."))
                 .isEqualTo(wanted);
     }
 
@@ -169,14 +169,11 @@ class MessageParametersTest {
             parameters = parameters.with(assignment);
         }
         Simulator simulator = Simulator.start(
-                SimulatorSettings.league()
-                        .parameters(parameters)
-                        .agentPort(0)
-                        .monitorPort(OptionalInt.of(0))
-                        .synchronous(true)
-                        .awaitedAgents(1)
-                        .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
-                        .build(),
+                SimulatorSettings.of(WorldSettings.league().withParameters(parameters))
+                        .withAgentPort(0)
+                        .withMonitorPort(0)
+                        .withAwaitedAgents(1)
+                        .withSpeed(SimulationControl.AS_FAST_AS_POSSIBLE),
                 console);
         simulator.control().addObserver(watcher);
         return simulator;

@@ -10,7 +10,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -20,6 +19,7 @@ import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.tcp.MonitorLink;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.cycle.WorldSettings;
 
 /** A whole game as monitors see it, and monitors as the game feels them. */
 @Timeout(120)
@@ -60,11 +60,9 @@ class MonitoredGameTest {
     @Test
     void waitingForASilentAgentDoesNotKeepMonitorsWaiting() throws IOException {
         try (Simulator simulator = Simulator.start(
-                        SimulatorSettings.league()
-                                .agentPort(0)
-                                .monitorPort(OptionalInt.of(0))
-                                .synchronous(true)
-                                .build(),
+                        SimulatorSettings.of(WorldSettings.league())
+                                .withAgentPort(0)
+                                .withMonitorPort(0),
                         Console.silent());
                 TestAgent agent = new TestAgent(simulator.connect())) {
             agent.join("us", 3);
@@ -112,10 +110,10 @@ class MonitoredGameTest {
             try (ServerSocket free = new ServerSocket(0)) {
                 agentPort = free.getLocalPort();
             }
-            SimulatorSettings settings = SimulatorSettings.league()
-                    .agentPort(agentPort)
-                    .monitorPort(OptionalInt.of(taken.getLocalPort()))
-                    .build();
+            SimulatorSettings settings = SimulatorSettings.of(
+                            WorldSettings.league().withSynchronous(false))
+                    .withAgentPort(agentPort)
+                    .withMonitorPort(taken.getLocalPort());
 
             assertThatThrownBy(() -> Simulator.start(settings, Console.silent()))
                     .isInstanceOf(IOException.class)
@@ -128,16 +126,18 @@ class MonitoredGameTest {
 
     private byte[] logOfARun(String name) throws Exception {
         Path file = folder.resolve(name);
-        try (Simulator simulator =
-                Simulator.start(shortRun().monitorLog(Optional.of(file)).build(), Console.silent())) {
+        try (Simulator simulator = Simulator.start(
+                shortRun()
+                        .withMonitors(
+                                new SimulatorSettings.Monitors(OptionalInt.empty(), 0.04, true, Optional.of(file))),
+                Console.silent())) {
             play(simulator);
         }
         return Files.readAllBytes(file);
     }
 
     private static String checksumOfARun(boolean isWatched) throws Exception {
-        try (Simulator simulator =
-                Simulator.start(shortRun().monitorPort(OptionalInt.of(0)).build(), Console.silent())) {
+        try (Simulator simulator = Simulator.start(shortRun().withMonitorPort(0), Console.silent())) {
             if (!isWatched) {
                 play(simulator);
                 return simulator.report().orElseThrow().recordingSha256();
@@ -152,14 +152,12 @@ class MonitoredGameTest {
         }
     }
 
-    private static SimulatorSettings.Builder shortRun() {
-        return SimulatorSettings.league()
-                .agentPort(0)
-                .synchronous(true)
-                .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
-                .seed(3)
-                .awaitedAgents(1)
-                .seconds(OptionalDouble.of(4));
+    private static SimulatorSettings shortRun() {
+        return SimulatorSettings.of(WorldSettings.league().withSeed(3))
+                .withAgentPort(0)
+                .withSpeed(SimulationControl.AS_FAST_AS_POSSIBLE)
+                .withAwaitedAgents(1)
+                .withSeconds(4);
     }
 
     private static void play(Simulator simulator) throws Exception {

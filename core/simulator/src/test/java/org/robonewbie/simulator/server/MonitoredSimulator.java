@@ -3,6 +3,7 @@ package org.robonewbie.simulator.server;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
@@ -13,6 +14,7 @@ import org.robonewbie.protocol.monitor.TransformNode;
 import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.protocol.tcp.MonitorLink;
+import org.robonewbie.simulator.cycle.WorldSettings;
 
 /** A running simulator of which a test sees only what a monitor sees. */
 final class MonitoredSimulator implements AutoCloseable {
@@ -34,13 +36,11 @@ final class MonitoredSimulator implements AutoCloseable {
 
     MonitoredSimulator(boolean trainers) throws IOException {
         simulator = Simulator.start(
-                SimulatorSettings.league()
-                        .agentPort(0)
-                        .monitorPort(OptionalInt.of(0))
-                        .speed(10)
-                        .noise(false)
-                        .trainers(trainers)
-                        .build(),
+                SimulatorSettings.of(WorldSettings.league().withNoise(false).withSynchronous(false))
+                        .withAgentPort(0)
+                        .withMonitors(
+                                new SimulatorSettings.Monitors(OptionalInt.of(0), 0.04, trainers, Optional.empty()))
+                        .withSpeed(10),
                 console);
         monitor = connect();
     }

@@ -21,6 +21,7 @@ import org.junit.jupiter.api.Timeout;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.world.Robot;
 
 /** Whatever a client does, its problem is named and a well-behaved agent is served on. */
@@ -36,10 +37,9 @@ class NastyClientsTest {
     @BeforeEach
     void startGameWithGoodAgent() throws IOException {
         simulator = Simulator.start(
-                SimulatorSettings.beginner()
-                        .agentPort(0)
-                        .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
-                        .build(),
+                SimulatorSettings.of(WorldSettings.beginner().withSynchronous(false))
+                        .withAgentPort(0)
+                        .withSpeed(SimulationControl.AS_FAST_AS_POSSIBLE),
                 console);
         goodAgent = new TestAgent(TcpAgentLink.connect("127.0.0.1", simulator.agentPort()));
         goodAgent.joinRunningGame("Stars", 1);
@@ -68,13 +68,13 @@ class NastyClientsTest {
     @Test
     void messagesThatNeverEndTakeNoMoreThanTheirBytes() throws IOException {
         List<Socket> sockets = new ArrayList<>();
-        byte[] endless = new byte[TcpServerLink.MAXIMUM_LENGTH - 1];
+        byte[] endless = new byte[TcpServerLink.MAX_LENGTH - 1];
         long before = usedMebibytes();
         try {
             for (int i = 0; i < 100; i++) {
                 Socket socket = connect();
                 sockets.add(socket);
-                socket.getOutputStream().write(prefix(TcpServerLink.MAXIMUM_LENGTH));
+                socket.getOutputStream().write(prefix(TcpServerLink.MAX_LENGTH));
                 socket.getOutputStream().write(endless);
             }
             for (int i = 0; i < 100; i++) {
@@ -92,12 +92,12 @@ class NastyClientsTest {
     @Test
     void messageLongerThanAnyRobotNeedsEndsTheConnection() throws IOException {
         try (Socket socket = connect()) {
-            socket.getOutputStream().write(prefix(TcpServerLink.MAXIMUM_LENGTH + 1));
+            socket.getOutputStream().write(prefix(TcpServerLink.MAX_LENGTH + 1));
 
             assertThat(socket.getInputStream().read()).isEqualTo(-1);
         }
 
-        awaitSaid((TcpServerLink.MAXIMUM_LENGTH + 1) + " bytes");
+        awaitSaid((TcpServerLink.MAX_LENGTH + 1) + " bytes");
     }
 
     @Test
@@ -128,7 +128,7 @@ class NastyClientsTest {
             agents.add(twelfth);
             twelfth.exchange(SCENE);
             twelfth.send("(init (unum 0)(teamname Stars))");
-            awaitSaid("has all of its 11 players already");
+            awaitSaid("already has all 11 players");
             twelfth.send("(init (unum 12)(teamname Moons))");
             awaitSaid("number 12 does not exist; choose 1 to 11");
         } finally {
@@ -219,7 +219,7 @@ class NastyClientsTest {
                             .orElseThrow()
                             .number())
                     .isEmpty();
-            awaitSaid("a third team \"Suns\" cannot");
+            awaitSaid("there is no room for team \"Suns\"");
             awaitSaid("number 1 of team \"Moons\" is taken");
         }
     }
@@ -273,7 +273,7 @@ class NastyClientsTest {
             for (int i = 0; i < 300; i++) {
                 sockets.add(connect());
             }
-            awaitSaid("256 agents are connected already");
+            awaitSaid("256 agents are already connected");
         } finally {
             for (Socket socket : sockets) {
                 socket.close();
@@ -290,7 +290,7 @@ class NastyClientsTest {
                 agents.add(agent);
                 agent.send(SCENE);
             }
-            awaitSaid("there are 44 robots already");
+            awaitSaid("there are already 44 robots");
         } finally {
             for (TestAgent agent : agents) {
                 agent.close();

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.cycle.WorldSettings;
 
 @Timeout(120)
 class RealTimeTest {
@@ -18,7 +19,7 @@ class RealTimeTest {
 
     @Test
     void worldKeepsStepWithTheClock() {
-        Pacemaker pacemaker = new Pacemaker(1, clock);
+        Pacemaker pacemaker = new Pacemaker(1, clock::nanoseconds, clock::advanceTo);
 
         cycles(pacemaker, 100);
 
@@ -29,7 +30,7 @@ class RealTimeTest {
 
     @Test
     void slowMotionTakesAsMuchLonger() {
-        Pacemaker pacemaker = new Pacemaker(0.25, clock);
+        Pacemaker pacemaker = new Pacemaker(0.25, clock::nanoseconds, clock::advanceTo);
 
         cycles(pacemaker, 10);
 
@@ -38,7 +39,7 @@ class RealTimeTest {
 
     @Test
     void timeOfACycleIsNotAddedToWhatItTook() {
-        Pacemaker pacemaker = new Pacemaker(1, clock);
+        Pacemaker pacemaker = new Pacemaker(1, clock::nanoseconds, clock::advanceTo);
 
         for (int i = 0; i < 10; i++) {
             pacemaker.awaitNextCycle();
@@ -50,7 +51,7 @@ class RealTimeTest {
 
     @Test
     void timeIsDroppedInsteadOfHurriedWhenTheWorldIsTooSlow() {
-        Pacemaker pacemaker = new Pacemaker(1, clock);
+        Pacemaker pacemaker = new Pacemaker(1, clock::nanoseconds, clock::advanceTo);
 
         pacemaker.awaitNextCycle();
         clock.pass(1000);
@@ -62,11 +63,11 @@ class RealTimeTest {
 
     @Test
     void cyclesAreNotMissedWhileTheWorldIsMeantToStandStill() {
-        Pacemaker pacemaker = new Pacemaker(1, clock);
+        Pacemaker pacemaker = new Pacemaker(1, clock::nanoseconds, clock::advanceTo);
 
         pacemaker.awaitNextCycle();
         clock.pass(60);
-        pacemaker.excuse();
+        pacemaker.pause();
         pacemaker.awaitNextCycle();
 
         assertThat(pacemaker.missedCycles()).isZero();
@@ -75,8 +76,10 @@ class RealTimeTest {
     @Test
     void slowAgentLosesCyclesAndTheReportTellsIt() throws Exception {
         BlockingQueue<WorldSnapshot> cycles = new LinkedBlockingQueue<>();
-        Simulator simulator =
-                Simulator.start(SimulatorSettings.beginner().agentPort(0).build(), new RecordingConsole());
+        Simulator simulator = Simulator.start(
+                SimulatorSettings.of(WorldSettings.beginner().withSynchronous(false))
+                        .withAgentPort(0),
+                new RecordingConsole());
         try (TestAgent agent = new TestAgent(TcpAgentLink.connect("127.0.0.1", simulator.agentPort()))) {
             agent.joinRunningGame("Stars", 1);
             simulator.control().addObserver(cycles::add);
@@ -106,17 +109,15 @@ class RealTimeTest {
     }
 
     /** A clock that goes on only when it is waited for or turned. */
-    private static final class HandTurnedClock implements RealTime {
+    private static final class HandTurnedClock {
 
         private long nanoseconds = 1_000_000;
 
-        @Override
-        public long nanoseconds() {
+        private long nanoseconds() {
             return nanoseconds;
         }
 
-        @Override
-        public void awaitNanoseconds(long moment) {
+        private void advanceTo(long moment) {
             nanoseconds = Math.max(nanoseconds, moment);
         }
 

@@ -26,6 +26,7 @@ import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.cycle.WorldSettings;
 
 @Timeout(120)
 class SimulationControlTest {
@@ -37,12 +38,10 @@ class SimulationControlTest {
     @BeforeEach
     void startWithOneRobot() throws IOException {
         simulator = Simulator.start(
-                SimulatorSettings.beginner()
-                        .agentPort(0)
-                        .synchronous(true)
-                        .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
-                        .awaitedAgents(1)
-                        .build(),
+                SimulatorSettings.of(WorldSettings.beginner())
+                        .withAgentPort(0)
+                        .withSpeed(SimulationControl.AS_FAST_AS_POSSIBLE)
+                        .withAwaitedAgents(1),
                 new RecordingConsole());
         control = simulator.control();
         control.addObserver(snapshots::add);

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Timeout;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.cycle.WorldSettings;
 
 @Timeout(120)
 class SyncModeTest {
@@ -84,8 +85,8 @@ class SyncModeTest {
             }
 
             assertThat(console.sentences())
-                    .anyMatch(sentence ->
-                            sentence.startsWith("Dropped player 2 of Stars") && sentence.contains("not answered for"));
+                    .anyMatch(sentence -> sentence.startsWith("Disconnected player 2 of Stars")
+                            && sentence.contains("not answered for"));
         }
     }
 
@@ -103,7 +104,7 @@ class SyncModeTest {
             }
 
             List<Double> standstills = console.sentences().stream()
-                    .filter(sentence -> sentence.startsWith("Dropped"))
+                    .filter(sentence -> sentence.startsWith("Disconnected"))
                     .map(sentence -> Double.valueOf(sentence.replaceAll("^.* for ([0-9.]+) s\\.$", "$1")))
                     .toList();
             assertThat(standstills).hasSize(5);
@@ -175,8 +176,8 @@ class SyncModeTest {
     @Test
     void portInUseIsExplained() throws IOException {
         try (Simulator simulator = start(60)) {
-            SimulatorSettings same =
-                    SimulatorSettings.league().agentPort(simulator.agentPort()).build();
+            SimulatorSettings same = SimulatorSettings.of(WorldSettings.league().withSynchronous(false))
+                    .withAgentPort(simulator.agentPort());
 
             assertThatThrownBy(() -> Simulator.start(same, console))
                     .isInstanceOf(IOException.class)
@@ -199,13 +200,10 @@ class SyncModeTest {
 
     private Simulator start(double silentAgentSeconds) throws IOException {
         return Simulator.start(
-                SimulatorSettings.beginner()
-                        .agentPort(0)
-                        .synchronous(true)
-                        .awaitedAgents(1)
-                        .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
-                        .silentAgentSeconds(silentAgentSeconds)
-                        .build(),
+                SimulatorSettings.of(WorldSettings.beginner())
+                        .withAgents(new SimulatorSettings.Agents(
+                                SimulatorSettings.LOCALHOST, 0, List.of(), 1, silentAgentSeconds))
+                        .withSpeed(SimulationControl.AS_FAST_AS_POSSIBLE),
                 console);
     }
 

@@ -60,8 +60,8 @@ class TrainerOrdersTest {
             assertThat(closed.world().gameState().scoreLeft()).isZero();
             assertThat(closed.told())
                     .contains(
-                            "A trainer wants to change the world, which this simulator does not allow. Start it without"
-                                    + " --no-trainers if it is to.");
+                            "A trainer tried to change the world, which this simulator does not allow. Start it without"
+                                    + " --no-trainers to allow this.");
         }
     }
 

@@ -7,6 +7,8 @@ import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.simulator.landscape.Landscape;
+import org.robonewbie.simulator.physics.sparse.SparsePhysicsWorld;
 import org.robonewbie.simulator.world.BallProperties;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
@@ -30,7 +32,7 @@ final class Game {
     Game(SoccerParameters parameters, long seed) {
         BallProperties ball = new BallProperties(
                 parameters.get(SoccerParameter.BALL_RADIUS), parameters.get(SoccerParameter.BALL_MASS));
-        world = new SoccerWorld(parameters.field(), ball);
+        world = new SoccerWorld(parameters.field(), ball, new SparsePhysicsWorld(), Landscape.SOCCER);
         match = new Match(world, parameters, seed);
     }
 

@@ -51,7 +51,8 @@ class SoccerParametersTest {
     @Test
     void textInsteadOfNumberIsRefused() {
         assertThatThrownBy(() -> SoccerParameters.league().with("RuleHalfTime=long"))
-                .hasMessage("Value \"long\" of RuleHalfTime is not a number. It is meant in seconds of a half.");
+                .hasMessage(
+                        "Value \"long\" of RuleHalfTime is not a number. Write, for example, RuleHalfTime=300 (seconds of a half).");
         assertThatThrownBy(() -> SoccerParameters.league().with("RuleHalfTime=NaN"))
                 .hasMessageContaining("not a number");
     }
@@ -59,7 +60,7 @@ class SoccerParametersTest {
     @Test
     void yesOrNoIsWrittenAsTrueOrFalse() {
         assertThatThrownBy(() -> SoccerParameters.league().with("UseCharging=yes"))
-                .hasMessage("Value \"yes\" of UseCharging is neither true nor false. Write one of them.");
+                .hasMessage("Value \"yes\" of UseCharging is neither true nor false. Write true or false.");
     }
 
     @Test

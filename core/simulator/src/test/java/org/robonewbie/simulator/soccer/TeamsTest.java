@@ -30,7 +30,7 @@ class TeamsTest {
 
         assertThatThrownBy(() -> join("Suns", 1))
                 .isInstanceOf(JoinRefusedException.class)
-                .hasMessage("teams \"Stars\" and \"Moons\" play already; a third team \"Suns\" cannot");
+                .hasMessage("teams \"Stars\" and \"Moons\" are already playing; there is no room for team \"Suns\"");
     }
 
     @Test
@@ -47,7 +47,7 @@ class TeamsTest {
         teams.leave(join("Stars", 1));
         join("Moons", 1);
 
-        teams.forgetEmpty();
+        teams.removeEmpty();
 
         assertThat(teams.name(TeamSide.LEFT)).isEmpty();
         assertThat(join("Suns", 1).side()).isEqualTo(TeamSide.LEFT);
@@ -59,7 +59,7 @@ class TeamsTest {
         join("Stars", 3);
 
         assertThatThrownBy(() -> join("Stars", 3))
-                .hasMessage("number 3 of team \"Stars\" is taken; choose another one or 0 for any");
+                .hasMessage("number 3 of team \"Stars\" is taken; choose another one, or 0 for any free one");
     }
 
     @Test
@@ -83,7 +83,7 @@ class TeamsTest {
         }
 
         assertThatThrownBy(() -> beginners.join("Stars", 0, world.addRobot(RobotType.TYPE_0)))
-                .hasMessage("team \"Stars\" has all of its 11 players already");
+                .hasMessage("team \"Stars\" already has all 11 players");
     }
 
     @Test

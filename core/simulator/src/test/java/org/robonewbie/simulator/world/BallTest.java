@@ -7,6 +7,8 @@ import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.simulator.landscape.Landscape;
+import org.robonewbie.simulator.physics.sparse.SparsePhysicsWorld;
 
 class BallTest {
 
@@ -141,7 +143,8 @@ class BallTest {
 
     @Test
     void ballOfAnotherSizeRestsOnItsRadius() {
-        SoccerWorld other = new SoccerWorld(SoccerField.BEGINNER, new BallProperties(0.05, 0.042));
+        SoccerWorld other = new SoccerWorld(
+                SoccerField.BEGINNER, new BallProperties(0.05, 0.042), new SparsePhysicsWorld(), Landscape.SOCCER);
         for (int i = 0; i < 200; i++) {
             other.step();
         }

@@ -8,6 +8,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.physics.RotationMatrix;
 
 /** Agents of the league beam their robot in each cycle until the kick-off, which may take minutes. */
@@ -16,7 +17,8 @@ class BeamedRobotTest {
     @ParameterizedTest
     @EnumSource
     void robotThatIsBeamedAgainAndAgainStaysWhole(PhysicsEngine engine) {
-        SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE, BallProperties.STANDARD, engine.newWorld());
+        SoccerWorld world =
+                new SoccerWorld(SoccerField.LEAGUE, BallProperties.STANDARD, engine.newWorld(), Landscape.SOCCER);
         Robot robot = world.addRobot(RobotType.TYPE_0);
 
         for (int i = 0; i < 1000; i++) {

@@ -12,6 +12,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.simulator.landscape.Landscape;
+import org.robonewbie.simulator.physics.sparse.SparsePhysicsWorld;
 import org.robonewbie.simulator.state.WorldState;
 
 class SoccerWorldStateTest {
@@ -148,7 +150,8 @@ class SoccerWorldStateTest {
     @Test
     void aStateOfAnotherPitchIsRefused() {
         WorldState state = newWorld().save();
-        SoccerWorld other = new SoccerWorld(SoccerField.LEAGUE, new BallProperties(0.1, 0.2));
+        SoccerWorld other = new SoccerWorld(
+                SoccerField.LEAGUE, new BallProperties(0.1, 0.2), new SparsePhysicsWorld(), Landscape.SOCCER);
 
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> other.restore(state))

@@ -4,32 +4,31 @@ import java.util.Optional;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
 
-/** Finds classes that a jar or folder lists in its {@code META-INF/services}. */
+/** Finds service providers that a jar or folder lists in its {@code META-INF/services}. */
 public final class OfferedClass {
 
     private OfferedClass() {}
 
     /**
-     * Looks up a class by its simple name.
+     * Looks up a provider by its simple name.
      *
-     * @param type what it must be
-     * @param simpleName its name without package
-     * @param classes where to look
-     * @param <T> its type
-     * @return the class; empty if nobody offers one of this name
-     * @throws IllegalArgumentException if a class that is offered cannot be loaded; the message says which
+     * @param type the service type
+     * @param simpleName class name without package
+     * @param classes the class loader
+     * @param <T> the service type
+     * @return the class; empty if there is no provider of this name
+     * @throws IllegalArgumentException if a provider cannot be loaded; the message says which
      */
     public static <T> Optional<Class<? extends T>> find(Class<T> type, String simpleName, ClassLoader classes) {
         try {
             return ServiceLoader.load(type, classes).stream()
                     .<Class<? extends T>>map(ServiceLoader.Provider::type)
-                    .filter(offered -> offered.getSimpleName().equals(simpleName))
+                    .filter(provider -> provider.getSimpleName().equals(simpleName))
                     .findFirst();
-        } catch (ServiceConfigurationError wrong) {
+        } catch (ServiceConfigurationError e) {
             throw new IllegalArgumentException(
-                    "A jar or folder offers a " + type.getSimpleName() + " that cannot be loaded: "
-                            + wrong.getMessage(),
-                    wrong);
+                    "A jar or folder provides a " + type.getSimpleName() + " that cannot be loaded: " + e.getMessage(),
+                    e);
         }
     }
 }

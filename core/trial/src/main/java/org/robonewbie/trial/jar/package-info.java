@@ -1,5 +1,5 @@
 /**
- * What jars and folders of other people offer by the simple names of their classes.
+ * Service providers of external jars and folders, found by their simple class names.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

@@ -8,12 +8,12 @@ import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.trial.WorldState;
 
-/** How calm the torso is and how hard the motors work: the mean speed about horizontal axes, and joints at their speed limit. */
+/** The mean angular speed of the torso about horizontal axes, and the mean number of joints at their speed limit. */
 public final class BalanceMetrics extends MeasureFromStart {
 
     private static final Vector3 UP = new Vector3(0, 0, 1);
 
-    /** The part of a joint's largest speed from which on it counts as being at its limit. */
+    /** Fraction of a joint's maximum speed above which it counts as being at its limit. */
     private static final double LIMIT = 0.99;
 
     private @Nullable BodyState before;
@@ -21,8 +21,10 @@ public final class BalanceMetrics extends MeasureFromStart {
     private double degreesPerSecond;
     private double jointsAtLimit;
 
-    /** Creates a measure that has not seen anything. */
-    public BalanceMetrics() {}
+    /** Creates the measure. */
+    public BalanceMetrics() {
+        super("°/s", false);
+    }
 
     @Override
     protected void see(WorldState first, WorldState now) {
@@ -49,16 +51,6 @@ public final class BalanceMetrics extends MeasureFromStart {
     @Override
     public double value() {
         return degreesPerSecond / Math.max(1, cycles);
-    }
-
-    @Override
-    public String unit() {
-        return "°/s";
-    }
-
-    @Override
-    public boolean isLargerBetter() {
-        return false;
     }
 
     /** {@return the mean number of joints at their speed limit} */

@@ -6,8 +6,8 @@ import org.robonewbie.trial.Measure;
 import org.robonewbie.trial.WorldState;
 
 /**
- * How near the ball has come to the right goal, in metres: from its centre to the nearest point of the goal line between the
- * posts. A goal of the left team makes it 0 and decides; own goals do not count.
+ * The minimum distance of the ball's centre from the right goal line between the posts, in metres. A goal of the left team makes it 0
+ * and decides the measure; own goals do not count.
  */
 public final class BallToGoal implements Measure {
 
@@ -27,12 +27,12 @@ public final class BallToGoal implements Measure {
         metres = Math.min(metres, lastMetres);
     }
 
-    /** {@return when the goal was scored; without one, how long the trial has taken so far} */
+    /** {@return the time of the goal in seconds; without a goal, the duration of the trial so far} */
     public double seconds() {
         return seconds;
     }
 
-    /** {@return how far the ball was from the goal at last, in metres; 0 after a goal} */
+    /** {@return the current distance of the ball from the goal in metres; 0 after a goal} */
     public double lastMetres() {
         return lastMetres;
     }

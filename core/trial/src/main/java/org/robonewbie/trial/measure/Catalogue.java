@@ -9,15 +9,15 @@ import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.trial.jar.OfferedClass;
 
 /**
- * Things that people choose by name: those of the framework, and classes of their own. A jar whose {@code META-INF/services} lists its classes
- * offers them by their simple names, see {@link java.util.ServiceLoader}.
+ * A registry of factories by name: those of the framework and your own classes. A jar that lists its classes in {@code
+ * META-INF/services} provides them by their simple names, see {@link java.util.ServiceLoader}.
  *
  * <pre>{@code
  * Catalogue<Measure> measures = new Catalogue<>("measure", Measure.class, Map.of("energy", Energy::new));
  * Measure own = measures.named("MyMeasure", classes).get();
  * }</pre>
  *
- * @param <T> their type
+ * @param <T> type of the created objects
  */
 public final class Catalogue<T> {
 
@@ -26,11 +26,11 @@ public final class Catalogue<T> {
     private final Map<String, Supplier<T>> all;
 
     /**
-     * Lists the framework's things.
+     * Creates a registry.
      *
-     * @param kind what they are called in messages, such as {@code measure}
-     * @param type their type
-     * @param all creates each of them, by name
+     * @param kind name of the kind in messages, such as {@code measure}
+     * @param type type of the created objects
+     * @param all the framework's factories by name
      */
     public Catalogue(String kind, Class<T> type, Map<String, Supplier<T>> all) {
         this.kind = kind;
@@ -39,20 +39,20 @@ public final class Catalogue<T> {
     }
 
     /**
-     * Looks up a thing.
+     * Looks up a factory.
      *
-     * @param name its name, the simple name of a class that a jar offers, or the full name of a class of this type with a public
-     *     constructor without parameters
-     * @param classes where to look for the class
-     * @return creates a new one each time
-     * @throws IllegalArgumentException if there is none of this name; the message names the nearest and lists all
+     * @param name a registered name, the simple name of a class that a jar provides, or the full name of a class with a public
+     *     no-arg constructor
+     * @param classes the class loader
+     * @return the factory
+     * @throws IllegalArgumentException if the name is unknown; the message suggests the closest name and lists all
      */
     public Supplier<T> named(String name, ClassLoader classes) {
         Supplier<T> known = all.get(name);
         return known == null ? ofClass(name, classes) : known;
     }
 
-    /** {@return the names of the framework's things, separated by commas} */
+    /** {@return the registered names, separated by commas} */
     public String names() {
         return String.join(", ", all.keySet());
     }

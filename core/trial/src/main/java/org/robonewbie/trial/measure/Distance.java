@@ -2,13 +2,15 @@ package org.robonewbie.trial.measure;
 
 import org.robonewbie.trial.WorldState;
 
-/** How far the robot gets along its first heading before it falls, in metres. */
+/** The distance that the robot covers along its initial heading before it falls, in metres. */
 public final class Distance extends MeasureFromStart {
 
     private double metres;
 
-    /** Creates a measure that has not seen anything. */
-    public Distance() {}
+    /** Creates the measure. */
+    public Distance() {
+        super("m", true);
+    }
 
     @Override
     protected void see(WorldState first, WorldState now) {
@@ -20,10 +22,5 @@ public final class Distance extends MeasureFromStart {
     @Override
     public double value() {
         return metres;
-    }
-
-    @Override
-    public String unit() {
-        return "m";
     }
 }

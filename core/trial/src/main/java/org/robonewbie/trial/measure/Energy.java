@@ -10,49 +10,42 @@ import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Work with which the motors lift and speed up the limbs, in joules: each cycle counts by how much the energy of height and
- * movement of all limbs together has grown. What the motors brake costs nothing, as with motors that only warm up by it.
+ * The mechanical work of the motors in joules: the sum of all increases of the potential and kinetic energy of the limbs per cycle.
+ * Braking neither costs nor recovers energy.
  */
 public final class Energy extends MeasureFromStart {
 
     private static final double GRAVITY = 9.81;
 
-    private List<Vector3> placesBefore = List.of();
+    private List<Vector3> positionsBefore = List.of();
     private double energyBefore;
     private double joules;
 
-    /** Creates a measure that has not seen anything. */
-    public Energy() {}
+    /** Creates the measure. */
+    public Energy() {
+        super("J", false);
+    }
 
     @Override
     protected void see(WorldState first, WorldState now) {
         BodyState body = now.robot();
         List<Link> links = NaoModel.of(body.type()).links();
         BodyPoses poses = body.limbs();
-        List<Vector3> places =
+        List<Vector3> positions =
                 links.stream().map(link -> poses.link(link.name()).position()).toList();
+        boolean isFirst = positionsBefore.isEmpty();
         double energy = 0;
-        for (int i = 0; i < places.size(); i++) {
-            double speed = placesBefore.isEmpty() ? 0 : places.get(i).distanceTo(placesBefore.get(i)) / Cycle.SECONDS;
-            energy += links.get(i).massKg() * (GRAVITY * places.get(i).z() + speed * speed / 2);
+        for (int i = 0; i < positions.size(); i++) {
+            double speed = isFirst ? 0 : positions.get(i).distanceTo(positionsBefore.get(i)) / Cycle.SECONDS;
+            energy += links.get(i).massKg() * (GRAVITY * positions.get(i).z() + speed * speed / 2);
         }
-        joules += placesBefore.isEmpty() ? 0 : Math.max(0, energy - energyBefore);
-        placesBefore = places;
+        joules += isFirst ? 0 : Math.max(0, energy - energyBefore);
+        positionsBefore = positions;
         energyBefore = energy;
     }
 
     @Override
     public double value() {
         return joules;
-    }
-
-    @Override
-    public String unit() {
-        return "J";
-    }
-
-    @Override
-    public boolean isLargerBetter() {
-        return false;
     }
 }

@@ -3,16 +3,18 @@ package org.robonewbie.trial.measure;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.trial.WorldState;
 
-/** How far the ball gets along the robot's first heading, in metres; what it will still roll counts. */
+/** The distance that the ball covers along the robot's initial heading, in metres, including the estimated rest of its roll. */
 public final class KickDistance extends MeasureFromStart {
 
-    /** A rolling ball comes this much further for each metre per second, as trials show. */
-    private static final double ROLLS_ON_SECONDS = 0.94;
+    /** Remaining distance of a rolling ball per metre per second, measured in trials. */
+    private static final double ROLL_OUT_SECONDS = 0.94;
 
     private double metres;
 
-    /** Creates a measure that has not seen anything. */
-    public KickDistance() {}
+    /** Creates the measure. */
+    public KickDistance() {
+        super("m", true);
+    }
 
     @Override
     protected void see(WorldState first, WorldState now) {
@@ -22,20 +24,15 @@ public final class KickDistance extends MeasureFromStart {
     /**
      * Estimates where a rolling ball comes to rest.
      *
-     * @param state the ball at some time
-     * @return a point as high above the ground as the ball
+     * @param state the current state
+     * @return the point, at the height of the ball
      */
     public static Vector3 restingPlace(WorldState state) {
-        return state.ball().plus(state.ballVelocity().times(ROLLS_ON_SECONDS));
+        return state.ball().plus(state.ballVelocity().times(ROLL_OUT_SECONDS));
     }
 
     @Override
     public double value() {
         return metres;
-    }
-
-    @Override
-    public String unit() {
-        return "m";
     }
 }

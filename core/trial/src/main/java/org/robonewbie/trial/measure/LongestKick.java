@@ -5,8 +5,8 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.trial.WorldState;
 
 /**
- * How far the ball gets, in a straight line, from the place where it left the robot, in metres. It has left the robot when it is
- * farther than 0.35 m from the torso, so a ball that is pushed along gains nothing. Decided when the referee takes the ball.
+ * The maximum straight-line distance of the ball from the point where it left the robot, in metres. The ball has left the robot when
+ * it is more than 0.35 m from the torso, so that dribbling does not count. Decided when the referee moves the ball.
  */
 public final class LongestKick extends MeasureFromStart {
 
@@ -16,8 +16,10 @@ public final class LongestKick extends MeasureFromStart {
     private double metres;
     private boolean taken;
 
-    /** Creates a measure that has not seen anything. */
-    public LongestKick() {}
+    /** Creates the measure. */
+    public LongestKick() {
+        super("m", true);
+    }
 
     @Override
     protected void see(WorldState first, WorldState now) {
@@ -31,7 +33,7 @@ public final class LongestKick extends MeasureFromStart {
         }
     }
 
-    /** Once the ball is out or in the goal, the referee carries it away. */
+    /** Whether the referee moves the ball, after it left the pitch or entered the goal. */
     private static boolean isTakenByReferee(WorldState state) {
         return switch (state.playMode()) {
             case PLAY_ON, KICK_OFF_LEFT, KICK_OFF_RIGHT -> false;
@@ -42,11 +44,6 @@ public final class LongestKick extends MeasureFromStart {
     @Override
     public double value() {
         return metres;
-    }
-
-    @Override
-    public String unit() {
-        return "m";
     }
 
     @Override

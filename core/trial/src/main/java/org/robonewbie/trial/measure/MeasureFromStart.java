@@ -5,14 +5,39 @@ import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.trial.Measure;
 import org.robonewbie.trial.WorldState;
 
-/** A measure of one robot of a trial, the first one, that compares with the beginning and knows when the robot has fallen. */
+/** A measure of the first robot that compares each state with the first one and detects falls. */
 public abstract class MeasureFromStart implements Measure {
 
+    private final String unit;
+    private final boolean isLargerBetter;
     private @Nullable WorldState start;
     private boolean fallen;
 
-    /** Creates a measure that has not seen anything. */
-    protected MeasureFromStart() {}
+    /** Creates a dimensionless measure whose larger values are better. */
+    protected MeasureFromStart() {
+        this("", true);
+    }
+
+    /**
+     * Creates the measure.
+     *
+     * @param unit unit of the value
+     * @param isLargerBetter whether larger values are better
+     */
+    protected MeasureFromStart(String unit, boolean isLargerBetter) {
+        this.unit = unit;
+        this.isLargerBetter = isLargerBetter;
+    }
+
+    @Override
+    public String unit() {
+        return unit;
+    }
+
+    @Override
+    public boolean isLargerBetter() {
+        return isLargerBetter;
+    }
 
     @Override
     public final void see(WorldState state) {
@@ -24,24 +49,24 @@ public abstract class MeasureFromStart implements Measure {
     }
 
     /**
-     * Chooses the robot whose falls count.
+     * Selects the robot whose falls count.
      *
-     * @param state what is true now
-     * @return its body, that of the first robot unless a subclass says otherwise
+     * @param state the true state
+     * @return the body of the robot; the first robot by default
      */
     protected BodyState watched(WorldState state) {
         return state.robot();
     }
 
     /**
-     * Looks at the truth after a cycle.
+     * Observes the true state after a cycle.
      *
-     * @param first the first moment that this measure has seen
-     * @param now what is true now
+     * @param first the first observed state
+     * @param now the current state
      */
     protected abstract void see(WorldState first, WorldState now);
 
-    /** {@return whether the robot has fallen since the first moment, even if it has got up again} */
+    /** {@return whether the robot has fallen since the first state, even if it has got up again} */
     public final boolean hasFallen() {
         return fallen;
     }

@@ -5,7 +5,7 @@ import java.util.function.Supplier;
 import org.robonewbie.trial.Measure;
 
 /**
- * Finds measures by name: those of the framework, and classes of your own.
+ * A registry of measures by name: those of the framework and your own classes.
  *
  * <pre>{@code
  * Supplier<Measure> speed = Measures.named("walk-speed", getClass().getClassLoader());
@@ -31,10 +31,10 @@ public final class Measures {
      * Looks up a measure.
      *
      * @param name a name such as {@code walk-speed}, or the name of a class that implements {@link Measure} and has a public
-     *     constructor without parameters
-     * @param classes where to look for the class
-     * @return creates a new measure for each trial
-     * @throws IllegalArgumentException if there is none of this name; the message lists all
+     *     no-arg constructor
+     * @param classes the class loader
+     * @return a factory for the measure of each trial
+     * @throws IllegalArgumentException if there is no such measure; the message lists all
      */
     public static Supplier<Measure> named(String name, ClassLoader classes) {
         return CATALOGUE.named(name, classes);
@@ -45,7 +45,6 @@ public final class Measures {
         return CATALOGUE.names();
     }
 
-    /** When the robot has been on its feet for a second. */
     private static Measure getUp() {
         return new SustainedCondition(1, state -> state.robot().isStanding());
     }

@@ -8,7 +8,7 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.TrialHook;
 
-/** Pushes the first robot from changing directions, for a tenth of a second each. The same seed pushes in the same way. */
+/** Pushes the first robot in random directions, for 0.1 s each. Equal seeds give equal pushes. */
 public final class Pushes implements TrialHook {
 
     private static final int CYCLES_PER_PUSH = 5;
@@ -27,11 +27,11 @@ public final class Pushes implements TrialHook {
     }
 
     /**
-     * Prepares pushes that get harder each time.
+     * Returns pushes of linearly increasing force.
      *
-     * @param seed chooses their directions
+     * @param seed seed of the directions
      * @param cyclesBetween cycles from one push to the next
-     * @param stepNewtons strength of the first push, and by how much each one is harder than the one before
+     * @param stepNewtons force of the first push and increase per push
      * @return the pushes
      */
     public static Pushes growing(long seed, int cyclesBetween, double stepNewtons) {
@@ -46,10 +46,10 @@ public final class Pushes implements TrialHook {
     }
 
     /**
-     * Prepares pushes of any strength, one at the end of each second.
+     * Returns pushes of random force, one at the end of each second.
      *
-     * @param random chooses their directions and strengths
-     * @param maxNewtons strength of the hardest push
+     * @param random source of directions and forces
+     * @param maxNewtons maximum force
      * @return the pushes
      */
     public static Pushes random(Random random, double maxNewtons) {
@@ -71,7 +71,7 @@ public final class Pushes implements TrialHook {
         }
     }
 
-    /** {@return how many pushes have begun} */
+    /** {@return the number of pushes so far} */
     public int count() {
         return pushes;
     }

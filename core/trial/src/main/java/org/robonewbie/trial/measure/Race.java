@@ -3,29 +3,30 @@ package org.robonewbie.trial.measure;
 import org.robonewbie.trial.WorldState;
 
 /**
- * How long the robot takes to a line across the pitch, in seconds; while it has not crossed the line on its feet, 10 s more for
- * each metre that is missing. The line lies towards the right goal, whichever way the robot faces at first.
+ * The time that the robot takes to reach a line across the pitch on its feet, in seconds, plus a penalty of 10 s for each missing
+ * metre. The line lies towards the right goal, whatever the initial heading of the robot.
  */
 public final class Race extends MeasureFromStart {
 
-    private static final double SECONDS_FOR_EACH_METRE = 10;
+    private static final double PENALTY_SECONDS_PER_METRE = 10;
     private static final double DEFAULT_METRES = 3;
 
     private final double lineMetres;
     private double metres;
     private double seconds;
 
-    /** Creates a measure of a race over 3 m. */
+    /** Creates a measure for a race over 3 m. */
     public Race() {
         this(DEFAULT_METRES);
     }
 
     /**
-     * Creates a measure that has not seen anything.
+     * Creates a measure for any distance.
      *
      * @param lineMetres distance of the line from the start
      */
     public Race(double lineMetres) {
+        super("s", false);
         this.lineMetres = lineMetres;
     }
 
@@ -36,29 +37,20 @@ public final class Race extends MeasureFromStart {
         }
         seconds = now.seconds() - first.seconds();
         if (now.robot().isStanding()) {
-            double way = now.robot().position().x() - first.robot().position().x();
-            metres = Math.max(metres, Math.min(way, lineMetres));
+            double distance =
+                    now.robot().position().x() - first.robot().position().x();
+            metres = Math.max(metres, Math.min(distance, lineMetres));
         }
     }
 
-    /** {@return the greatest distance from the start at which the robot was on its feet, at most that of the line, in metres} */
+    /** {@return the maximum distance that the robot reached on its feet, in metres, at most the distance of the line} */
     public double metres() {
         return metres;
     }
 
     @Override
     public double value() {
-        return seconds + SECONDS_FOR_EACH_METRE * (lineMetres - metres);
-    }
-
-    @Override
-    public String unit() {
-        return "s";
-    }
-
-    @Override
-    public boolean isLargerBetter() {
-        return false;
+        return seconds + PENALTY_SECONDS_PER_METRE * (lineMetres - metres);
     }
 
     @Override

@@ -2,14 +2,16 @@ package org.robonewbie.trial.measure;
 
 import org.robonewbie.trial.WorldState;
 
-/** The speed of the robot along its first heading, in metres per second; the time continues after a fall. */
+/** The mean speed of the robot along its initial heading, in metres per second. The clock continues after a fall. */
 public final class Speed extends MeasureFromStart {
 
     private final Distance distance = new Distance();
     private double seconds;
 
-    /** Creates a measure that has not seen anything. */
-    public Speed() {}
+    /** Creates the measure. */
+    public Speed() {
+        super("m/s", true);
+    }
 
     @Override
     protected void see(WorldState first, WorldState now) {
@@ -20,10 +22,5 @@ public final class Speed extends MeasureFromStart {
     @Override
     public double value() {
         return seconds > 0 ? distance.value() / seconds : 0;
-    }
-
-    @Override
-    public String unit() {
-        return "m/s";
     }
 }

@@ -2,13 +2,15 @@ package org.robonewbie.trial.measure;
 
 import org.robonewbie.trial.WorldState;
 
-/** How long the robot keeps on its feet, in seconds; decided by its fall. */
+/** The time until the robot falls, in seconds. Decided by the fall. */
 public final class Standing extends MeasureFromStart {
 
     private double seconds;
 
-    /** Creates a measure that has not seen anything. */
-    public Standing() {}
+    /** Creates the measure. */
+    public Standing() {
+        super("s", true);
+    }
 
     @Override
     protected void see(WorldState first, WorldState now) {
@@ -20,11 +22,6 @@ public final class Standing extends MeasureFromStart {
     @Override
     public double value() {
         return seconds;
-    }
-
-    @Override
-    public String unit() {
-        return "s";
     }
 
     @Override

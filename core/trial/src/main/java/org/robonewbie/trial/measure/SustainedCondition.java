@@ -5,11 +5,11 @@ import org.robonewbie.trial.Measure;
 import org.robonewbie.trial.WorldState;
 
 /**
- * When something has been true for a while without a break, in seconds since the first moment that it has seen; the
- * seconds so far until then.
+ * The time at which a condition has held without interruption for a given duration, in seconds since the first observed state. Until
+ * then, the value is the elapsed time.
  *
  * <pre>{@code
- * Measure up = new SustainedCondition(1, moment -> moment.robot().isStanding());
+ * Measure up = new SustainedCondition(1, state -> state.robot().isStanding());
  * }</pre>
  */
 public final class SustainedCondition implements Measure {
@@ -22,10 +22,10 @@ public final class SustainedCondition implements Measure {
     private boolean reached;
 
     /**
-     * Creates a measure that has not seen anything.
+     * Creates the measure.
      *
-     * @param seconds how long it has to be true
-     * @param condition what has to be true
+     * @param seconds duration for which the condition must hold
+     * @param condition the condition
      */
     public SustainedCondition(double seconds, Predicate<WorldState> condition) {
         this.seconds = seconds;

@@ -7,11 +7,11 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.trial.WorldState;
 
 /**
- * How long it takes the left team to score, in seconds; without a goal, 10 s more for each metre between the ball and the goal.
+ * The time until the left team scores, in seconds, plus a penalty of 10 s for each metre between the ball and the goal.
  */
 public final class TimeToScore extends MeasureFromStart {
 
-    private static final double SECONDS_FOR_EACH_METRE = 10;
+    private static final double PENALTY_SECONDS_PER_METRE = 10;
 
     private final SoccerField field;
     private double seconds;
@@ -23,11 +23,12 @@ public final class TimeToScore extends MeasureFromStart {
     }
 
     /**
-     * Creates a measure that has not seen anything.
+     * Creates a measure for any pitch.
      *
-     * @param field sizes of the pitch
+     * @param field dimensions of the pitch
      */
     public TimeToScore(SoccerField field) {
+        super("s", false);
         this.field = field;
     }
 
@@ -36,16 +37,16 @@ public final class TimeToScore extends MeasureFromStart {
         if (!scored) {
             scored = now.goals(TeamSide.LEFT) > 0 || metresToGoal(field, now.ball()) == 0;
             double missing = scored ? 0 : metresToGoal(field, now.ball());
-            seconds = now.seconds() - first.seconds() + SECONDS_FOR_EACH_METRE * missing;
+            seconds = now.seconds() - first.seconds() + PENALTY_SECONDS_PER_METRE * missing;
         }
     }
 
     /**
-     * Calculates how much is missing to a goal at the right end.
+     * Returns the distance of the ball from the right goal.
      *
-     * @param field sizes of the pitch
+     * @param field dimensions of the pitch
      * @param ball centre of the ball
-     * @return metres from the ball to the line between the posts, 0 behind it
+     * @return metres from the ball to the goal line between the posts, 0 behind it
      */
     public static double metresToGoal(SoccerField field, Vector3 ball) {
         double ahead = Math.max(0, field.length() / 2 - ball.x());
@@ -56,16 +57,6 @@ public final class TimeToScore extends MeasureFromStart {
     @Override
     public double value() {
         return seconds;
-    }
-
-    @Override
-    public String unit() {
-        return "s";
-    }
-
-    @Override
-    public boolean isLargerBetter() {
-        return false;
     }
 
     @Override

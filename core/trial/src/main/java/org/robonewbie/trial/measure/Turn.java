@@ -3,14 +3,16 @@ package org.robonewbie.trial.measure;
 import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.trial.WorldState;
 
-/** How far the robot has turned to the left, in degrees, whole turns included. */
+/** The accumulated rotation of the robot to the left, in degrees. */
 public final class Turn extends MeasureFromStart {
 
     private double degrees;
     private double lastHeading = Double.NaN;
 
-    /** Creates a measure that has not seen anything. */
-    public Turn() {}
+    /** Creates the measure. */
+    public Turn() {
+        super("degrees", true);
+    }
 
     @Override
     protected void see(WorldState first, WorldState now) {
@@ -22,10 +24,5 @@ public final class Turn extends MeasureFromStart {
     @Override
     public double value() {
         return degrees;
-    }
-
-    @Override
-    public String unit() {
-        return "degrees";
     }
 }

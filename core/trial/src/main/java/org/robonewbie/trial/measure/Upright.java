@@ -2,35 +2,27 @@ package org.robonewbie.trial.measure;
 
 import org.robonewbie.trial.WorldState;
 
-/** How much the torso leans in the mean of the trial, in degrees; after a fall 90. */
+/** The mean tilt of the torso in degrees. After a fall, the tilt counts as 90 degrees. */
 public final class Upright extends MeasureFromStart {
 
     private static final double FALLEN_DEGREES = 90;
 
     private double sum;
-    private long moments;
+    private long states;
 
-    /** Creates a measure that has not seen anything. */
-    public Upright() {}
+    /** Creates the measure. */
+    public Upright() {
+        super("degrees of tilt", false);
+    }
 
     @Override
     protected void see(WorldState first, WorldState now) {
         sum += hasFallen() ? FALLEN_DEGREES : now.robot().tiltDegrees();
-        moments++;
+        states++;
     }
 
     @Override
     public double value() {
-        return moments > 0 ? sum / moments : 0;
-    }
-
-    @Override
-    public String unit() {
-        return "degrees of tilt";
-    }
-
-    @Override
-    public boolean isLargerBetter() {
-        return false;
+        return states > 0 ? sum / states : 0;
     }
 }

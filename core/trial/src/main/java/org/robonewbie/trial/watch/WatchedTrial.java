@@ -17,13 +17,12 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.TrialListener;
 
 /**
- * A trial that is watched: it runs in real time, and the clock can be stopped. Ball and robots cannot be moved, since the trial
- * counts.
+ * A real-time view of a trial that can be paused. Ball and robots cannot be moved, because the trial is graded.
  */
 public final class WatchedTrial implements SimulationControl, TrialListener {
 
     private static final long REPORT_MILLISECONDS = 100;
-    private static final double SLOWEST = 0.1;
+    private static final double MIN_SPEED = 0.1;
     private static final long MAX_DELAY_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
 
     private final Optional<TrialLabel> label;
@@ -37,7 +36,7 @@ public final class WatchedTrial implements SimulationControl, TrialListener {
     private long nextCycleNanos;
     private Optional<WorldSnapshot> last = Optional.empty();
 
-    /** Creates the view of a trial that has not begun. */
+    /** Creates the view of a trial that has not started. */
     public WatchedTrial() {
         this(Optional.empty());
     }
@@ -47,10 +46,10 @@ public final class WatchedTrial implements SimulationControl, TrialListener {
     }
 
     /**
-     * Creates the view of the next trial, with the speed that people have chosen for the one before.
+     * Creates the view of the next trial, at the speed chosen for this one.
      *
-     * @param name what is judged in it
-     * @return the view of a trial that has not begun
+     * @param name identity of the next trial
+     * @return the view of a trial that has not started
      */
     public WatchedTrial next(TrialLabel name) {
         WatchedTrial next = new WatchedTrial(Optional.of(name));
@@ -58,13 +57,13 @@ public final class WatchedTrial implements SimulationControl, TrialListener {
         return next;
     }
 
-    /** Ends the waiting, so that the trial comes to its end at once; the last picture stays. */
+    /** Detaches the view, so that the trial runs to its end without waiting. The last snapshot remains visible. */
     public void leave() {
         change(() -> {
             over = true;
             last = last.map(WatchedTrial::stopped);
         });
-        last.ifPresent(picture -> observers.forEach(observer -> observer.cycleEnded(picture)));
+        last.ifPresent(snapshot -> observers.forEach(observer -> observer.cycleEnded(snapshot)));
     }
 
     @Override
@@ -73,7 +72,7 @@ public final class WatchedTrial implements SimulationControl, TrialListener {
         try {
             steps = Math.max(0, steps - 1);
             if (!over) {
-                tell(trial);
+                report(trial);
                 keepPace(trial);
             }
         } catch (InterruptedException stop) {
@@ -84,21 +83,21 @@ public final class WatchedTrial implements SimulationControl, TrialListener {
         }
     }
 
-    private void tell(Trial trial) {
-        WorldSnapshot picture = trial.snapshot(isHeld(), speed);
-        last = Optional.of(picture);
-        observers.forEach(observer -> observer.cycleEnded(picture));
+    private void report(Trial trial) {
+        WorldSnapshot snapshot = trial.snapshot(isPaused(), speed);
+        last = Optional.of(snapshot);
+        observers.forEach(observer -> observer.cycleEnded(snapshot));
     }
 
-    private boolean isHeld() {
+    private boolean isPaused() {
         return paused && steps == 0;
     }
 
     private void keepPace(Trial trial) throws InterruptedException {
-        while (isHeld() && !over) {
-            boolean asked = changed.await(REPORT_MILLISECONDS, TimeUnit.MILLISECONDS);
-            if (!asked) {
-                tell(trial);
+        while (isPaused() && !over) {
+            boolean signalled = changed.await(REPORT_MILLISECONDS, TimeUnit.MILLISECONDS);
+            if (!signalled) {
+                report(trial);
             }
         }
         if (speed == AS_FAST_AS_POSSIBLE) {
@@ -113,14 +112,14 @@ public final class WatchedTrial implements SimulationControl, TrialListener {
         }
     }
 
-    private static WorldSnapshot stopped(WorldSnapshot picture) {
-        return picture.withPace(true, picture.speed(), picture.realTimeFactor());
+    private static WorldSnapshot stopped(WorldSnapshot snapshot) {
+        return snapshot.withPace(true, snapshot.speed(), snapshot.realTimeFactor());
     }
 
-    private void change(Runnable deed) {
+    private void change(Runnable action) {
         lock.lock();
         try {
-            deed.run();
+            action.run();
             nextCycleNanos = System.nanoTime();
             changed.signalAll();
         } finally {
@@ -141,17 +140,17 @@ public final class WatchedTrial implements SimulationControl, TrialListener {
     @Override
     public void order(Order order) {
         if (order instanceof Order.Pause) {
-            hold(0);
+            pauseAfter(0);
         } else if (order instanceof Order.Resume) {
             change(() -> paused = false);
         } else if (order instanceof Order.Step step) {
-            hold(step.cycles());
+            pauseAfter(step.cycles());
         } else if (order instanceof Order.SetSpeed set) {
-            change(() -> speed = Math.max(SLOWEST, set.factor()));
+            change(() -> speed = Math.max(MIN_SPEED, set.factor()));
         }
     }
 
-    private void hold(int cycles) {
+    private void pauseAfter(int cycles) {
         change(() -> {
             paused = true;
             steps = cycles;

@@ -1,5 +1,5 @@
 /**
- * Trials that people watch at the pace of their clock: {@link org.robonewbie.trial.watch.WatchedTrial}.
+ * Real-time views of trials: {@link org.robonewbie.trial.watch.WatchedTrial}.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

@@ -29,9 +29,10 @@ import org.robonewbie.programs.process.ChildProcess;
 import org.robonewbie.programs.process.Limits;
 import org.robonewbie.programs.process.Sandbox;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
-import org.robonewbie.simulator.server.TeamDoor;
+import org.robonewbie.simulator.server.TeamEndpoint;
 
 /**
  * Player for trials with a simulator: it starts the simulator and the programs of the teams. The world starts when all robots have
@@ -85,11 +86,11 @@ public final class TrialRunner implements TrialPlayer {
             throws IOException, InterruptedException {
         Path log = files.logs().resolve(trial.id() + "-simulator.txt");
         AtomicReference<Simulator> running = new AtomicReference<>();
-        List<TeamDoor> doors = trial.entrants().stream()
-                .map(entrant -> door(entrant, admission, running))
+        List<TeamEndpoint> endpoints = trial.entrants().stream()
+                .map(entrant -> endpoint(entrant, admission, running))
                 .toList();
         try (PrintWriter console = new PrintWriter(Files.newBufferedWriter(log, StandardCharsets.UTF_8), true);
-                Simulator simulator = Simulator.start(settings(trial, files, doors), console::println)) {
+                Simulator simulator = Simulator.start(settings(trial, files, endpoints), console::println)) {
             running.set(simulator);
             TrialSupervisor supervisor =
                     new TrialSupervisor(trial, judge, simulator.control(), simulator::robotsOf, admission.intruders());
@@ -105,10 +106,11 @@ public final class TrialRunner implements TrialPlayer {
         }
     }
 
-    /** Creates the port of a team. Programs are started after the simulator, so no connection arrives before it runs. */
-    private static TeamDoor door(Entrant entrant, AdmissionControl admission, AtomicReference<Simulator> running) {
+    /** Creates the endpoint of a team. Programs are started after the simulator, so no connection arrives before it runs. */
+    private static TeamEndpoint endpoint(
+            Entrant entrant, AdmissionControl admission, AtomicReference<Simulator> running) {
         String team = entrant.team();
-        return new TeamDoor(
+        return new TeamEndpoint(
                 team,
                 entrant.places().size(),
                 admission.file(team),
@@ -117,17 +119,14 @@ public final class TrialRunner implements TrialPlayer {
                         .orElse(false));
     }
 
-    private SimulatorSettings settings(ContestTrial trial, TrialFiles files, List<TeamDoor> doors) {
-        return SimulatorSettings.beginner()
-                .parameters(trial.parameters())
-                .doors(doors)
-                .synchronous(true)
-                .speed(spectators.isNobody() ? SimulationControl.AS_FAST_AS_POSSIBLE : 1)
-                .seed(trial.seed())
-                .awaitedAgents(trial.robots() + 1)
-                .silentAgentSeconds(limits.silentSeconds())
-                .recording(files.recording())
-                .build();
+    private SimulatorSettings settings(ContestTrial trial, TrialFiles files, List<TeamEndpoint> endpoints) {
+        return SimulatorSettings.of(WorldSettings.beginner()
+                        .withParameters(trial.parameters())
+                        .withSeed(trial.seed()))
+                .withAgents(new SimulatorSettings.Agents(
+                        SimulatorSettings.LOCALHOST, 0, endpoints, trial.robots() + 1, limits.silentSeconds()))
+                .withSpeed(spectators.isNobody() ? SimulationControl.AS_FAST_AS_POSSIBLE : 1)
+                .withOutput(files.recording(), Optional.empty());
     }
 
     private void startAll(ContestTrial trial, Simulator simulator, AdmissionControl admission) throws IOException {

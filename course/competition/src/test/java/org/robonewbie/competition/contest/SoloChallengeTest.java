@@ -203,7 +203,8 @@ class SoloChallengeTest {
     }
 
     private boolean see(PlayMode mode, int goals, BodyState robot, Vector3 ball) {
-        challenge.see(new WorldState(cycle * Cycle.SECONDS, List.of(robot), ball, Vector3.ZERO, mode, goals, 0));
+        challenge.see(
+                new WorldState(cycle * Cycle.SECONDS, List.of(robot), ball, Vector3.ZERO, List.of(), mode, goals, 0));
         cycle++;
         return challenge.isDecided();
     }

@@ -5,10 +5,10 @@ import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * Where the ball lies on the way on which it has to go, seen from the robot.
+ * Position of the ball relative to the robot and to the ball's intended path.
  *
- * @param ball the ball, seen from the robot
- * @param turn degrees by which the robot has to turn to the left to look along the way
+ * @param ball position of the ball in the robot's frame
+ * @param turn direction of the path relative to the robot's heading, in degrees to the left
  */
 record BallOnWay(Translation2d ball, double turn) {
 
@@ -17,29 +17,32 @@ record BallOnWay(Translation2d ball, double turn) {
     private static final double MIN_AHEAD = 0.1;
     private static final double MAX_TURN = 25;
 
-    /** The ball where the robot expects it when its next steps take effect, and the way from where it is now to a target on the map. */
+    /**
+     * Returns the predicted ball for the moment when the robot's next steps take effect, with the path from the current ball to
+     * a target on the map.
+     */
     static BallOnWay of(WorldModel world, Translation2d expected, Translation2d now, Translation2d target) {
         double way = target.minus(now).degrees();
         return new BallOnWay(expected, Angles.wrap(way - world.pose().degrees()));
     }
 
-    /** How far ahead of the robot the ball is along the way, in metres. */
+    /** Distance of the ball ahead of the robot along the path, in metres. */
     double ahead() {
         return ball.dot(direction());
     }
 
-    /** How far the robot is to the left of the ball across the way, in metres. */
+    /** Distance of the robot to the left of the ball across the path, in metres. */
     double aside() {
         return -ball.dot(left());
     }
 
-    /** Whether the robot is behind the ball: it looks along the way, and the ball is in a cone that begins between the feet. */
+    /** Whether the robot is behind the ball: it faces along the path, and the ball is in a cone that begins between the feet. */
     boolean isInCone(double metres, double slope) {
         double width = metres + slope * Math.max(0, ahead() - BEHIND_METRES);
         return ahead() >= MIN_AHEAD && Math.abs(aside()) <= width && Math.abs(turn) <= MAX_TURN;
     }
 
-    /** Walks to the place behind the ball; around it if it is behind the robot. */
+    /** Walks to the position behind the ball, around the ball if necessary. */
     void getBehind(Footwork feet, WorldModel world) {
         Translation2d behind = ball.minus(direction().times(BEHIND_METRES));
         double side = aside() >= 0 ? 1 : -1;
@@ -55,8 +58,8 @@ record BallOnWay(Translation2d ball, double turn) {
         return Translation2d.polar(turn + 90, 1);
     }
 
-    /** What is left of a deviation after a part that does not matter: each correction makes the robot slower. */
-    static double beyond(double deviation, double calm) {
-        return Math.signum(deviation) * Math.max(0, Math.abs(deviation) - calm);
+    /** Applies a dead band to a deviation, since each correction slows down the robot. */
+    static double beyond(double deviation, double deadBand) {
+        return Math.signum(deviation) * Math.max(0, Math.abs(deviation) - deadBand);
     }
 }

@@ -6,26 +6,25 @@ import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * Brings the ball forward and keeps it near, within half a metre at most times. It wants a walk of its own:
+ * Dribbling with close control: the ball stays within half a metre most of the time. It requires its own walking style:
  *
  * <pre>{@code
  * walk.setStyle(CloseDribble.STYLE);    // before the robot begins to walk
  * dribble.bring(world, target);         // in each cycle
  * }</pre>
  *
- * <p>A foot stands half of the time, so while it swings it is twice as fast as the robot, at least. A ball that it meets with more than 0.8 m/s
- * bounces off. Three things keep it near:
- *
+ * <p>A foot stands half of the time, so while it swings it is at least twice as fast as the robot. A ball that it meets with
+ * more than 0.8 m/s bounces off. Three measures keep the ball close:
  * <ul>
- *   <li>The feet swing as evenly as the motors can, so a foot is never much faster than that ({@link #STYLE}).
- *   <li>The robot is never faster than it can still brake to a speed at which the foot will not meet the ball with much more than 0.8 m/s. A
- *       ball that rolls away may be met with more.
- *   <li>It runs after a ball that rolls away, faster than it could push it.
+ * <li>The feet swing as evenly as the motors allow, so a foot is never much faster than that ({@link #STYLE}).
+ * <li>The robot walks only so fast that it can brake in time for a foot to meet the ball with about 0.8 m/s. A ball that rolls
+ * away may be met faster.
+ * <li>The robot follows a ball that rolls away faster than it could push it.
  * </ul>
  */
 public final class CloseDribble {
 
-    /** A walk with even swings of the feet; as fast as {@link Footwork#STYLE}, but less steady. */
+    /** Walking style with even swings of the feet; as fast as {@link Footwork#STYLE}, but less stable. */
     public static final WalkStyle STYLE = CloseDribbleNumbers.FOUND.style();
 
     private static final double CONE_METRES = 0.12;
@@ -37,21 +36,21 @@ public final class CloseDribble {
     private final CloseDribbleNumbers numbers;
 
     /**
-     * Prepares the skill.
+     * Creates the skill.
      *
      * @param walk the walk, with {@link #STYLE}
-     * @param feet walks to places
+     * @param feet navigation of the robot
      */
     public CloseDribble(Walk walk, Footwork feet) {
         this(walk, feet, CloseDribbleNumbers.FOUND);
     }
 
     /**
-     * Prepares the skill with other numbers, for a search.
+     * Creates the skill with other parameters, for a search.
      *
-     * @param walk the walk, with the style of the numbers
-     * @param feet walks to places
-     * @param numbers how it dribbles
+     * @param walk the walk, with the style of the parameters
+     * @param feet navigation of the robot
+     * @param numbers parameters of the skill
      */
     public CloseDribble(Walk walk, Footwork feet, CloseDribbleNumbers numbers) {
         this.walk = walk;
@@ -60,10 +59,10 @@ public final class CloseDribble {
     }
 
     /**
-     * Brings the ball one step nearer to a place.
+     * Dribbles towards a target in the current cycle.
      *
-     * @param world where the ball is
-     * @param target where the ball has to go, in the coordinates of the team
+     * @param world the world model
+     * @param target target of the ball in the coordinates of the team
      */
     public void bring(WorldModel world, Translation2d target) {
         Translation2d now = world.ballAtFeetIn(0).onMap(world.pose());
@@ -83,7 +82,7 @@ public final class CloseDribble {
         walk.towards(speed, -aside / numbers.seconds(way.ahead(), speed), turn);
     }
 
-    /** How fast the ball rolls along the way, metres per second; 0 if it comes back. */
+    /** Speed of the ball along the path in metres per second; 0 if it comes back. */
     private static double rolling(WorldModel world, BallOnWay way) {
         Translation2d rolled = world.ballAtFeetIn(LOOK_SECONDS).minus(world.ballAtFeetIn(0));
         return Math.max(0, rolled.dot(Translation2d.polar(way.turn(), 1))) / LOOK_SECONDS;

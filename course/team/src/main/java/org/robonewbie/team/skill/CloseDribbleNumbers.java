@@ -6,21 +6,21 @@ import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
 
 /**
- * The numbers of {@link CloseDribble}. CMA-ES has found them in three rounds (walk, touches, both) on 25 November 2026, at commit 020d3efe; the largest
- * speed, its change and the speed of a touch were set by hand after that.
+ * Parameters of {@link CloseDribble}. They were found by CMA-ES in three rounds (walk, touches, both) on 25 November 2026, at
+ * commit 020d3efe; the maximum speed, its change and the touch speed were then set by hand.
  *
- * @param style the walk
- * @param touchSpeed the speed at which the robot touches a ball that lies still, metres per second
- * @param rollingShare how much faster it may be for each metre per second with which the ball rolls away
- * @param braking how hard the robot counts on braking, metres per second squared
- * @param touchMetres how far ahead of the robot the ball is when a foot touches it
- * @param aheadSeconds for which moment the ball is foreseen, seconds from now
- * @param calmMetres how far the ball may lie aside without a correction
- * @param calmDegrees how far the robot may look aside without a correction
- * @param turn degrees per second that it turns for each degree beyond that
- * @param ballTurn degrees per second that it turns for each degree by which the ball is to its left
- * @param leastSeconds the shortest time in which it corrects how far aside the ball is
- * @param behindMetres how far ahead the ball should be by then
+ * @param style walking style
+ * @param touchSpeed speed at which the robot touches a resting ball, metres per second
+ * @param rollingShare speed added per metre per second of a ball that rolls away
+ * @param braking assumed deceleration of the robot, metres per second squared
+ * @param touchMetres distance of the ball ahead of the robot when a foot touches it
+ * @param aheadSeconds prediction time for the ball
+ * @param calmMetres dead band of the lateral correction
+ * @param calmDegrees dead band of the heading correction
+ * @param turn turn rate per degree of heading error
+ * @param ballTurn turn rate per degree of the ball's bearing to the left
+ * @param leastSeconds minimum time for a lateral correction
+ * @param behindMetres distance of the ball ahead at which the lateral correction should be complete
  */
 public record CloseDribbleNumbers(
         WalkStyle style,
@@ -43,21 +43,22 @@ public record CloseDribbleNumbers(
         3.643, 3.554, 9.091, 4.551, 2.993, 2.955, 3.528, -1.110, 4.366, 6.770
     };
 
-    /** The numbers that were found. */
+    /** The parameters that were found. */
     public static final CloseDribbleNumbers FOUND = of(COORDINATES);
 
     /**
-     * Makes numbers from the coordinates of a search.
+     * Creates parameters from the coordinates of a search.
      *
-     * @param x coordinates of {@link FastWalk}, and one for each number after them; 1 is a noticeable change
-     * @return the numbers
+     * @param x coordinates of {@link FastWalk}, then one for each further parameter; 1 is a noticeable change
+     * @return the parameters
      */
     public static CloseDribbleNumbers of(double... x) {
         int i = FastWalk.PARAMETERS;
         WalkVelocity most = new WalkVelocity(0.05 * x[i++], 0.03 * x[i++], 20 * x[i++]);
         WalkVelocity change = new WalkVelocity(0.02 * x[i++], 0.01 * x[i++], 4 * x[i++]);
+        WalkStyle fast = FastWalk.style(Arrays.copyOf(x, FastWalk.PARAMETERS));
         return new CloseDribbleNumbers(
-                FastWalk.style(Arrays.copyOf(x, FastWalk.PARAMETERS)).within(most, change),
+                fast.withLimits(most, Math.min(fast.backward(), most.forward()), change),
                 0.05 * x[i++],
                 0.1 * x[i++],
                 0.1 * x[i++],
@@ -71,14 +72,14 @@ public record CloseDribbleNumbers(
                 0.03 * x[i]);
     }
 
-    /** The speed from which the robot can still brake before it touches a ball that is so far ahead and rolls away so fast. */
+    /** Maximum speed from which the robot can brake before it touches a ball at a given distance and rolling speed. */
     double speed(double ahead, double rolling) {
         double touch = touchSpeed + rollingShare * rolling;
         double gap = Math.max(0, ahead - touchMetres);
         return Math.sqrt(touch * touch + 2 * braking * gap);
     }
 
-    /** In which time the robot corrects how far aside a ball is, if it walks with so much speed. */
+    /** Time for a lateral correction at a given speed, in seconds. */
     double seconds(double ahead, double speed) {
         return Math.max(leastSeconds, (ahead - behindMetres) / speed);
     }

@@ -5,14 +5,14 @@ import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * Brings the ball forward as fast as the robot can. The robot gets behind the ball, seen from where the ball has to go, and walks on: the
- * feet push the ball along. As long as the ball does not leave the way, the robot never stops.
+ * Fast dribbling. The robot gets behind the ball, as seen from the target, and keeps walking, so that its feet push the ball
+ * along. It never stops as long as the ball stays on the path.
  *
- * <p>Ahead of the robot is a cone that begins between the feet. While the ball is in it, the robot walks on and only corrects its way;
- * else it walks around the ball. With an opponent near and the ball ahead it does neither: it runs through the ball.
+ * <p>While the ball is in a cone that begins between the feet, the robot walks on and only corrects its course; else it walks
+ * around the ball. If an opponent is near and the ball is ahead, it runs through the ball instead.
  *
- * <p>A foot that swings is more than twice as fast as the robot, and a ball that it meets with more than 0.8 m/s bounces off; it may roll a
- * metre ahead. With nobody near that does no harm. {@link CloseDribble} keeps it near.
+ * <p>A swinging foot is more than twice as fast as the robot, and a ball that it meets with more than 0.8 m/s bounces off and
+ * may roll a metre ahead. Without opponents near that does no harm. {@link CloseDribble} keeps the ball closer.
  */
 public final class Dribble {
 
@@ -32,10 +32,10 @@ public final class Dribble {
     private final Footwork feet;
 
     /**
-     * Prepares the skill.
+     * Creates the skill.
      *
      * @param walk the walk
-     * @param feet walks to places
+     * @param feet navigation of the robot
      */
     public Dribble(Walk walk, Footwork feet) {
         this.walk = walk;
@@ -43,10 +43,10 @@ public final class Dribble {
     }
 
     /**
-     * Brings the ball one step nearer to a place, as fast as the robot can; the ball may roll a metre ahead.
+     * Dribbles towards a target in the current cycle; the ball may roll a metre ahead.
      *
-     * @param world where the ball is
-     * @param target where the ball has to go, in the coordinates of the team
+     * @param world the world model
+     * @param target target of the ball in the coordinates of the team
      */
     public void bring(WorldModel world, Translation2d target) {
         Translation2d ball = world.ballIn(AHEAD_SECONDS).seenFrom(world.pose());
@@ -68,7 +68,7 @@ public final class Dribble {
         return world.opponentDistance(world.ball()) < CONTESTED_METRES;
     }
 
-    /** Runs through the ball without getting behind it first, since an opponent would take it meanwhile. */
+    /** Runs through the ball without getting behind it first, since an opponent would take it in the meantime. */
     private void charge(WorldModel world, BallOnWay way) {
         walk.towards(Footwork.speed(world), 0, (way.ball().degrees() + way.turn()) / 2);
     }

@@ -13,14 +13,14 @@ import org.robonewbie.team.world.Mate;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * Walks to places. To a far one the robot goes as people do: it turns and walks straight ahead, around all others. The last steps it
- * goes sideways or backward, and turns meanwhile as it wants to stand in the end.
+ * Navigation to target poses. A distant target is approached like a pedestrian would: the robot turns and walks straight ahead,
+ * around all other robots. The last steps are sideways or backward, while it turns to the final heading.
  */
 public final class Footwork {
 
-    /** How the players walk: fast ahead, but with turns and changes of speed that do not make them fall. */
-    public static final WalkStyle STYLE =
-            WalkStyle.FAST.within(new WalkVelocity(0.69, 0.2, 120), new WalkVelocity(0.13, 0.085, 19));
+    /** Walking style of the players: fast ahead, with turns and accelerations that do not cause falls. */
+    public static final WalkStyle STYLE = WalkStyle.FAST.withLimits(
+            new WalkVelocity(0.69, 0.2, 120), WalkStyle.FAST.backward(), new WalkVelocity(0.13, 0.085, 19));
 
     private static final double FAST = STYLE.most().forward();
     private static final double AROUND_DEGREES_PER_SECOND = 25;
@@ -46,7 +46,7 @@ public final class Footwork {
     private boolean standing;
 
     /**
-     * Prepares the feet.
+     * Creates the navigation.
      *
      * @param walk the walk
      */
@@ -55,13 +55,13 @@ public final class Footwork {
     }
 
     /**
-     * Walks to a place around all other robots, and stops there. At its largest speed a robot stumbles once in two minutes, with nobody near;
-     * in a small team nobody is there then to take its place, so there it walks more calmly.
+     * Walks to a pose around all other robots, and stops there. At maximum speed an undisturbed robot stumbles about once in
+     * two minutes; a small team has no substitute, so its players walk more slowly.
      *
-     * @param world where the others are
-     * @param place where to, in the coordinates of the team
-     * @param headingDegrees which way to face there, in the coordinates of the team
-     * @return the way, for a drawing
+     * @param world the world model
+     * @param place target in the coordinates of the team
+     * @param headingDegrees final heading in the coordinates of the team
+     * @return the path, for a drawing
      */
     public List<Translation2d> go(WorldModel world, Translation2d place, double headingDegrees) {
         List<Translation2d> way = PathPlanner.way(world.place(), place, others(world));
@@ -83,11 +83,11 @@ public final class Footwork {
     }
 
     /**
-     * Keeps exactly to a place that moves: where {@link #go} would stand still, the robot makes small steps.
+     * Follows a moving target closely: where {@link #go} would stand still, the robot makes small steps.
      *
-     * @param world where the others are
-     * @param place where to, in the coordinates of the team
-     * @param headingDegrees which way to face there, in the coordinates of the team
+     * @param world the world model
+     * @param place target in the coordinates of the team
+     * @param headingDegrees heading in the coordinates of the team
      */
     public void shadow(WorldModel world, Translation2d place, double headingDegrees) {
         Translation2d next = place.seenFrom(world.pose());
@@ -101,11 +101,11 @@ public final class Footwork {
     }
 
     /**
-     * Walks towards a place near the ball without stopping there; to a far one around all other robots.
+     * Walks towards a point near the ball without stopping there; a distant point is approached around all other robots.
      *
-     * @param world where the others are
-     * @param place where to, seen from the robot
-     * @param turnDegrees how far to turn meanwhile, if the place is near
+     * @param world the world model
+     * @param place target in the robot's frame
+     * @param turnDegrees angle by which to turn if the target is near
      */
     public void step(WorldModel world, Translation2d place, double turnDegrees) {
         if (place.length() > FAR_METRES) {
@@ -127,10 +127,10 @@ public final class Footwork {
     }
 
     /**
-     * Returns how fast the robot may walk ahead: slowly towards a robot close before it. Who runs into an opponent commits a foul, and
+     * Returns the maximum forward speed: low if another robot is close ahead, since running into an opponent is a foul, and
      * both fall.
      *
-     * @param world where the others are
+     * @param world the world model
      * @return metres per second
      */
     public static double speed(WorldModel world) {
@@ -142,12 +142,12 @@ public final class Footwork {
     }
 
     /**
-     * Estimates how long it takes to get behind the ball, seen from where it has to go. From far away it costs little, since it is on the
-     * way.
+     * Estimates the time to walk around the ball to the side opposite to its target. From far away it is short, since the
+     * detour is small.
      *
-     * @param world where the ball is
-     * @param directionDegrees where the ball has to go, in the coordinates of the team
-     * @return seconds, without the way to the ball
+     * @param world the world model
+     * @param directionDegrees intended direction of the ball in the coordinates of the team
+     * @return seconds, in addition to the walk to the ball
      */
     public static double aroundSeconds(WorldModel world, double directionDegrees) {
         Translation2d way = world.ball().minus(world.place());
@@ -156,10 +156,10 @@ public final class Footwork {
     }
 
     /**
-     * Lists what to walk around.
+     * Returns the obstacles for path planning.
      *
-     * @param world where the others are
-     * @return robots in sight
+     * @param world the world model
+     * @return the robots in sight
      */
     public static List<Obstacle> others(WorldModel world) {
         List<Obstacle> obstacles = new ArrayList<>();

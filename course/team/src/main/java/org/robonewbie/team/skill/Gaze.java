@@ -6,8 +6,8 @@ import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * Where the robot looks. The camera sees 60° to each side, so the ball need not be in the middle of the picture: the head turns from
- * the ball towards the nearer goal, where posts and flags show the robot where it is. A ball that is lost is looked for by turning.
+ * Gaze control. The camera sees 60° to each side, so the ball need not be in the centre of the picture: the head turns from the
+ * ball towards the closer goal, whose posts and flags help to localise the robot. If the ball is lost, the head scans.
  */
 public final class Gaze {
 
@@ -20,18 +20,18 @@ public final class Gaze {
     private final Limbs body;
 
     /**
-     * Prepares the head.
+     * Creates the gaze control.
      *
-     * @param body has a head
+     * @param body the robot
      */
     public Gaze(Limbs body) {
         this.body = body;
     }
 
     /**
-     * Looks at ball and goals, or around.
+     * Looks at ball and goal, or scans for the ball.
      *
-     * @param world where they should be
+     * @param world the world model
      */
     public void look(WorldModel world) {
         if (world.ownBallAgeSeconds() > LOST_SECONDS && world.ballAgeSeconds() > LOST_SECONDS) {
@@ -39,13 +39,13 @@ public final class Gaze {
             return;
         }
         double ball = world.ballFromHere().degrees();
-        double wanted = ball + Math.max(-ASIDE_DEGREES, Math.min(ASIDE_DEGREES, landmarks(world, ball)));
+        double wanted = ball + Math.max(-ASIDE_DEGREES, Math.min(ASIDE_DEGREES, goalBeside(world, ball)));
         body.nao().setJointAngle(Joint.NECK_YAW, Math.max(-MAX_YAW, Math.min(MAX_YAW, wanted)), SPEED);
         body.nao().setJointAngle(Joint.NECK_PITCH, PITCH_DEGREES, SPEED);
     }
 
-    /** How far beside the ball the goal is that is nearer to the ball, degrees to the left. */
-    private static double landmarks(WorldModel world, double ball) {
+    /** Bearing of the goal that is closer to the ball's direction, relative to the ball, in degrees to the left. */
+    private static double goalBeside(WorldModel world, double ball) {
         double theirs = beside(world.theirGoal(), world, ball);
         double ours = beside(world.ourGoal(), world, ball);
         return Math.abs(theirs) <= Math.abs(ours) ? theirs : ours;

@@ -1,33 +1,34 @@
 package org.robonewbie.team.skill;
 
 /**
- * Gets up: the quick way first, and if the robot still lies after it, the slow and sure way of {@code motions.startGetUp()}. Robots with
- * long legs have quick ways of their own. From a side, which is rare, there is only the slow way.
+ * Getting up: the quick motion first, and if the robot still lies after it, the slow and reliable one of {@code
+ * motions.startGetUp()}. Robots with long legs have their own quick motions. From a side, which is rare, only the slow motion
+ * is used.
  */
 public final class GetUp {
 
-    private static final double SOON_SECONDS = 6;
+    private static final double RETRY_SECONDS = 6;
 
     private final Limbs body;
     private boolean quickly;
     private double begunSeconds = Double.NEGATIVE_INFINITY;
 
     /**
-     * Prepares the skill.
+     * Creates the skill.
      *
-     * @param body lies on the ground now and then
+     * @param body the robot
      */
     public GetUp(Limbs body) {
         this.body = body;
     }
 
-    /** Begins to get up, unless a motion is still running. */
+    /** Starts to get up, unless a motion is running. */
     public void start() {
         if (!body.motions().isFinished()) {
             return;
         }
         double seconds = body.nao().getTime();
-        boolean again = seconds - begunSeconds < SOON_SECONDS;
+        boolean again = seconds - begunSeconds < RETRY_SECONDS;
         quickly = !(again && quickly);
         begunSeconds = seconds;
         switch (body.nao().getBodyPosition()) {

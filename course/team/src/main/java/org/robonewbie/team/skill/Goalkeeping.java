@@ -5,10 +5,11 @@ import org.robonewbie.team.world.BallFilter;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * Keeps the goal: stands between ball and goal, and throws itself in the way of a ball that would roll over the line.
+ * Goalkeeping: stands between ball and goal, and dives for a ball that would cross the line.
  *
- * <p>A dive takes a second, and a kick from a few metres half of one. So a keeper that is alone comes out: the nearer it stands to the
- * ball, the less of the goal is left beside it. And it clears the ball itself if it is there well before the attacker.
+ * <p>A dive takes a second, and a kick from a few metres half of that. So a keeper without team mates comes out: the closer it
+ * is to the ball, the smaller the angle of the goal that it leaves open. It clears the ball if it can reach it well before the
+ * attacker.
  */
 public final class Goalkeeping {
 
@@ -25,19 +26,19 @@ public final class Goalkeeping {
     private final Limbs body;
 
     /**
-     * Prepares the skill.
+     * Creates the skill.
      *
-     * @param body dives
+     * @param body the robot
      */
     public Goalkeeping(Limbs body) {
         this.body = body;
     }
 
     /**
-     * Chooses where the keeper stands.
+     * Returns the keeper's position.
      *
-     * @param world where the ball is
-     * @return its place, in the coordinates of the team
+     * @param world the world model
+     * @return the position in the coordinates of the team
      */
     public static Translation2d place(WorldModel world) {
         Translation2d goal = world.ourGoal();
@@ -51,19 +52,19 @@ public final class Goalkeeping {
     }
 
     /**
-     * Looks whether the keeper leaves its line.
+     * Whether the keeper leaves its line.
      *
-     * @param world where the ball is
-     * @return whether it is alone and the ball is near
+     * @param world the world model
+     * @return whether it has no team mates and the ball is near
      */
     public static boolean comesOut(WorldModel world) {
         return world.mates().isEmpty() && world.ball().distanceTo(world.ourGoal()) < COMES_OUT_METRES;
     }
 
     /**
-     * Looks whether a keeper that is alone should clear the ball.
+     * Whether a keeper without team mates should clear the ball.
      *
-     * @param world where ball and attacker are
+     * @param world the world model
      * @return whether it is clearly the first at the ball
      */
     public static boolean mayClear(WorldModel world) {
@@ -74,7 +75,7 @@ public final class Goalkeeping {
     /**
      * Dives if the ball is about to roll into the goal beside the robot.
      *
-     * @param world where the ball is and how it rolls
+     * @param world the world model
      * @return whether the robot dives
      */
     public boolean dive(WorldModel world) {
@@ -86,7 +87,7 @@ public final class Goalkeeping {
         return !body.walk().isWalking() && body.motions().start(crossing > 0 ? "dive-left" : "dive-right");
     }
 
-    /** How far to the left of the robot a dangerous ball will pass, metres; not a number if there is no danger. */
+    /** Lateral distance at which a dangerous ball will pass the robot, in metres to the left; NaN if there is no danger. */
     private static double crossing(WorldModel world) {
         Translation2d ball = world.ball();
         Translation2d velocity = world.ballVelocity();

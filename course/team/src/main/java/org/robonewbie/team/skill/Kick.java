@@ -5,10 +5,10 @@ import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * Kicks the ball far. The kick is a motion of keyframes that begins in the stance, with the ball before a foot. So the robot walks
- * there, stops, looks whether the ball lies within reach, and only then kicks; else it goes on walking. With an opponent near it is
- * content with less, but not ahead: a ball that touches the foot already rolls two metres only, one that is too far ahead rolls one.
- * When the robot stops it takes its last step back a little, so it stops only where the ball will still be near enough then.
+ * A kick. It is a keyframe motion that begins in the stance with the ball in front of a foot, so the robot walks there, stops,
+ * checks that the ball is within reach, and only then kicks; else it walks on. With an opponent near, larger deviations are
+ * accepted, but not ahead: a ball that touches the foot already rolls only two metres, one that is too far ahead only one. The
+ * last step before the stop moves the robot back a little, so it stops only where the ball will still be within reach.
  */
 public final class Kick {
 
@@ -32,21 +32,21 @@ public final class Kick {
     private double walkedSeconds;
 
     /**
-     * Prepares the usual kick, which takes little time.
+     * Creates the quick kick.
      *
-     * @param body walks and kicks
-     * @param feet walks to places
+     * @param body the robot
+     * @param feet navigation of the robot
      */
     public Kick(Limbs body, Footwork feet) {
         this(body, feet, KickKind.QUICK);
     }
 
     /**
-     * Prepares a kick.
+     * Creates a kick.
      *
-     * @param body walks and kicks
-     * @param feet walks to places
-     * @param kind what is done with the ball
+     * @param body the robot
+     * @param feet navigation of the robot
+     * @param kind kind of kick
      */
     public Kick(Limbs body, Footwork feet, KickKind kind) {
         this.body = body;
@@ -55,36 +55,36 @@ public final class Kick {
     }
 
     /**
-     * Estimates how long it takes until the ball is on its way, for a robot that is at the ball.
+     * Estimates the time until the ball is kicked, for a robot at the ball.
      *
-     * @param world where the ball is
-     * @param directionDegrees where the ball has to go, in the coordinates of the team
-     * @param kind how it is kicked
-     * @return seconds, without the way to the ball
+     * @param world the world model
+     * @param directionDegrees direction of the kick in the coordinates of the team
+     * @param kind kind of kick
+     * @return seconds, in addition to the walk to the ball
      */
     public static double seconds(WorldModel world, double directionDegrees, KickKind kind) {
         return kind.seconds() + Footwork.aroundSeconds(world, directionDegrees);
     }
 
-    /** Where the ball has to lie for the kick with the foot that suits the side on which it is. */
-    private Translation2d before(Translation2d ball) {
+    /** Required position of the ball in the robot's frame, for the foot on the side of the ball. */
+    private Translation2d requiredBall(Translation2d ball) {
         Translation2d left = kind.ballOnLeft(body.nao().getType());
         return new Translation2d(left.x(), (ball.y() > 0 ? 1 : -1) * left.y());
     }
 
     /**
-     * Comes one step nearer to the kick, or kicks.
+     * Approaches the ball, or kicks.
      *
-     * @param world where the ball is
-     * @param directionDegrees where the ball has to go, in the coordinates of the team
+     * @param world the world model
+     * @param directionDegrees direction of the kick in the coordinates of the team
      */
     public void kick(WorldModel world, double directionDegrees) {
         Translation2d ball = world.ballFromHere();
         double turn = Angles.wrap(directionDegrees - world.pose().degrees());
-        double patience = world.opponentDistance(world.ball()) < HURRY_METRES ? HURRY : 1;
+        double tolerance = world.opponentDistance(world.ball()) < HURRY_METRES ? HURRY : 1;
         if (waiting) {
-            waitForTheStance(ball, turn, patience);
-        } else if (isThere(ball, turn, patience) && beyond(ball) < kind.farther() - STANCE_METRES) {
+            kickFromStance(ball, turn, tolerance);
+        } else if (isThere(ball, turn, tolerance) && beyond(ball) < kind.farther() - STANCE_METRES) {
             body.walk().stop();
             waiting = true;
         } else {
@@ -92,8 +92,8 @@ public final class Kick {
         }
     }
 
-    /** Kicks as soon as the robot stands, if the ball is within reach then. */
-    private void waitForTheStance(Translation2d ball, double turn, double patience) {
+    /** Kicks as soon as the robot stands, if the ball is still within reach. */
+    private void kickFromStance(Translation2d ball, double turn, double tolerance) {
         if (body.walk().isWalking()) {
             body.walk().stop();
             walkedSeconds = body.nao().getTime();
@@ -103,7 +103,7 @@ public final class Kick {
             return;
         }
         waiting = false;
-        if (isThere(ball, turn, DRIFT * patience)) {
+        if (isThere(ball, turn, DRIFT * tolerance)) {
             body.motions().start(kind.motion(ball.y() > 0));
         }
     }
@@ -111,20 +111,20 @@ public final class Kick {
     private boolean isThere(Translation2d ball, double turn, double factor) {
         return beyond(ball) > -kind.nearer()
                 && beyond(ball) < kind.farther()
-                && Math.abs(ball.y() - before(ball).y()) < factor * kind.aside()
+                && Math.abs(ball.y() - requiredBall(ball).y()) < factor * kind.aside()
                 && Math.abs(turn) < factor * factor * kind.turned();
     }
 
-    /** How much too far away the ball lies, metres. */
+    /** Distance of the ball beyond its required position, in metres. */
     private double beyond(Translation2d ball) {
-        return ball.x() - before(ball).x();
+        return ball.x() - requiredBall(ball).x();
     }
 
-    /** Walks to the place from which the ball lies before the foot; from the wrong side of the ball around it. */
+    /** Walks to the kick position; from the wrong side around the ball. */
     private void approach(WorldModel world, Translation2d ball, double turn) {
         Translation2d direction = Translation2d.polar(turn, 1);
         Translation2d aside = Translation2d.polar(turn + 90, 1);
-        Translation2d foot = before(new Translation2d(ball.dot(direction), ball.dot(aside)));
+        Translation2d foot = requiredBall(new Translation2d(ball.dot(direction), ball.dot(aside)));
         Translation2d place = ball.minus(direction.times(foot.x())).minus(aside.times(foot.y()));
         double ahead = ball.dot(direction);
         double miss = place.dot(aside);

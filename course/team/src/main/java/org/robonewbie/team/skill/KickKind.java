@@ -3,13 +3,13 @@ package org.robonewbie.team.skill;
 import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.model.RobotType;
 
-/** How a player kicks, and where the ball has to lie for that. */
+/** Kinds of kicks, with the required positions of the ball. */
 public enum KickKind {
 
-    /** Rolls more than five metres, and is begun and done soon: with opponents near there is no time for more. */
+    /** A quick kick of more than five metres, for use with opponents near. */
     QUICK("quick-kick-left", "quick-kick-right", 0.0375, 0.028, 0.027, 8),
 
-    /** Sends the ball 13 m, high at first; the robot hops ahead. The foot swings across, so a ball on the left is for the right foot. */
+    /** A high kick of 13 m, in which the robot hops ahead. The foot swings across, so the right foot kicks a ball on the left. */
     FAR("far-kick-right", "far-kick-left", 0.022, 0.034, 0.022, 5);
 
     private final String onLeft;
@@ -29,43 +29,43 @@ public enum KickKind {
     }
 
     /**
-     * Looks whether a robot can kick so: in a far kick longer legs or toes stub the foot, and the robot falls.
+     * Whether a robot type can perform the kick: in a far kick, longer legs or toes stub the foot, and the robot falls.
      *
-     * @param type how the robot is built
+     * @param type the robot type
      * @return whether it can
      */
     public boolean isFor(RobotType type) {
         return this == QUICK || type == RobotType.TYPE_0 || type == RobotType.TYPE_2;
     }
 
-    /** {@return how far the ball usually gets, metres; a little less than in the middle for the far kick, since a shot has to get into the goal} */
+    /** {@return the typical range in metres; for the far kick less than the mean, since a shot has to reach the goal} */
     public double metres() {
         return this == QUICK ? 5.4 : 13;
     }
 
-    /** {@return how long it takes until the ball is on its way, for a robot that stands before the ball, seconds} */
+    /** {@return the time until the ball is kicked in seconds, for a robot in position} */
     public double seconds() {
         return this == QUICK ? 1.4 : 1.5;
     }
 
     /**
-     * Looks whether the ball flies so high that robots seldom stop it, and that it may get over the bar of the goal, which is 0.8 m high.
+     * Whether the ball is high at some distance, where robots seldom stop it and it may pass over the goal's bar at 0.8 m.
      *
-     * @param metres how far the ball has got
+     * @param metres distance that the ball has travelled
      * @return whether it is high there
      */
     public boolean isHigh(double metres) {
         return this == FAR && metres > 1.2 && metres < 6.5;
     }
 
-    /** Returns the motion for a ball on one side. */
+    /** Returns the motion for a ball on the left or right. */
     String motion(boolean isOnLeft) {
         return isOnLeft ? onLeft : onRight;
     }
 
     /**
-     * Returns where a ball on the left has to lie, seen from the robot. The same angles bring a longer leg to another place; with these
-     * numbers the ball lies in the middle of what the kick reaches.
+     * Returns the required position of a ball on the left in the robot's frame. Robots with longer legs need other positions
+     * for the same joint angles.
      */
     Translation2d ballOnLeft(RobotType type) {
         if (this == FAR) {
@@ -78,7 +78,7 @@ public enum KickKind {
         };
     }
 
-    /** How long the robot waits between walk and kick, in seconds: longer legs leave it rocking. */
+    /** Settling time between walk and kick in seconds; robots with longer legs rock after a stop. */
     double calmSeconds(RobotType type) {
         return switch (type) {
             case TYPE_1 -> 0.3;
@@ -87,22 +87,22 @@ public enum KickKind {
         };
     }
 
-    /** How much nearer the ball may lie, in metres. */
+    /** Tolerance towards the robot, in metres. */
     double nearer() {
         return nearer;
     }
 
-    /** How much further away the ball may lie, in metres. */
+    /** Tolerance away from the robot, in metres. */
     double farther() {
         return farther;
     }
 
-    /** How much the ball may lie to either side, in metres. */
+    /** Lateral tolerance, in metres. */
     double aside() {
         return aside;
     }
 
-    /** How far the robot may be turned away from the direction of the kick, in degrees. */
+    /** Heading tolerance, in degrees. */
     double turned() {
         return turned;
     }

@@ -6,11 +6,11 @@ import org.robonewbie.agent.motion.Motions;
 import org.robonewbie.agent.walk.Walk;
 
 /**
- * All that a skill moves.
+ * The parts of the robot that skills use.
  *
  * @param nao sensors and motors
- * @param walk the walk into any direction
- * @param motions motions by name
- * @param head the movement of the head to see more
+ * @param walk the omnidirectional walk
+ * @param motions keyframe motions
+ * @param head the head scan
  */
 public record Limbs(Robot nao, Walk walk, Motions motions, LookAround head) {}

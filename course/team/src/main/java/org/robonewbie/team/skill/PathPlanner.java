@@ -7,9 +7,8 @@ import java.util.Optional;
 import org.robonewbie.nao.geometry.Translation2d;
 
 /**
- * Plans a way around obstacles. Each obstacle is a circle that the robot must not enter. Where the straight way crosses one, the
- * planner tries both sides: it goes to a point beside the circle, and from there on in the same manner. Of both ways it takes the
- * shorter one.
+ * Path planner with circular obstacles. Where the straight path crosses a circle, the planner tries both sides: it goes to a
+ * point beside the circle and continues recursively from there. The shorter of both paths is returned.
  *
  * <pre>{@code
  * List<Translation2d> way = PathPlanner.way(here, there, List.of(new PathPlanner.Obstacle(opponent, 0.5)));
@@ -22,22 +21,22 @@ public final class PathPlanner {
     private static final double MARGIN = 1.15;
 
     /**
-     * Something in the way.
+     * A circular obstacle.
      *
-     * @param centre where it is
-     * @param radius how far the middle of the robot has to keep away, metres
+     * @param centre position
+     * @param radius minimum distance of the robot's centre, metres
      */
     public record Obstacle(Translation2d centre, double radius) {}
 
     private PathPlanner() {}
 
     /**
-     * Plans a way.
+     * Plans a path.
      *
-     * @param from where it begins
-     * @param to where it ends
-     * @param obstacles what to walk around; those around the end do not count
-     * @return the points where the way bends, and its end
+     * @param from start
+     * @param to target
+     * @param obstacles obstacles to avoid; those that contain the target are ignored
+     * @return the corners of the path and its end
      */
     public static List<Translation2d> way(Translation2d from, Translation2d to, List<Obstacle> obstacles) {
         List<Obstacle> possible = obstacles.stream()
@@ -59,7 +58,7 @@ public final class PathPlanner {
                 .min(Comparator.comparingDouble(obstacle -> obstacle.centre.distanceTo(from)));
     }
 
-    /** A robot that is too near already may go away, but not nearer. */
+    /** A robot inside a circle may leave it, but not get closer. */
     private static double leastDistance(Translation2d from, Obstacle obstacle) {
         return 0.95 * from.distanceTo(obstacle.centre);
     }

@@ -1,7 +1,7 @@
 /**
- * What a player can do: walk around others, bring the ball forward, kick, keep the goal. Read {@link org.robonewbie.team.skill.Dribble} first.
+ * Skills of a player: path following, dribbling, kicking, goalkeeping. Read {@link org.robonewbie.team.skill.Dribble} first.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.team.skill;

@@ -3,12 +3,12 @@ package org.robonewbie.team.tactics;
 import java.util.Arrays;
 
 /**
- * Gives each player a place so that all costs together are as small as possible: the Hungarian method.
+ * Assignment of players to places with minimum total cost, by the Hungarian method.
  *
- * <p>To give each player the place that is nearest to it does not work, since two may want the same one, and to let them choose one
- * after the other leaves the last one a long way. With n players there are n! possibilities, for ten more than three million. The
- * method finds the best with about n³ steps: it puts one player after the other in, and lets those that are in already move on to
- * other places where that is cheaper for all.
+ * <p>The nearest place for each player is no solution, since two players may want the same one, and a greedy choice one after
+ * the other leaves a long way to the last player. With n players there are n! assignments, for ten more than three million. The
+ * method finds the best in about n³ steps: it adds one player after the other, and moves the previous players to other places
+ * where that is cheaper in total.
  *
  * <p>Source: H. W. Kuhn, <em>The Hungarian method for the assignment problem</em>, 1955, in the form with potentials.
  */
@@ -19,7 +19,7 @@ public final class Assignment {
     private final int places;
     private final double[] playerPotential;
     private final double[] placePotential;
-    /** The player of each place, counted from 1; 0 is none. Index 0 stands for the player that is put in. */
+    /** Player of each place, from 1; 0 for none. Index 0 is the player that is being added. */
     private final int[] playerOf;
 
     private final int[] cameFrom;
@@ -35,20 +35,20 @@ public final class Assignment {
     }
 
     /**
-     * Finds the best places.
+     * Computes an optimal assignment.
      *
-     * @param cost what each place costs each player, at least as many places as players
-     * @return for each player the index of its place
+     * @param cost cost of each place for each player; at least as many places as players
+     * @return the index of the place of each player
      */
     public static int[] cheapest(double[][] cost) {
         Assignment assignment = new Assignment(cost);
         for (int player = 1; player <= assignment.players; player++) {
-            assignment.putIn(player);
+            assignment.add(player);
         }
         return assignment.result();
     }
 
-    private void putIn(int player) {
+    private void add(int player) {
         playerOf[0] = player;
         double[] least = new double[places + 1];
         Arrays.fill(least, Double.POSITIVE_INFINITY);
@@ -58,10 +58,10 @@ public final class Assignment {
             used[place] = true;
             place = nextPlace(place, least, used);
         } while (playerOf[place] != 0);
-        moveOn(place);
+        augment(place);
     }
 
-    /** Finds the place that can be reached next at the least cost, and pays that cost. */
+    /** Finds the next place on a shortest augmenting path and updates the potentials. */
     private int nextPlace(int place, double[] least, boolean... used) {
         int player = playerOf[place];
         int next = 0;
@@ -79,11 +79,11 @@ public final class Assignment {
                 }
             }
         }
-        pay(step, least, used);
+        updatePotentials(step, least, used);
         return next;
     }
 
-    private void pay(double step, double[] least, boolean... used) {
+    private void updatePotentials(double step, double[] least, boolean... used) {
         for (int place = 0; place <= places; place++) {
             if (used[place]) {
                 playerPotential[playerOf[place]] += step;
@@ -94,8 +94,8 @@ public final class Assignment {
         }
     }
 
-    /** Lets all players along the way move on by one place, so that the free one at its end is filled. */
-    private void moveOn(int free) {
+    /** Moves all players along the augmenting path to the next place, up to the free one. */
+    private void augment(int free) {
         int place = free;
         while (place != 0) {
             int before = cameFrom[place];

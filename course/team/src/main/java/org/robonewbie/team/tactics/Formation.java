@@ -8,8 +8,8 @@ import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.talk.TeamRole;
 
 /**
- * Where the players stand who neither play the ball nor keep the goal. All places depend on the ball, so the whole team moves with
- * it. A team of less than eleven fills the places in the order of their importance.
+ * Positions of the field players without the ball. They depend on the ball, so the whole team moves with it. A team of fewer
+ * than eleven fills the positions in the order of their importance.
  */
 public final class Formation {
 
@@ -29,20 +29,20 @@ public final class Formation {
     private final SoccerField field;
 
     /**
-     * Prepares the places on a pitch.
+     * Creates a formation.
      *
-     * @param field the pitch
+     * @param field the field
      */
     public Formation(SoccerField field) {
         this.field = field;
     }
 
     /**
-     * Chooses the places.
+     * Returns the most important positions.
      *
-     * @param ball where the ball is, in the coordinates of the team
-     * @param players how many players need a place
-     * @return as many places, or nine if there are more players
+     * @param ball position of the ball in the coordinates of the team
+     * @param players number of players
+     * @return as many positions, at most nine
      */
     public Map<TeamRole, Translation2d> places(Translation2d ball, int players) {
         Map<TeamRole, Translation2d> places = new LinkedHashMap<>();
@@ -51,11 +51,11 @@ public final class Formation {
     }
 
     /**
-     * Chooses one place.
+     * Returns the position of a role.
      *
      * @param role the role
-     * @param ball where the ball is
-     * @return its place, on the pitch and outside the penalty areas
+     * @param ball position of the ball
+     * @return its position, on the field and outside the penalty areas
      */
     public Translation2d place(TeamRole role, Translation2d ball) {
         Translation2d ourGoal = new Translation2d(-field.length() / 2, 0);

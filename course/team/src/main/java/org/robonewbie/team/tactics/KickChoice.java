@@ -16,11 +16,11 @@ import org.robonewbie.team.world.Situation;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * Chooses what to do with the ball: the option with the largest expected gain in each second.
+ * Choice of the action with the ball: the option with the highest expected gain per second.
  *
- * <p>Each option leads the ball to some place, takes some time, and succeeds with some probability. {@link #value} says what a ball at
- * a place is worth: 1 in the opponents' goal, −1 in its own. The gain is the value afterwards, weighted with the probabilities
- * that the team or the opponents have the ball then, minus the value now.
+ * <p>Each option moves the ball to a place, takes some time, and succeeds with some probability. {@link #value} is the value of
+ * a ball position: 1 in the opponents' goal, −1 in the own goal. The gain is the expected value afterwards, over the
+ * probabilities that either team then has the ball, minus the current value.
  */
 public final class KickChoice {
 
@@ -51,12 +51,12 @@ public final class KickChoice {
     private final List<Option> options;
 
     /**
-     * Looks at the present moment.
+     * Evaluates all options.
      *
-     * @param world the game
+     * @param world the world model
      * @param mayDribble whether the player may touch the ball more than once
      * @param mayScore whether a goal would count
-     * @param before what the player has done until now; to change costs time, so it must be worth it
+     * @param before the current plan, which is preferred since changes take time
      */
     public KickChoice(WorldModel world, boolean mayDribble, boolean mayScore, Plan before) {
         this.world = world;
@@ -67,10 +67,10 @@ public final class KickChoice {
     }
 
     /**
-     * One possibility.
+     * An option.
      *
      * @param plan what the player would do
-     * @param gain how much better the game would be in each second
+     * @param gain expected gain per second
      */
     public record Option(Plan plan, double gain) {}
 
@@ -88,7 +88,7 @@ public final class KickChoice {
         return option.gain + (same ? LOYALTY * Math.abs(option.gain) : 0);
     }
 
-    /** {@return all options, for a look at what else was possible} */
+    /** {@return all options, for a drawing} */
     public List<Option> options() {
         return options;
     }
@@ -102,7 +102,7 @@ public final class KickChoice {
         return List.copyOf(all);
     }
 
-    /** In a large team a far kick gains less than the passes that it replaces, so only small ones kick far. */
+    /** Adds the options for a direction. Only small teams use far kicks, since in a large team passes gain more. */
     private void add(List<Option> all, double degrees) {
         if (mayDribble) {
             all.add(dribble(degrees));
@@ -150,7 +150,7 @@ public final class KickChoice {
         return new Option(plan, undisturbed(seconds) * (goal * shot + (1 - goal) * rest));
     }
 
-    /** How probable it is that no opponent comes between; in pass mode the referee sees to that. */
+    /** Probability that no opponent interferes; in pass mode the referee prevents that. */
     private double undisturbed(double seconds) {
         if (world.situation() == Situation.OUR_PASS) {
             return 1;
@@ -159,15 +159,19 @@ public final class KickChoice {
         return DISTURBED + (1 - DISTURBED) * probability(2 * lead);
     }
 
-    /** The gain in each second if the ball gets to a place and the team keeps it with a probability: if not, half of the way was in vain. */
+    /**
+     * Gain per second if the ball reaches a place and the team keeps it with some probability; otherwise half of the gain is
+     * lost.
+     */
     private double gain(Translation2d end, double keeps, double seconds) {
         double better = isOnPitch(end) ? value(end) - value(world.ball()) : -LOSS;
         return ((0.5 + 0.5 * keeps) * better - (1 - keeps) * LOSS) / seconds;
     }
 
     /**
-     * How much the time counts until a player gets to the ball. With nobody near, the ball waits for it; else it counts that the ball is
-     * away from the opponents. After a far kick all run far, while a pass would already be played on, so there all of the time counts.
+     * Weight of the time until a player reaches the ball. Without opponents near, the team has to wait for that time; else it
+     * matters more that the ball is away from them. A far kick is followed by a long run in which a pass could have been
+     * played, so all of the time counts.
      */
     private double runShare(KickKind kind) {
         boolean alone = world.opponentDistance(world.ball()) > ALONE_METRES;
@@ -180,17 +184,17 @@ public final class KickChoice {
     }
 
     /**
-     * Calculates what a ball at a place is worth.
+     * Returns the value of a ball position.
      *
-     * @param spot the place
-     * @return from −1 in its goal to 1 in the opponents' goal
+     * @param spot the position
+     * @return from −1 in the own goal to 1 in the opponents' goal
      */
     public double value(Translation2d spot) {
         return PortableMath.exp(-spot.distanceTo(world.theirGoal()) / VALUE_METRES)
                 - PortableMath.exp(-spot.distanceTo(world.ourGoal()) / VALUE_METRES);
     }
 
-    /** How probable it is that a kick in a direction ends in the goal, if nobody stops it. It must neither be too far away nor fly over the bar. */
+    /** Probability that an unobstructed kick scores. The goal must be within range, and the ball must not pass over the bar. */
     private double goalProbability(KickKind kind, Translation2d ball, double degrees) {
         double metres = ball.distanceTo(world.theirGoal());
         double post = world.field().goalWidth() / 2 - 0.1;
@@ -205,8 +209,8 @@ public final class KickChoice {
     }
 
     /**
-     * How probable it is that nobody stops the ball. No kick is quite straight, so the way that has to be free grows wider with its length.
-     * Most balls get over the heads of those whom they meet while they are high.
+     * Probability that no robot stops the ball. Kicks deviate, so the lane grows wider with the distance. A high ball passes
+     * over most robots.
      */
     private double freeLane(KickKind kind, Translation2d from, Translation2d to) {
         double free = 1;
@@ -231,7 +235,7 @@ public final class KickChoice {
         return Math.max(1.5, from.distanceTo(to) / RUN_SPEED - patience);
     }
 
-    /** From 0 to 1; one half for 0. */
+    /** Logistic function. */
     private static double probability(double lead) {
         return 1 / (1 + PortableMath.exp(-lead));
     }

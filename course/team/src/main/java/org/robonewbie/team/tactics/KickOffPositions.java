@@ -4,9 +4,8 @@ import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.geometry.Pose2d;
 
 /**
- * Where the players stand before a kick-off, by their numbers. Numbers from 2 on come near the ball first, so that small teams attack
- * too; all places are in its half, and all but those of the player who kicks off and of the one who
- * plays the ball next outside the centre circle.
+ * Kick-off positions by player number. Numbers from 2 on are close to the ball first, so that small teams attack too. All
+ * positions are in the own half, and outside the centre circle except for the kicker and the player that plays the ball next.
  */
 public final class KickOffPositions {
 
@@ -31,13 +30,13 @@ public final class KickOffPositions {
     private KickOffPositions() {}
 
     /**
-     * Returns the place of a number.
+     * Returns the position of a player.
      *
-     * @param number 1 to 11
+     * @param number player number, 1 to 11
      * @param kicksOff whether this team will kick off
      * @param small whether the team is too small for a keeper
-     * @param field the pitch
-     * @return the place, in the coordinates of the team
+     * @param field the field
+     * @return the pose in the coordinates of the team
      */
     public static Pose2d place(int number, boolean kicksOff, boolean small, SoccerField field) {
         double behindCircle = -field.centreCircleRadius() - BEHIND_CIRCLE_METRES;

@@ -4,56 +4,56 @@ import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.talk.TeamRole;
 
 /**
- * What a player means to do.
+ * Plan of a player.
  *
  * @param role its role
- * @param action what it does
- * @param target where it goes, or where the ball has to go, in the coordinates of the team
- * @param headingDegrees which way it faces there, or the direction of the kick
- * @param receiver whom it passes to; 0 is nobody
+ * @param action its action
+ * @param target target of the player or of the ball in the coordinates of the team
+ * @param headingDegrees final heading, or the direction of the kick
+ * @param receiver player number of the receiver of a pass; 0 for none
  */
 public record Plan(TeamRole role, Action action, Translation2d target, double headingDegrees, int receiver) {
 
-    /** What a player does. */
+    /** Action of a player. */
     public enum Action {
-        /** Goes to a place. */
+        /** Walks to the target. */
         GO,
-        /** Looks for the ball. */
+        /** Searches the ball. */
         SEARCH,
-        /** Brings the ball forward with its feet. */
+        /** Dribbles the ball. */
         DRIBBLE,
         /** Kicks the ball. */
         KICK,
-        /** Kicks the ball as far as it can. */
+        /** Kicks the ball far. */
         FAR_KICK,
-        /** Stands behind the ball until the receiver of the kick is ready. */
+        /** Waits behind the ball until the receiver is ready. */
         WAIT,
         /** Keeps the goal. */
         KEEP,
-        /** Does nothing. */
+        /** Stands still. */
         STAND
     }
 
     /**
-     * Means to do the same in another way.
+     * Returns a copy with another action.
      *
-     * @param other what to do
+     * @param other the action
      * @return the changed plan
      */
     public Plan with(Action other) {
         return new Plan(role, other, target, headingDegrees, receiver);
     }
 
-    /** {@return whether the player kicks, or gets ready for that} */
+    /** {@return whether the player kicks or prepares a kick} */
     public boolean kicksNow() {
         return action == Action.KICK || action == Action.FAR_KICK;
     }
 
-    /** {@return whether the player kicks, or waits to kick} */
+    /** {@return whether the player kicks, prepares a kick or waits for the receiver} */
     public boolean isKick() {
         return kicksNow() || action == Action.WAIT;
     }
 
-    /** A player that knows nothing yet. */
+    /** Plan of a player before its first decision. */
     public static final Plan NONE = new Plan(TeamRole.SUPPORTER, Action.STAND, Translation2d.ORIGIN, 0, 0);
 }

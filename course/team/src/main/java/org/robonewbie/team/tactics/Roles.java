@@ -1,6 +1,7 @@
 package org.robonewbie.team.tactics;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import org.robonewbie.nao.geometry.Translation2d;
@@ -11,11 +12,11 @@ import org.robonewbie.team.world.Mate;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * Who does what. All players calculate the same from what they have told each other, so they agree without a captain.
+ * Distribution of roles. All players compute the same result from their messages, so they agree without a captain.
  *
- * <p>The ball belongs to the player that says the shortest time to it. The others share the places of the {@link Formation} so that all
- * their ways together are shortest. Two things keep players from changing their minds all the time: who is the striker must be
- * beaten by {@link #STRIKER_LEAD_SECONDS}, and who has a role pays {@link #ROLE_LEAD_METRES} less for it.
+ * <p>The player with the shortest time to the ball is the striker. The others share the positions of the {@link Formation} at
+ * minimum total cost. Hysteresis keeps roles stable: a new striker must be faster by {@link #STRIKER_LEAD_SECONDS}, and the
+ * position of the current role costs {@link #ROLE_LEAD_METRES} less.
  */
 public final class Roles {
 
@@ -29,15 +30,14 @@ public final class Roles {
     private final TeamRole before;
     private final double secondsToBall;
 
-    /** A player in the calculation. */
     private record Candidate(int number, Translation2d place, TeamRole role) {}
 
     /**
-     * Looks at the present moment.
+     * Prepares the distribution.
      *
-     * @param world the game
-     * @param before the player's role until now
-     * @param secondsToBall when the player could play the ball
+     * @param world the world model
+     * @param before the player's current role
+     * @param secondsToBall time until the player could play the ball
      */
     public Roles(WorldModel world, TeamRole before, double secondsToBall) {
         this.world = world;
@@ -56,12 +56,12 @@ public final class Roles {
     }
 
     /**
-     * Looks whether a player keeps the goal. A team of less than eight has no keeper: in a small team each player is needed where the
-     * ball is. But a number 1 that begins alone in its goal is there for a penalty shoot-out.
+     * Whether a player is the keeper. A team of fewer than eight has no keeper, since each player is needed near the ball. But
+     * a number 1 that starts alone in its goal is there for a penalty shoot-out.
      *
-     * @param world the game
-     * @param number the player's number
-     * @return whether it is the keeper
+     * @param world the world model
+     * @param number player number
+     * @return whether the player is the keeper
      */
     public static boolean isKeeper(WorldModel world, int number) {
         boolean alone = world.mates().isEmpty() && world.hasBegunInGoal();
@@ -69,10 +69,10 @@ public final class Roles {
     }
 
     /**
-     * Looks whether a player keeps the goal without team mates, as in a penalty shoot-out.
+     * Whether the player is a keeper without team mates, as in a penalty shoot-out.
      *
-     * @param world the game
-     * @return whether it does
+     * @param world the world model
+     * @return whether it is
      */
     public static boolean keepsAlone(WorldModel world) {
         return world.mates().isEmpty() && isKeeper(world, world.number());
@@ -111,7 +111,7 @@ public final class Roles {
         return Math.max(0, metres) * Math.max(0, metres);
     }
 
-    /** All players but keeper and striker, in the order of their numbers. */
+    /** All players except keeper and striker, by number. */
     private List<Candidate> players() {
         int striker = striker();
         List<Candidate> players = new ArrayList<>();
@@ -127,14 +127,9 @@ public final class Roles {
     }
 
     private int striker() {
-        int number = 0;
-        double least = Double.POSITIVE_INFINITY;
-        for (Mate mate : world.mates()) {
-            if (claim(mate) < least) {
-                least = claim(mate);
-                number = mate.number();
-            }
-        }
-        return number;
+        return world.mates().stream()
+                .min(Comparator.comparingDouble(Roles::claim))
+                .map(Mate::number)
+                .orElse(0);
     }
 }

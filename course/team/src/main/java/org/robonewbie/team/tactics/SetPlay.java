@@ -8,9 +8,9 @@ import org.robonewbie.team.world.Situation;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * What is different at kick-offs, kick-ins, corners, goal kicks and free kicks. Who takes the kick may not touch the ball a second time
- * before somebody else has: so it kicks far instead of dribbling, and then leaves the ball to the others. And while the opponents take
- * theirs, everybody keeps away from the ball.
+ * Rules for kick-offs, kick-ins, corners, goal kicks and free kicks. The taker of a kick must not touch the ball again before
+ * another player has, so it kicks far instead of dribbling, and then leaves the ball to the others. While the opponents take a
+ * kick, all players keep away from the ball.
  */
 public final class SetPlay {
 
@@ -40,10 +40,10 @@ public final class SetPlay {
     public SetPlay() {}
 
     /**
-     * Watches the referee; call it before each decision.
+     * Updates the state of the set play. Call it before each decision.
      *
-     * @param world the game
-     * @param role what the player has done until now
+     * @param world the world model
+     * @param role the player's current role
      */
     public void update(WorldModel world, TeamRole role) {
         boolean taken = before.isOurs() && world.situation() == Situation.OPEN_PLAY;
@@ -69,7 +69,7 @@ public final class SetPlay {
         return world.seconds() < forbiddenUntil;
     }
 
-    /** Who touches the ball is near, and it does not come to rest any more where it would have. */
+    /** Whether another robot has touched the ball: one is close, and the ball will not come to rest where it was predicted to. */
     private boolean isTouchedByOthers(WorldModel world) {
         boolean near = world.opponentDistance(world.ball()) < OTHERS_METRES
                 || world.mates().stream()
@@ -78,17 +78,17 @@ public final class SetPlay {
         return near && world.ballIn(LATER_SECONDS).distanceTo(end) > MOVED_METRES;
     }
 
-    /** {@return whether the player must leave the ball to others, since it has just taken a kick} */
+    /** {@return whether the player must not touch the ball, since it has just taken a kick} */
     public boolean isForbidden() {
         return forbidden;
     }
 
     /**
-     * Looks whether a goal would count. After pass mode it does not for ten seconds, unless two players of the team have touched the ball
-     * meanwhile; the time for the shot itself is left out. And kick-ins and most free kicks are indirect.
+     * Whether a goal would count. After pass mode it does not for ten seconds, unless two players of the team have touched the
+     * ball; the duration of the shot is taken into account. Kick-ins and most free kicks are indirect.
      *
-     * @param world the game
-     * @return whether it makes sense to shoot
+     * @param world the world model
+     * @return whether a shot makes sense
      */
     public boolean mayScore(WorldModel world) {
         boolean indirect =
@@ -97,12 +97,13 @@ public final class SetPlay {
     }
 
     /**
-     * Looks whether the player should ask for pass mode, which keeps the opponents a metre away from the ball for four seconds: if it is
-     * about to pass, or to kick from where it cannot score, and an opponent is coming. Who is alone passes to nobody. The referee decides.
+     * Whether the player should request pass mode, which keeps opponents a metre away from the ball for four seconds: it is
+     * about to pass, or to kick from a distance at which it cannot score, and an opponent is approaching. A player without team
+     * mates does not pass. The referee decides.
      *
-     * @param world the game
-     * @param plan what the player is about to do
-     * @return whether to ask
+     * @param world the world model
+     * @param plan the player's plan
+     * @return whether to request it
      */
     public static boolean wantsPass(WorldModel world, Plan plan) {
         boolean shot = plan.action() == Plan.Action.FAR_KICK
@@ -117,20 +118,20 @@ public final class SetPlay {
     }
 
     /**
-     * Looks whether the player is about to take a kick.
+     * Whether the player is about to take a kick.
      *
-     * @param world the game
-     * @return whether it may touch the ball only once; when the time for the kick is nearly over it no longer matters how
+     * @param world the world model
+     * @return whether it may touch the ball only once; false when the time for the kick has nearly elapsed
      */
     public boolean mayTouchOnce(WorldModel world) {
         return world.situation().isOurs() && !world.mates().isEmpty() && world.secondsInSituation() < PATIENCE_SECONDS;
     }
 
     /**
-     * Looks whether the taker of a kick should wait: opponents keep away meanwhile, and a team mate has to be where the ball goes.
+     * Whether the taker of a kick should wait for the receiver; opponents keep away in the meantime.
      *
-     * @param world the game
-     * @param kick what the player means to do
+     * @param world the world model
+     * @param kick the player's plan
      * @return whether the receiver is still on its way
      */
     public boolean waitsForReceiver(WorldModel world, Plan kick) {
@@ -143,9 +144,9 @@ public final class SetPlay {
     }
 
     /**
-     * Returns how much time a receiver has until the taker of a kick can wait no longer.
+     * Returns the remaining time for which the taker of a kick can wait for the receiver.
      *
-     * @param world the game
+     * @param world the world model
      * @return seconds, 0 in open play
      */
     public static double patienceSeconds(WorldModel world) {
@@ -153,21 +154,21 @@ public final class SetPlay {
     }
 
     /**
-     * Returns where the striker waits while the opponents take a kick: between ball and goal, as near as the rules allow.
+     * Returns the striker's position while the opponents take a kick: between ball and goal, as close as the rules allow.
      *
-     * @param world the game
-     * @return the place
+     * @param world the world model
+     * @return the position
      */
     public static Translation2d wall(WorldModel world) {
         return world.ball().towards(world.ourGoal(), distance(world));
     }
 
     /**
-     * Moves a place away from the ball if the opponents take a kick, and into its half at a kick-off.
+     * Moves a position away from the ball if the opponents take a kick, and into the own half at a kick-off.
      *
-     * @param world the game
-     * @param place where a player would like to be
-     * @return where it may be
+     * @param world the world model
+     * @param place the preferred position
+     * @return the nearest legal position
      */
     public static Translation2d legal(WorldModel world, Translation2d place) {
         Situation situation = world.situation();

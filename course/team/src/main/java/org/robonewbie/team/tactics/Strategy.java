@@ -11,9 +11,8 @@ import org.robonewbie.team.world.Situation;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * Decides what a player does, in each picture of the camera: first its role, by {@link Roles}; then the striker chooses what to do with
- * the ball, by {@link KickChoice}, and the others go to their places, by {@link Formation}. Set plays change only a few things, see
- * {@link SetPlay}.
+ * Decision of a player, once per camera picture: first its role, by {@link Roles}; then the striker's action, by {@link
+ * KickChoice}, or the position of the others, by {@link Formation}. {@link SetPlay} adds the rules of set plays.
  */
 public final class Strategy {
 
@@ -41,23 +40,23 @@ public final class Strategy {
     /**
      * Creates a strategy.
      *
-     * @param world the game
+     * @param world the world model
      */
     public Strategy(WorldModel world) {
         this.world = world;
     }
 
-    /** {@return the present plan} */
+    /** {@return the current plan} */
     public Plan plan() {
         return plan;
     }
 
-    /** {@return what the striker could have done with the ball when it last chose} */
+    /** {@return the striker's options at its last decision} */
     public List<KickChoice.Option> options() {
         return options;
     }
 
-    /** Decides again. */
+    /** Updates the plan. */
     public void decide() {
         setPlay.update(world, plan.role());
         TeamRole role = new Roles(world, plan.role(), secondsToBall()).own();
@@ -68,7 +67,7 @@ public final class Strategy {
         }
     }
 
-    /** A player that prepares a kick sticks to it for a while, since each new plan would cost it new steps. */
+    /** A player that prepares a kick keeps its plan for a while, since each change requires new steps. */
     private boolean isOld(Plan next) {
         return world.seconds() - planSeconds > KICK_LASTS_SECONDS
                 || next.action() == Action.WAIT
@@ -115,7 +114,7 @@ public final class Strategy {
         return new Plan(role, Action.GO, legal, facing(legal), 0);
     }
 
-    /** Where a team mate is about to pass the ball, or has just passed it, if this player is to receive it. */
+    /** Position for receiving a current pass of a team mate to this player. */
     private Optional<Translation2d> passTarget() {
         return world.mates().stream()
                 .filter(mate -> mate.message().receiver() == world.number())
@@ -125,7 +124,7 @@ public final class Strategy {
                 .findFirst();
     }
 
-    /** Where to wait for a ball that is to come to rest at a place: behind it, seen from the goal, and beside its way. */
+    /** Position for receiving a ball: behind its target, as seen from the own goal, and beside its path. */
     private Translation2d behind(Translation2d end) {
         Translation2d back = world.ourGoal().minus(end);
         Translation2d behind = end.towards(world.ourGoal(), BESIDE_METRES);
@@ -136,7 +135,7 @@ public final class Strategy {
         return left.distanceTo(world.place()) < right.distanceTo(world.place()) ? left : right;
     }
 
-    /** Who waits looks at the ball, but never turns its back to the opponents' goal: that is where it has to play next. */
+    /** Heading of a waiting player: towards the ball, but never away from the opponents' goal, where it has to play next. */
     private double facing(Translation2d place) {
         double goal = world.theirGoal().minus(place).degrees();
         double turned = Angles.wrap(world.ball().minus(place).degrees() - goal);
@@ -144,9 +143,10 @@ public final class Strategy {
     }
 
     /**
-     * Estimates when the player could play the ball: where will it be, when can I be there, and how far do I have to turn?
+     * Estimates the time until the player could play the ball, from the intercept with the rolling ball and the necessary
+     * turns.
      *
-     * @return seconds, {@link #NEVER_SECONDS} if the player does not want the ball
+     * @return seconds, {@link #NEVER_SECONDS} if the player does not claim the ball
      */
     public double secondsToBall() {
         boolean keeps = Roles.isKeeper(world, world.number())

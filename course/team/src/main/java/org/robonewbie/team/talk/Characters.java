@@ -3,11 +3,10 @@ package org.robonewbie.team.talk;
 import java.util.Optional;
 
 /**
- * Numbers as text. A message has at most 20 characters, and not every character may be said: blanks and brackets are forbidden, and
- * quotation marks confuse some servers. 64 others are enough to put six bits into each.
+ * Bit stream that is encoded as text. A message has at most 20 characters; blanks and brackets are forbidden, and quotation
+ * marks confuse some servers. The 64 characters in use hold six bits each.
  *
- * <p>The last five bits are a check sum: programs of other teams say things too, and a text that means something else must not be
- * taken for a message.
+ * <p>The last five bits are a checksum, so that messages of other programs are not mistaken for those of this team.
  */
 final class Characters {
 
@@ -20,7 +19,7 @@ final class Characters {
     private final boolean[] bits = new boolean[ALL_BITS];
     private int next;
 
-    /** Takes a text apart; empty if it cannot be a message of this team. */
+    /** Decodes a text; empty if it is no message of this team. */
     static Optional<Characters> of(String text) {
         if (text.length() != LENGTH || text.chars().anyMatch(letter -> ALPHABET.indexOf(letter) < 0)) {
             return Optional.empty();
@@ -30,26 +29,26 @@ final class Characters {
             result.write(ALPHABET.indexOf(text.charAt(i)), BITS_PER_CHARACTER);
         }
         result.next = ALL_BITS - CHECK_BITS;
-        boolean right = result.read(CHECK_BITS) == result.checkSum();
+        boolean right = result.read(CHECK_BITS) == result.checksum();
         result.next = 0;
         return right ? Optional.of(result) : Optional.empty();
     }
 
-    /** Writes a whole number from 0 on. */
+    /** Writes a non-negative integer. */
     void write(int number, int width) {
         for (int bit = width - 1; bit >= 0; bit--) {
             bits[next++] = ((number >> bit) & 1) == 1;
         }
     }
 
-    /** Writes a number between two limits as exactly as the bits allow; what is beyond them becomes the limit. */
+    /** Writes a number, quantised between two limits; values beyond are clamped. */
     void write(double value, int width, double least, double most) {
         int steps = (1 << width) - 1;
         double share = (value - least) / (most - least);
         write((int) Math.floor(Math.max(0, Math.min(1, Double.isNaN(share) ? 0 : share)) * steps + 0.5), width);
     }
 
-    /** Reads a whole number. */
+    /** Reads an integer. */
     int read(int width) {
         int number = 0;
         for (int i = 0; i < width; i++) {
@@ -63,10 +62,10 @@ final class Characters {
         return least + (most - least) * read(width) / ((1 << width) - 1);
     }
 
-    /** Adds the check sum and returns the text. */
+    /** Adds the checksum and returns the text. */
     String finish() {
         next = ALL_BITS - CHECK_BITS;
-        write(checkSum(), CHECK_BITS);
+        write(checksum(), CHECK_BITS);
         next = 0;
         StringBuilder text = new StringBuilder();
         for (int i = 0; i < LENGTH; i++) {
@@ -75,7 +74,7 @@ final class Characters {
         return text.toString();
     }
 
-    private int checkSum() {
+    private int checksum() {
         int sum = 0;
         for (int i = 0; i < ALL_BITS - CHECK_BITS; i++) {
             sum = (sum * 3 + (bits[i] ? i + 1 : 0)) % 31;

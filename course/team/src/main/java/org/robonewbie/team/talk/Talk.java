@@ -3,8 +3,9 @@ package org.robonewbie.team.talk;
 import org.robonewbie.nao.Cycle;
 
 /**
- * When a robot speaks. A robot hears one message of its team in 40 ms; of two that speak at the same time one is lost. So each number
- * has a time of its own to speak, and after eleven times 40 ms it is its turn again. All robots have the same clock.
+ * Time-division schedule for speaking. A robot receives one message of its team in 40 ms; if two robots speak at the same time,
+ * one message is lost. So each number has its own time slot in a period of eleven slots of 40 ms. All robots have the same
+ * clock.
  */
 public final class Talk {
 
@@ -14,11 +15,11 @@ public final class Talk {
     private Talk() {}
 
     /**
-     * Checks the clock.
+     * Whether a robot may speak.
      *
      * @param seconds simulated time
-     * @param number the number of the robot, 1 to 11
-     * @return whether it is its turn to speak
+     * @param number player number, 1 to 11
+     * @return whether this is its time slot
      */
     public static boolean isMyTurn(double seconds, int number) {
         long cycle = (long) Math.floor(seconds / Cycle.SECONDS + 0.5);

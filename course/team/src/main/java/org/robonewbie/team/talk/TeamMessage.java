@@ -5,11 +5,11 @@ import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.geometry.Translation2d;
 
 /**
- * What a robot tells its team: where it is, what it does, where it sees the ball, and when it could be there. In 18 of the 20
- * characters that the rules allow; {@link Characters} writes six bits into each.
+ * Message of a player to its team: its pose and role, the ball, and the time to reach it. It takes 18 of the 20 characters that the
+ * rules allow; {@link Characters} encodes six bits in each.
  *
  * <table>
- * <caption>The bits</caption>
+ * <caption>Bits and resolution</caption>
  * <tr><td>number</td><td>4</td></tr>
  * <tr><td>place</td><td>10 + 10: 4 cm</td></tr>
  * <tr><td>heading</td><td>7: 3 degrees</td></tr>
@@ -20,20 +20,20 @@ import org.robonewbie.nao.geometry.Translation2d;
  * <tr><td>seconds since the ball was seen</td><td>5: 0.2 s</td></tr>
  * <tr><td>seconds to the ball</td><td>8: 0.1 s</td></tr>
  * <tr><td>receiver of a pass</td><td>4</td></tr>
- * <tr><td>where the pass goes</td><td>8 + 8: 16 cm</td></tr>
- * <tr><td>check sum</td><td>5</td></tr>
+ * <tr><td>target of the pass</td><td>8 + 8: 16 cm</td></tr>
+ * <tr><td>checksum</td><td>5</td></tr>
  * </table>
  *
- * @param number the number on the speaker's shirt, 1 to 11
- * @param pose where it is, in the coordinates of the team
- * @param fallen whether it lies on the ground
- * @param role what it does
- * @param ball where the ball is, in the coordinates of the team
- * @param ballVelocity how the ball rolls, metres per second
- * @param ballAgeSeconds how long ago it has seen the ball; {@link #LONGEST_AGE_SECONDS} or more means not lately
- * @param secondsToBall when it could play the ball
- * @param receiver whom it passes to; 0 is nobody
- * @param passTarget where the pass goes
+ * @param number player number of the speaker, 1 to 11
+ * @param pose its pose in the coordinates of the team
+ * @param fallen whether it has fallen
+ * @param role its role
+ * @param ball position of the ball in the coordinates of the team
+ * @param ballVelocity velocity of the ball, metres per second
+ * @param ballAgeSeconds seconds since it has seen the ball, at most {@link #MAX_AGE_SECONDS}
+ * @param secondsToBall time until it could play the ball
+ * @param receiver player number of the receiver of a pass; 0 for none
+ * @param passTarget target of the pass
  */
 public record TeamMessage(
         int number,
@@ -47,13 +47,13 @@ public record TeamMessage(
         int receiver,
         Translation2d passTarget) {
 
-    /** The longest time for which a message can say when the ball was seen. */
-    public static final double LONGEST_AGE_SECONDS = 6.2;
+    /** Maximum age of the ball that a message can contain; it also stands for older sightings. */
+    public static final double MAX_AGE_SECONDS = 6.2;
 
     private static final double MAX_METRES = 20.5;
     private static final double MAX_SPEED = 6.35;
 
-    /** {@return the message as the robot says it, 18 characters} */
+    /** {@return the encoded message of 18 characters} */
     public String encode() {
         Characters text = new Characters();
         text.write(number, 4);
@@ -63,7 +63,7 @@ public record TeamMessage(
         text.write(role.ordinal(), 4);
         write(text, ball, 10, MAX_METRES);
         write(text, ballVelocity, 7, MAX_SPEED);
-        text.write(ballAgeSeconds, 5, 0, LONGEST_AGE_SECONDS);
+        text.write(ballAgeSeconds, 5, 0, MAX_AGE_SECONDS);
         text.write(secondsToBall, 8, 0, 25.5);
         text.write(receiver, 4);
         write(text, passTarget, 8, MAX_METRES);
@@ -76,10 +76,10 @@ public record TeamMessage(
     }
 
     /**
-     * Understands what somebody has said.
+     * Decodes a message.
      *
-     * @param text what was heard
-     * @return the message; empty if it is none of this team's
+     * @param text the received text
+     * @return the message; empty if it does not come from this team's program
      */
     public static Optional<TeamMessage> decode(String text) {
         return Characters.of(text).map(TeamMessage::read).filter(message -> message.number > 0 && message.number <= 11);
@@ -93,7 +93,7 @@ public record TeamMessage(
         TeamRole role = TeamRole.values()[text.read(4) % TeamRole.values().length];
         Translation2d ball = readSpot(text, 10, MAX_METRES);
         Translation2d velocity = readSpot(text, 7, MAX_SPEED);
-        double age = text.read(5, 0, LONGEST_AGE_SECONDS);
+        double age = text.read(5, 0, MAX_AGE_SECONDS);
         double seconds = text.read(8, 0, 25.5);
         int receiver = text.read(4);
         Translation2d target = readSpot(text, 8, MAX_METRES);

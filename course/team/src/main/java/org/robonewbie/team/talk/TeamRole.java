@@ -1,28 +1,28 @@
 package org.robonewbie.team.talk;
 
-/** What a player does for its team. */
+/** Role of a player in its team. */
 public enum TeamRole {
-    /** Keeps the goal; always number 1, in a team of eight or more. */
+    /** Keeps the goal; number 1 in a team of eight or more. */
     KEEPER("white"),
-    /** Plays the ball. Only one player at a time. */
+    /** Plays the ball; one player at a time. */
     STRIKER("red"),
-    /** Follows the striker, and takes the ball if that one loses it. */
+    /** Follows the striker and takes over a lost ball. */
     SUPPORTER("orange"),
-    /** Waits for passes between ball and opponents' goal. */
+    /** Waits for passes between the ball and the opponents' goal. */
     FORWARD("yellow"),
     /** Waits for passes on the left. */
     LEFT_WING("yellow"),
     /** Waits for passes on the right. */
     RIGHT_WING("yellow"),
-    /** Stands between ball and own goal. */
+    /** Stands between the ball and the own goal. */
     SWEEPER("blue"),
     /** Defends on the left. */
     LEFT_BACK("blue"),
     /** Defends on the right. */
     RIGHT_BACK("blue"),
-    /** Keeps the middle on the left. */
+    /** Covers the midfield on the left. */
     LEFT_MIDFIELD("green"),
-    /** Keeps the middle on the right. */
+    /** Covers the midfield on the right. */
     RIGHT_MIDFIELD("green");
 
     private final String colour;
@@ -31,7 +31,7 @@ public enum TeamRole {
         this.colour = colour;
     }
 
-    /** {@return the colour of its drawings} */
+    /** {@return the CSS colour of its drawings} */
     public String colour() {
         return colour;
     }

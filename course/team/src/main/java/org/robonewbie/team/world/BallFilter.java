@@ -4,24 +4,23 @@ import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * Estimates where the ball is and how fast it rolls: a Kalman filter.
+ * Kalman filter for position and velocity of the ball.
  *
- * <p>The model. Grass brakes the ball the more the faster it is, so that its speed falls by the same share in each second: v(t) = v₀
- * e<sup>−t/τ</sup>, and it rolls on by v₀ τ (1 − e<sup>−t/τ</sup>), in all τ = 0.677 s times its speed. That is linear, as Kalman's
- * filter wants it.
+ * <p>Model: the grass decelerates the ball in proportion to its speed, v(t) = v₀ e<sup>−t/τ</sup>, so it travels v₀ τ (1 −
+ * e<sup>−t/τ</sup>), in total τ = 0.677 s times its speed. This model is linear, as the filter requires.
  *
- * <p>The filter. It knows position and speed, and how uncertain both are. {@link #roll} lets the ball roll on: the estimate moves,
- * and its uncertainty grows. {@link #see} mixes in what the camera shows; the less certain the estimate, the more the picture counts.
- * A picture that does not fit at all means that somebody has kicked: then the speed is anybody's guess until the next picture.
+ * <p>Filter: {@link #roll} predicts, and the uncertainty grows. {@link #see} corrects by a sighting; the less certain the
+ * estimate, the greater the weight of the sighting. A sighting that contradicts the estimate indicates a kick: then the
+ * velocity is unknown until the next picture.
  *
- * <p>Both axes have the same uncertainty, so three numbers are enough instead of a matrix: the variance of the position, that of the
- * speed, and what they have in common.
+ * <p>Both axes have the same uncertainty, so three numbers replace the matrix: the variances of position and velocity, and
+ * their covariance.
  *
  * <p>Source: R. E. Kalman, <em>A new approach to linear filtering and prediction problems</em>, 1960.
  */
 public final class BallFilter {
 
-    /** For each metre per second the ball rolls on by so many metres, until it lies still. */
+    /** Time constant τ: the ball travels this number of metres for each metre per second of speed. */
     public static final double ROLLING_SECONDS = 0.677;
 
     private static final double SPEED_NOISE = 0.5;
@@ -37,10 +36,10 @@ public final class BallFilter {
     private double covariance;
     private double speedVariance;
 
-    /** Creates a filter that knows nothing. */
+    /** Creates a filter without an estimate. */
     public BallFilter() {}
 
-    /** Forgets everything. */
+    /** Clears the estimate. */
     public void reset() {
         positionVariance = Double.POSITIVE_INFINITY;
         velocity = Translation2d.ORIGIN;
@@ -52,9 +51,9 @@ public final class BallFilter {
     }
 
     /**
-     * Lets the ball roll on.
+     * Predicts the ball.
      *
-     * @param seconds how long
+     * @param seconds elapsed time
      */
     public void roll(double seconds) {
         double slower = PortableMath.exp(-seconds / ROLLING_SECONDS);
@@ -67,10 +66,10 @@ public final class BallFilter {
     }
 
     /**
-     * Takes in a picture of the ball.
+     * Corrects the estimate by a sighting.
      *
-     * @param seen where the camera sees it
-     * @param deviation the usual error of such a picture in metres, above 0
+     * @param seen measured position
+     * @param deviation standard deviation of the measurement in metres, above 0
      */
     public void see(Translation2d seen, double deviation) {
         double noise = deviation * deviation;
@@ -100,30 +99,30 @@ public final class BallFilter {
         speedVariance = KICKED_VARIANCE;
     }
 
-    /** {@return where the ball is now} */
+    /** {@return the position of the ball} */
     public Translation2d position() {
         return position;
     }
 
-    /** {@return how it rolls, metres per second} */
+    /** {@return the velocity of the ball, metres per second} */
     public Translation2d velocity() {
         return velocity.length() < REST_METRES_PER_SECOND ? Translation2d.ORIGIN : velocity;
     }
 
-    /** {@return how far from the truth the position usually is, metres; infinite if the ball was never seen} */
+    /** {@return the standard deviation of the position, metres; infinite if the ball was never seen} */
     public double deviation() {
         return Math.sqrt(positionVariance);
     }
 
     /**
-     * Foresees where the ball will be.
+     * Predicts a position of the ball.
      *
-     * @param position where it is now
-     * @param velocity how it rolls now, metres per second
-     * @param seconds how much later
-     * @return its place then
+     * @param position current position
+     * @param velocity current velocity, metres per second
+     * @param seconds time ahead
+     * @return the predicted position
      */
-    public static Translation2d foresee(Translation2d position, Translation2d velocity, double seconds) {
+    public static Translation2d predict(Translation2d position, Translation2d velocity, double seconds) {
         return position.plus(
                 velocity.times(ROLLING_SECONDS * (1 - PortableMath.exp(-Math.max(0, seconds) / ROLLING_SECONDS))));
     }

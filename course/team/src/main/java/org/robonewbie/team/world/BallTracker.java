@@ -8,16 +8,16 @@ import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.geometry.Translation2d;
 
 /**
- * Follows the ball with a {@link BallFilter}. The filter lives in a frame in which the ball keeps its place while the robot walks. There are
- * two of them. The usual one is that of the odometry, and the torso is taken for upright: kick and tactics are tuned for that. The exact one
- * is the pitch, and what is seen is levelled first, since a robot that leans sees the ball aside of where it lies.
+ * Ball tracker with a {@link BallFilter}, in a frame that does not move with the robot. There are two variants. The default one
+ * uses the odometry's frame and assumes an upright torso; kick and tactics are tuned for it. The exact one uses the field's
+ * frame and compensates the tilt of the torso, which displaces the ball in the picture.
  */
 final class BallTracker {
 
     private static final double NEAR_DEVIATION = 0.015;
     private static final double DEVIATION_PER_METRE = 0.012;
 
-    /** The camera is above the torso's centre, of which the robot knows the place. */
+    /** Position of the camera relative to the torso's centre. */
     private static final Vector3 CAMERA = new Vector3(0, 0, 0.155);
 
     private final boolean exact;
@@ -25,19 +25,19 @@ final class BallTracker {
     private Pose2d here = Pose2d.ORIGIN;
     private double seenSeconds = Double.NEGATIVE_INFINITY;
 
-    /** Knows no ball yet. */
+    /** Creates a tracker without an estimate. */
     BallTracker(boolean exact) {
         this.exact = exact;
     }
 
-    /** Lets the ball roll on by a cycle. */
+    /** Predicts the ball for one cycle. */
     void roll() {
         if (filter.isKnown()) {
             filter.roll(Cycle.SECONDS);
         }
     }
 
-    /** Looks at the ball if there is a new picture. */
+    /** Corrects the estimate if there is a new picture. */
     void look(SelfLocalisation self, FieldItem ball, double seconds) {
         here = exact ? self.pose() : self.odometry().pose();
         if (ball.isKnown() && ball.ageSeconds() == 0) {
@@ -47,23 +47,23 @@ final class BallTracker {
         }
     }
 
-    /** Forgets the ball, since the robot was put somewhere else. */
+    /** Clears the estimate after the robot was placed elsewhere. */
     void reset() {
         filter.reset();
         seenSeconds = Double.NEGATIVE_INFINITY;
     }
 
-    /** When the ball was last seen. */
+    /** Time of the last sighting. */
     double seenSeconds() {
         return seenSeconds;
     }
 
-    /** Where the ball is, seen from the robot. */
+    /** Position of the ball in the robot's frame. */
     Translation2d position() {
         return filter.position().seenFrom(here);
     }
 
-    /** How the ball rolls, in the directions of the robot, metres per second. */
+    /** Velocity of the ball in the robot's frame, metres per second. */
     Translation2d velocity() {
         return filter.velocity().seenFrom(new Pose2d(0, 0, here.degrees()));
     }

@@ -3,8 +3,8 @@ package org.robonewbie.team.world;
 import org.robonewbie.nao.geometry.Pose2d;
 
 /**
- * Notices that the teams have changed sides at half time. No message says so: but a robot that was beamed into its own half and sees
- * flags and goals as if it stood in the other one must be on the other side of the pitch.
+ * Detects the change of sides at half time, which no message announces: a robot that has beamed into its own half but sees the
+ * landmarks of the other half must be on the other side of the field.
  */
 final class HalfTimeDetector {
 
@@ -15,13 +15,13 @@ final class HalfTimeDetector {
     private Pose2d beamedTo = Pose2d.ORIGIN;
     private double beamedSeconds = Double.NEGATIVE_INFINITY;
 
-    /** Remembers where the robot wants to be, in the coordinates of the team. */
+    /** Sets the target of a beam, in the coordinates of the team. */
     void beamed(Pose2d place, double seconds) {
         beamedTo = place;
         beamedSeconds = seconds;
     }
 
-    /** Compares where the robot wanted to be with where it sees itself. */
+    /** Compares the target of the beam with the estimated pose. */
     void look(Pose2d seen, double seconds) {
         boolean waited = seconds - beamedSeconds > CERTAIN_SECONDS;
         if (waited && seconds - beamedSeconds < 2 && isAt(seen, turned(beamedTo))) {
@@ -35,12 +35,12 @@ final class HalfTimeDetector {
                 && pose.translation().length() > NEAR_METRES;
     }
 
-    /** {@return whether the team plays on the other side than at the beginning} */
+    /** {@return whether the team plays on the other side than at first} */
     boolean isChanged() {
         return changed;
     }
 
-    /** Converts between the coordinates of the first and the present side. */
+    /** Converts between the coordinates of the first and the current side. */
     Pose2d convert(Pose2d pose) {
         return changed ? turned(pose) : pose;
     }

@@ -3,13 +3,13 @@ package org.robonewbie.team.world;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.TeamSide;
 
-/** What the referee's play mode means for one team. */
+/** State of the game from the perspective of one team. */
 public enum Situation {
-    /** Before a kick-off and after a goal: robots may be beamed to their places. */
+    /** Before a kick-off and after a goal: robots may beam. */
     LINE_UP,
     /** Both teams may play the ball. */
     OPEN_PLAY,
-    /** This team has asked for pass mode: for a moment the opponents keep a metre away from the ball. */
+    /** This team is in pass mode: the opponents must stay a metre away from the ball. */
     OUR_PASS,
     /** This team kicks off. */
     OUR_KICK_OFF,
@@ -23,11 +23,11 @@ public enum Situation {
     OVER;
 
     /**
-     * Looks at a play mode with the eyes of a team.
+     * Converts a play mode to the perspective of a team.
      *
-     * @param mode the referee's decision
+     * @param mode the referee's play mode
      * @param side the half that the team defends
-     * @return what it means for the team
+     * @return the situation of the team
      */
     public static Situation of(PlayMode mode, TeamSide side) {
         return switch (mode) {
@@ -44,7 +44,7 @@ public enum Situation {
         };
     }
 
-    /** {@return whether both teams may play the ball, even if the opponents have to keep away for a moment} */
+    /** {@return whether both teams may play the ball, including pass mode} */
     public boolean isOpen() {
         return this == OPEN_PLAY || this == OUR_PASS;
     }

@@ -22,11 +22,11 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.team.talk.TeamMessage;
 
 /**
- * What a player believes of the game: where it is itself, where the ball rolls, where the others are, and what the referee has
- * decided. Everything else in this team looks at the game through this class, in the coordinates of the team.
+ * World model of a player: its pose, the ball, the other robots, and the referee's decisions. All other classes of this team
+ * access the game through it, in the coordinates of the team.
  *
- * <p>What the player has not seen itself for a while it takes from its team mates: they say where they are and where they see the
- * ball.
+ * <p>Information that the player's own sensors have not provided for a while comes from messages of team mates, which contain
+ * their poses and ball sightings.
  */
 public final class WorldModel {
 
@@ -39,7 +39,7 @@ public final class WorldModel {
     private static final double BEGIN_SECONDS = 1;
     private static final int SMALL_TEAM = 8;
 
-    /** A robot that falls sees balls and players where they are not. */
+    /** Maximum tilt; sightings of a falling robot are unreliable. */
     private static final double UPRIGHT_DEGREES = 15;
 
     private final SelfLocalisation self = new SelfLocalisation();
@@ -65,14 +65,14 @@ public final class WorldModel {
     private boolean placed;
     private boolean begunInGoal;
 
-    /** Creates a model that knows nothing. */
+    /** Creates an empty model. */
     public WorldModel() {}
 
     /**
-     * Takes in one cycle; call it once in each cycle, first of all.
+     * Processes one cycle. Call it once at the beginning of each cycle.
      *
      * @param nao the robot
-     * @param view what it sees
+     * @param view the robot's field view
      */
     public void update(Robot nao, LocalFieldView view) {
         seconds = nao.getTime();
@@ -89,20 +89,20 @@ public final class WorldModel {
         }
         sides.look(sides.convert(self.pose()), seconds);
         pose = sides.convert(self.pose());
-        rememberBegin();
+        detectStartInGoal();
         tracker.roll();
         exactTracker.roll();
         updateSituation(nao);
         mates.values().removeIf(mate -> seconds - mate.heardSeconds() > MATE_SECONDS);
-        believeBall();
+        updateBall();
         if (upright && nao.getVision().isPresent()) {
             opponents = opponents(view.opponents().stream());
             uprightOpponents = opponents(view.opponents().stream().filter(player -> !isLying(player)));
         }
     }
 
-    /** Whoever begins in its goal, or is there when a game begins, has been put there. */
-    private void rememberBegin() {
+    /** Detects a robot that was placed in its goal, at first or before a game. */
+    private void detectStartInGoal() {
         boolean begins = !placed || seconds - lineUpSeconds < BEGIN_SECONDS;
         if (self.isKnown() && begins) {
             placed = true;
@@ -121,17 +121,17 @@ public final class WorldModel {
         }
     }
 
-    /** Believes its own eyes if they have seen the ball lately, else the team mate who has seen it last. */
-    private void believeBall() {
+    /** Uses the robot's own estimate of the ball if it is recent, else the latest sighting of a team mate. */
+    private void updateBall() {
         ball = tracker.position().onMap(pose);
         ballVelocity = tracker.velocity().onMap(new Pose2d(0, 0, pose.degrees()));
         ballSeenSeconds = tracker.seenSeconds();
         if (seconds - ballSeenSeconds > OWN_EYES_SECONDS) {
             Optional<Mate> witness = mates.values().stream()
                     .max(Comparator.comparingDouble(WorldModel::sawBallSeconds))
-                    .filter(mate -> mate.message().ballAgeSeconds() < TeamMessage.LONGEST_AGE_SECONDS)
+                    .filter(mate -> mate.message().ballAgeSeconds() < TeamMessage.MAX_AGE_SECONDS)
                     .filter(mate -> sawBallSeconds(mate) > ballSeenSeconds);
-            witness.ifPresent(this::believe);
+            witness.ifPresent(this::adoptBall);
         }
     }
 
@@ -139,10 +139,10 @@ public final class WorldModel {
         return mate.heardSeconds() - mate.message().ballAgeSeconds();
     }
 
-    private void believe(Mate witness) {
+    private void adoptBall(Mate witness) {
         Translation2d then = witness.message().ballVelocity();
         double later = seconds - witness.heardSeconds();
-        ball = BallFilter.foresee(witness.message().ball(), then, later);
+        ball = BallFilter.predict(witness.message().ball(), then, later);
         ballVelocity = then.times(Math.max(0, 1 - later / BallFilter.ROLLING_SECONDS));
         ballSeenSeconds = sawBallSeconds(witness);
     }
@@ -154,7 +154,7 @@ public final class WorldModel {
                 .toList();
     }
 
-    /** A robot whose head is far below the own one lies on the ground; it may still be in the way, but it does not play. */
+    /** Whether a robot lies, with its head far below the own one; it is an obstacle, but does not play. */
     private static boolean isLying(PlayerItem player) {
         FieldItem head = player.part(BodyPart.HEAD);
         boolean seen = head.isKnown() && head.lastSeenSeconds() == player.lastSeenSeconds();
@@ -162,28 +162,28 @@ public final class WorldModel {
     }
 
     /**
-     * Takes in what the team mates say; call it after {@link #update} in each cycle.
+     * Processes the messages of team mates. Call it after {@link #update} in each cycle.
      *
      * @param nao the robot
      */
     public void listen(Robot nao) {
         for (HeardMessage heard : nao.getHeard()) {
             if (heard.team().map(nao.getTeam()::equals).orElse(true)) {
-                TeamMessage.decode(heard.text()).ifPresent(this::hear);
+                TeamMessage.decode(heard.text()).ifPresent(this::receive);
             }
         }
     }
 
-    private void hear(TeamMessage message) {
+    private void receive(TeamMessage message) {
         if (message.number() != number) {
             mates.put(message.number(), new Mate(message, seconds));
         }
     }
 
     /**
-     * Remembers that the robot is put somewhere else.
+     * Processes a beam of the robot.
      *
-     * @param place where to, in the coordinates of the team
+     * @param place target pose in the coordinates of the team
      */
     public void beamed(Pose2d place) {
         self.setPose(sides.convert(place));
@@ -204,7 +204,7 @@ public final class WorldModel {
         return number;
     }
 
-    /** {@return how the robot is built} */
+    /** {@return the robot type} */
     public RobotType type() {
         return type;
     }
@@ -214,12 +214,12 @@ public final class WorldModel {
         return fallen;
     }
 
-    /** {@return what the referee has decided, with the eyes of the team} */
+    /** {@return the state of the game from the perspective of the team} */
     public Situation situation() {
         return situation;
     }
 
-    /** {@return seconds since the referee has decided so} */
+    /** {@return seconds since the situation began} */
     public double secondsInSituation() {
         return seconds - situationSeconds;
     }
@@ -229,7 +229,7 @@ public final class WorldModel {
         return scored;
     }
 
-    /** {@return the pitch} */
+    /** {@return the field} */
     public SoccerField field() {
         return self.field();
     }
@@ -244,91 +244,86 @@ public final class WorldModel {
         return new Translation2d(-field().length() / 2, 0);
     }
 
-    /** {@return where the robot is} */
+    /** {@return the pose of the robot} */
     public Pose2d pose() {
         return pose;
     }
 
-    /** {@return seconds since the robot has seen where it is} */
-    public double poseAgeSeconds() {
-        return self.ageSeconds();
-    }
-
-    /** {@return whether the robot stood in its goal when it first knew where it was, or when a game began} */
+    /** {@return whether the robot was in its goal when it was first localised, or when a game began} */
     public boolean hasBegunInGoal() {
         return begunInGoal;
     }
 
-    /** {@return the robot's place} */
+    /** {@return the position of the robot} */
     public Translation2d place() {
         return pose.translation();
     }
 
-    /** {@return where the ball is} */
+    /** {@return the position of the ball} */
     public Translation2d ball() {
         return ball;
     }
 
-    /** {@return how the ball rolls, metres per second} */
+    /** {@return the velocity of the ball, metres per second} */
     public Translation2d ballVelocity() {
         return ballVelocity;
     }
 
-    /** {@return seconds since somebody of the team has seen the ball; infinite if nobody has} */
+    /** {@return seconds since the last sighting of the ball by any player of the team; infinite if there was none} */
     public double ballAgeSeconds() {
         return seconds - ballSeenSeconds;
     }
 
-    /** {@return seconds since the robot itself has seen the ball; infinite if it never has} */
+    /** {@return seconds since the robot's own last sighting of the ball; infinite if there was none} */
     public double ownBallAgeSeconds() {
         return seconds - tracker.seenSeconds();
     }
 
-    /** {@return where the ball is, seen from the robot} */
+    /** {@return the position of the ball in the robot's frame} */
     public Translation2d ballFromHere() {
         return ball.seenFrom(pose);
     }
 
     /**
-     * Foresees the ball.
+     * Predicts the ball.
      *
-     * @param later how many seconds from now
-     * @return where it will be
+     * @param later seconds from now
+     * @return the predicted position
      */
     public Translation2d ballIn(double later) {
-        return BallFilter.foresee(ball, ballVelocity, later);
+        return BallFilter.predict(ball, ballVelocity, later);
     }
 
     /**
-     * Foresees the ball as the robot sees it itself, with regard to how the torso leans: for the ball at its feet.
+     * Predicts the ball from the robot's own sightings with compensated tilt, which is more precise near the feet.
      *
-     * @param later how many seconds from now
-     * @return where it will be, seen from the robot
+     * @param later seconds from now
+     * @return the predicted position in the robot's frame
      */
     public Translation2d ballAtFeetIn(double later) {
-        return BallFilter.foresee(exactTracker.position(), exactTracker.velocity(), later);
+        return BallFilter.predict(exactTracker.position(), exactTracker.velocity(), later);
     }
 
-    /** {@return the team mates that were heard lately, by their numbers} */
+    /** {@return the team mates with recent messages, by number} */
     public List<Mate> mates() {
         return List.copyOf(mates.values());
     }
 
-    /** {@return whether fewer than eight players are there: too few to spare one for the goal} */
+    /** {@return whether the team has fewer than eight players, too few for a keeper} */
     public boolean isSmallTeam() {
         return mates.size() < SMALL_TEAM - 1;
     }
 
-    /** {@return where the opponents are that were seen lately} */
+    /** {@return the positions of recently seen opponents} */
     public List<Translation2d> opponents() {
         return opponents;
     }
 
     /**
-     * Looks how near the opponents are who stand on their feet.
+     * Returns the distance to the nearest upright opponent.
      *
      * @param spot a point
-     * @return metres from it to the nearest of them; infinite if none is in sight
+     * @return metres; infinite if no opponent is in sight
      */
     public double opponentDistance(Translation2d spot) {
         return uprightOpponents.stream().mapToDouble(spot::distanceTo).min().orElse(Double.POSITIVE_INFINITY);

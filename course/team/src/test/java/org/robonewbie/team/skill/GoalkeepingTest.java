@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.team.Agent_Team;
 import org.robonewbie.trial.Controller;
@@ -57,7 +58,7 @@ class GoalkeepingTest {
             robots.add(new RobotStart("Others", 2, RobotType.TYPE_0, place, List.of()));
             controllers.add(Controller.ofSpeeds());
         });
-        Scene scene = new Scene(SoccerParameters.beginner(), true, robots, Optional.of(BALL));
+        Scene scene = new Scene(SoccerParameters.beginner(), true, Landscape.SOCCER, robots, Optional.of(BALL));
         return Trial.served(scene, 1, controllers.toArray(Controller[]::new));
     }
 }

@@ -10,6 +10,7 @@ import org.robonewbie.agent.perception.CameraTransformation;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.team.skill.Gaze;
 import org.robonewbie.team.skill.Limbs;
@@ -84,7 +85,8 @@ class KickChoiceTest {
         List<RobotStart> robots = List.of(
                 new RobotStart("Team", 2, type, new Pose2d(x - 0.3, 0, 0), List.of()),
                 new RobotStart("Others", 2, RobotType.TYPE_0, new Pose2d(x + opponentMetres, 0, 180), List.of()));
-        Scene scene = new Scene(SoccerParameters.league(), true, robots, Optional.of(new Vector3(x, 0, 0)));
+        Scene scene =
+                new Scene(SoccerParameters.league(), true, Landscape.SOCCER, robots, Optional.of(new Vector3(x, 0, 0)));
         try (Trial trial = Trial.served(scene, 1, Controller.ofAgent(player), Controller.ofSpeeds())) {
             trial.run(1.5);
             return player.best();

@@ -11,6 +11,7 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.team.world.Situation;
 import org.robonewbie.trial.Controller;
@@ -72,7 +73,7 @@ class PassModeTest {
         List<RobotStart> robots = List.of(
                 new RobotStart("Team", 1, RobotType.TYPE_0, new Pose2d(-robotMetres, 0, 0), List.of()),
                 new RobotStart("Others", 1, RobotType.TYPE_0, new Pose2d(opponentMetres, 0, 180), List.of()));
-        Scene scene = new Scene(SoccerParameters.league(), true, robots, Optional.of(Vector3.ZERO));
+        Scene scene = new Scene(SoccerParameters.league(), true, Landscape.SOCCER, robots, Optional.of(Vector3.ZERO));
         return Trial.served(scene, 1, Controller.ofAgent(new Asking()), Controller.ofSpeeds());
     }
 }

@@ -10,6 +10,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.model.RobotType;
+import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.team.Agent_Team;
 import org.robonewbie.team.talk.Talk;
@@ -55,7 +56,7 @@ class ReceiverTest {
                 new RobotStart("Team", 1, RobotType.TYPE_0, new Pose2d(BALL.x() - 0.4, BALL.y(), 0), List.of()),
                 new RobotStart("Team", 2, RobotType.TYPE_0, new Pose2d(2, 2, 180), List.of()));
         Vector3 ball = new Vector3(BALL.x(), BALL.y(), 0);
-        Scene scene = new Scene(SoccerParameters.league(), true, robots, Optional.of(ball));
+        Scene scene = new Scene(SoccerParameters.league(), true, Landscape.SOCCER, robots, Optional.of(ball));
         return Trial.served(scene, 1, Controller.ofAgent(new Passing()), Controller.ofAgent(new Agent_Team(2)));
     }
 }

@@ -13,6 +13,7 @@ import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.order.Order;
+import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.team.Agent_Team;
 import org.robonewbie.team.talk.Talk;
@@ -89,7 +90,7 @@ class SetPlayTest {
                 new RobotStart("Team", 2, RobotType.TYPE_0, TAKER, List.of()),
                 new RobotStart("Team", 3, RobotType.TYPE_0, MATE, List.of()),
                 new RobotStart("Others", 1, RobotType.TYPE_0, new Pose2d(3.5, 0, 180), List.of()));
-        Scene scene = new Scene(SoccerParameters.league(), true, robots, Optional.of(Vector3.ZERO));
+        Scene scene = new Scene(SoccerParameters.league(), true, Landscape.SOCCER, robots, Optional.of(Vector3.ZERO));
         Trial trial = Trial.served(scene, 1, Controller.ofAgent(new Agent_Team(2)), mate, Controller.ofSpeeds());
         trial.order(new Order.ChangePlayMode(PlayMode.FREE_KICK_LEFT));
         runTo(PlayMode.FREE_KICK_LEFT, trial, 1);

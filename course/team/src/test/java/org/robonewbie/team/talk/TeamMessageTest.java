@@ -53,7 +53,7 @@ class TeamMessageTest {
         TeamMessage heard = TeamMessage.decode(text).orElseThrow();
 
         assertThat(heard.ball().distanceTo(new Translation2d(20.5, -20.5))).isLessThan(0.01);
-        assertThat(heard.ballAgeSeconds()).isCloseTo(TeamMessage.LONGEST_AGE_SECONDS, within(0.01));
+        assertThat(heard.ballAgeSeconds()).isCloseTo(TeamMessage.MAX_AGE_SECONDS, within(0.01));
     }
 
     @Test

@@ -41,7 +41,7 @@ class BallFilterTest {
     void foreseesWhereTheBallComesToRest() {
         watch(new Translation2d(1, 2), new Translation2d(2, 0), 12);
 
-        Translation2d rest = BallFilter.foresee(filter.position(), filter.velocity(), 10);
+        Translation2d rest = BallFilter.predict(filter.position(), filter.velocity(), 10);
         assertThat(rest.distanceTo(new Translation2d(1 + 2 * BallFilter.ROLLING_SECONDS, 2)))
                 .isLessThan(0.15);
     }
@@ -86,7 +86,7 @@ class BallFilterTest {
     /** Shows a ball that rolls as balls roll on the pitch, with the noise of the camera. */
     private void watch(Translation2d from, Translation2d velocity, int pictures) {
         for (int i = 0; i < pictures; i++) {
-            Translation2d truth = BallFilter.foresee(from, velocity, i * PICTURE_SECONDS);
+            Translation2d truth = BallFilter.predict(from, velocity, i * PICTURE_SECONDS);
             if (filter.isKnown()) {
                 filter.roll(PICTURE_SECONDS);
             }

@@ -7,6 +7,7 @@ import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
+import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.protocol.monitor.Environment;
@@ -41,7 +42,7 @@ final class MonitorSnapshots {
                 game.scoreRight(),
                 game.half(),
                 world.ball().map(TransformNode::position).orElse(Vector3.ZERO),
-                world.ball().map(ball -> rotation(ball).toTurn()).orElse(org.robonewbie.nao.kinematics.Rotation.NONE),
+                world.ball().map(ball -> rotation(ball).toQuaternion()).orElse(Rotation.NONE),
                 world.robots().stream().map(robot -> robot(robot, game)).toList(),
                 MonitoredThings.of(world),
                 standing,
@@ -99,10 +100,10 @@ final class MonitorSnapshots {
 
     /** The rotation about the hinge's axis that is closest to the child's rotation relative to its parent. */
     private static double degrees(Hinge hinge, TransformNode parent, TransformNode child) {
-        double[] turn = rotation(parent).inverse().after(rotation(child)).toQuaternion();
+        Rotation turn = rotation(parent).inverse().after(rotation(child)).toQuaternion();
         Vector3 axis = hinge.axis();
-        double sine = turn[1] * axis.x() + turn[2] * axis.y() + turn[3] * axis.z();
-        return Math.toDegrees(2 * Math.atan2(sine, turn[0]));
+        double sine = turn.x() * axis.x() + turn.y() * axis.y() + turn.z() * axis.z();
+        return Math.toDegrees(2 * Math.atan2(sine, turn.w()));
     }
 
     static RotationMatrix rotation(TransformNode node) {

@@ -10,6 +10,7 @@ import java.util.OptionalDouble;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
+import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.MotionFile;
@@ -158,14 +159,15 @@ public record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
 
     private static float[] frame(Robot robot) {
         BodyPose torso = robot.torso();
-        double[] rotation = torso.rotation().toQuaternion();
+        Rotation rotation = torso.rotation().toQuaternion();
         float[] frame = new float[POSE_NUMBERS + robot.model().hinges().size()];
         frame[0] = (float) torso.position().x();
         frame[1] = (float) torso.position().y();
         frame[2] = (float) torso.position().z();
-        for (int i = 0; i < rotation.length; i++) {
-            frame[3 + i] = (float) rotation[i];
-        }
+        frame[3] = (float) rotation.w();
+        frame[4] = (float) rotation.x();
+        frame[5] = (float) rotation.y();
+        frame[6] = (float) rotation.z();
         for (int i = POSE_NUMBERS; i < frame.length; i++) {
             frame[i] = (float) robot.jointDegrees(i - POSE_NUMBERS);
         }

@@ -153,7 +153,7 @@ final class RecordingIndex {
     }
 
     private void save(Path recording) throws IOException {
-        Path file = RecordingGroup.of(recording).beside(RecordingGroup.INDEX);
+        Path file = new RecordingGroup(recording).beside(RecordingGroup.INDEX);
         try (DataOutputStream out =
                 new DataOutputStream(new BufferedOutputStream(Files.newOutputStream(AtomicFile.part(file))))) {
             out.writeUTF(MAGIC);
@@ -174,7 +174,7 @@ final class RecordingIndex {
     }
 
     private static Optional<RecordingIndex> load(Path recording) {
-        Path file = RecordingGroup.of(recording).beside(RecordingGroup.INDEX);
+        Path file = new RecordingGroup(recording).beside(RecordingGroup.INDEX);
         if (!Files.exists(file)) {
             return Optional.empty();
         }

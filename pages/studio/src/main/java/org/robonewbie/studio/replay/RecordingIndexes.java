@@ -15,7 +15,7 @@ final class RecordingIndexes {
 
     /** {@return the index of a recording, which may be incomplete} */
     RecordingIndex of(Path recording) throws IOException {
-        Path key = RecordingGroup.of(recording).beside("");
+        Path key = new RecordingGroup(recording).beside("");
         synchronized (known) {
             RecordingIndex index = known.get(key);
             if (index != null && index.fits(recording)) {

@@ -32,7 +32,7 @@ record RecordingPlaces(Optional<RecordingRepository> repository, List<Path> proj
     Map<String, Path> all() throws IOException {
         Map<String, Path> all = new LinkedHashMap<>();
         for (Path file : files()) {
-            String name = RecordingGroup.of(file).name();
+            String name = new RecordingGroup(file).name();
             String unique = name;
             for (int i = 2; all.containsKey(unique) && !all.get(unique).equals(file); i++) {
                 unique = name + " [" + i + "]";

@@ -52,7 +52,7 @@ final class RecordingService {
         Path folder = folderOf(group.recording());
         emptyBin(folder);
         Path bin = Files.createDirectories(folder.resolve(REMOVED));
-        RecordingGroup target = RecordingGroup.of(bin.resolve(group.recording().getFileName()));
+        RecordingGroup target = new RecordingGroup(bin.resolve(group.recording().getFileName()));
         target.delete();
         RecordingGroup moved = group.moveTo(bin, group.name());
         Files.setLastModifiedTime(bin, FileTime.from(Instant.now()));
@@ -93,7 +93,7 @@ final class RecordingService {
             throw new IllegalArgumentException(
                     "\"" + name + "\" is still being recorded. Stop the run first, or reset it in the room Field.");
         }
-        return RecordingGroup.of(file);
+        return new RecordingGroup(file);
     }
 
     private void requireValid(String name) throws IOException {

@@ -77,7 +77,7 @@ public final class RunNotes {
 
     /** The notes file of a recording. */
     static Path of(Path recording) {
-        return RecordingGroup.of(recording).beside(RecordingGroup.NOTES);
+        return new RecordingGroup(recording).beside(RecordingGroup.NOTES);
     }
 
     /**

@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.util.List;
-import java.util.OptionalInt;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -30,6 +29,7 @@ import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.landscape.Thing;
 import org.robonewbie.simulator.server.Simulator;
@@ -66,15 +66,11 @@ class MonitoredSimulationTest implements SimulationObserver {
 
     private static Simulator serve(int agentPort, int monitorPort) throws IOException {
         return Simulator.start(
-                SimulatorSettings.beginner()
-                        .agentPort(agentPort)
-                        .monitorPort(OptionalInt.of(monitorPort))
-                        .synchronous(true)
-                        .awaitedAgents(1)
-                        .speed(4)
-                        .seed(1)
-                        .landscape(Landscape.BOX)
-                        .build(),
+                SimulatorSettings.of(WorldSettings.beginner().withSeed(1).withLandscape(Landscape.BOX))
+                        .withAgentPort(agentPort)
+                        .withMonitorPort(monitorPort)
+                        .withAwaitedAgents(1)
+                        .withSpeed(4),
                 Console.silent());
     }
 

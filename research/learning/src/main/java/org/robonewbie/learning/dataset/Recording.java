@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
@@ -12,6 +11,7 @@ import java.util.stream.IntStream;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.trial.batch.BatchProgress;
@@ -134,14 +134,11 @@ public record Recording(DataSet set, int runs, int robots, double seconds, long 
     }
 
     private SimulatorSettings settings(long seed) {
-        return SimulatorSettings.beginner()
-                .agentPort(0)
-                .synchronous(true)
-                .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
-                .seed(seed)
-                .awaitedAgents(robots)
-                .seconds(OptionalDouble.of(seconds))
-                .build();
+        return SimulatorSettings.of(WorldSettings.beginner().withSeed(seed))
+                .withAgentPort(0)
+                .withSpeed(SimulationControl.AS_FAST_AS_POSSIBLE)
+                .withAwaitedAgents(robots)
+                .withSeconds(seconds);
     }
 
     private String line(RunResult result) {

@@ -30,7 +30,7 @@ final class MatchTraining extends TrainingTask {
     private static final double FAR_METRES = 15;
 
     private static final WorldState NOTHING_YET =
-            new WorldState(0, List.of(), Vector3.ZERO, Vector3.ZERO, PlayMode.PLAY_ON, 0, 0);
+            new WorldState(0, List.of(), Vector3.ZERO, Vector3.ZERO, List.of(), PlayMode.PLAY_ON, 0, 0);
 
     private final Scene scene;
     private final int left;

@@ -20,7 +20,6 @@ import org.openjdk.jmh.runner.options.OptionsBuilder;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.RobotType;
-import org.robonewbie.simulator.world.BallProperties;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
@@ -70,7 +69,7 @@ public class WorldStep {
     /** Puts the robots on the pitch. */
     @Setup(Level.Trial)
     public void begin() {
-        world = new SoccerWorld(SoccerField.LEAGUE, BallProperties.STANDARD);
+        world = new SoccerWorld(SoccerField.LEAGUE);
         for (int i = 0; i < robots; i++) {
             world.addRobot(RobotType.TYPE_0).moveUpright(place(i), 0);
         }

@@ -10,7 +10,7 @@ import org.robonewbie.agent.policy.PolicyText;
 import org.robonewbie.nao.file.TextFile;
 
 /**
- * Policies in files, as {@link PolicyText} writes them.
+ * Policy files in the format of {@link PolicyText}.
  *
  * <pre>{@code
  * walk.setPolicy(new PolicyWalk(PolicyFile.shipped("walk")));
@@ -25,11 +25,11 @@ public final class PolicyFile {
     private PolicyFile() {}
 
     /**
-     * Loads a policy of the framework.
+     * Loads a policy that is shipped with the framework.
      *
      * @param name {@code walk}, {@code jog}, {@code run}, {@code kick-to}, {@code stand} or {@code get-up}
      * @return the policy
-     * @throws IllegalArgumentException if none of the shipped policies has this name
+     * @throws IllegalArgumentException if there is no such policy
      */
     public static Policy shipped(String name) {
         try (InputStream stream = PolicyFile.class.getResourceAsStream(FOLDER + name + ENDING)) {
@@ -43,12 +43,12 @@ public final class PolicyFile {
     }
 
     /**
-     * Reads a policy of your own.
+     * Reads a policy file.
      *
      * @param file the file
      * @return the policy
      * @throws UncheckedIOException if the file cannot be read
-     * @throws IllegalArgumentException if it contains no policy
+     * @throws IllegalArgumentException if it contains no valid policy
      */
     public static Policy read(Path file) {
         try {

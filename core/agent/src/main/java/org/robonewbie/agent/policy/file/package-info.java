@@ -1,3 +1,3 @@
-/** Policies in files: {@link org.robonewbie.agent.policy.file.PolicyFile}. */
+/** Policy files. Read {@link org.robonewbie.agent.policy.file.PolicyFile} first. */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.agent.policy.file;

@@ -218,7 +218,7 @@ final class Body implements RigidBody, Restorable {
     }
 
     @Override
-    public Vector3 ownAngularVelocity() {
+    public Vector3 localAngularVelocity() {
         return directionToLocal(velocity[3], velocity[4], velocity[5]);
     }
 
@@ -270,9 +270,7 @@ final class Body implements RigidBody, Restorable {
 
     @Override
     public void setAngularVelocity(Vector3 radiansPerSecond) {
-        velocity[3] = radiansPerSecond.x();
-        velocity[4] = radiansPerSecond.y();
-        velocity[5] = radiansPerSecond.z();
+        Rotations.set(velocity, 3, radiansPerSecond.x(), radiansPerSecond.y(), radiansPerSecond.z());
     }
 
     @Override
@@ -290,7 +288,7 @@ final class Body implements RigidBody, Restorable {
     }
 
     @Override
-    public void resist(double linear, double angular) {
+    public void addDamping(double linear, double angular) {
         for (int axis = 0; axis < 3; axis++) {
             force[axis] += -linear * velocity[axis];
             force[3 + axis] += -angular * velocity[3 + axis];
@@ -309,9 +307,7 @@ final class Body implements RigidBody, Restorable {
     }
 
     private static void set(double[] array, Vector3 vector) {
-        array[0] = vector.x();
-        array[1] = vector.y();
-        array[2] = vector.z();
+        Rotations.set(array, 0, vector.x(), vector.y(), vector.z());
     }
 
     @Override

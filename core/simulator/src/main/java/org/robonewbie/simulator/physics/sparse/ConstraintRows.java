@@ -76,15 +76,11 @@ final class ConstraintRows {
     }
 
     static void setLinear(double[] jacobian, int row, double x, double y, double z) {
-        jacobian[6 * row] = x;
-        jacobian[6 * row + 1] = y;
-        jacobian[6 * row + 2] = z;
+        Rotations.set(jacobian, 6 * row, x, y, z);
     }
 
     static void setAngular(double[] jacobian, int row, double x, double y, double z) {
-        jacobian[6 * row + 3] = x;
-        jacobian[6 * row + 4] = y;
-        jacobian[6 * row + 5] = z;
+        Rotations.set(jacobian, 6 * row + 3, x, y, z);
     }
 
     /** Computes the right-hand side and M⁻¹ Jᵀ of a joint's rows. The bodies must be prepared. */
@@ -103,9 +99,9 @@ final class ConstraintRows {
                 applyInverseMass(two, secondJacobian, secondResponse, from, to);
             }
             for (int row = from; row < to; row++) {
-                double free = dot6(firstJacobian, 6 * row, one.unconstrained);
+                double free = dot6(firstJacobian, 6 * row, one.unconstrained, 0);
                 if (two != null) {
-                    free += dot6(secondJacobian, 6 * row, two.unconstrained);
+                    free += dot6(secondJacobian, 6 * row, two.unconstrained, 0);
                 }
                 rightHandSide[row] = rightHandSide[row] * rate - free;
             }
@@ -173,10 +169,6 @@ final class ConstraintRows {
             response[at + 4] = yx * x + yy * y + yz * z;
             response[at + 5] = zx * x + zy * y + zz * z;
         }
-    }
-
-    static double dot6(double[] jacobian, int at, double[] motion) {
-        return dot6(jacobian, at, motion, 0);
     }
 
     static double dot6(double[] jacobian, int at, double[] motions, int from) {

@@ -109,8 +109,8 @@ final class ContactJoint extends ConstraintJoint {
     }
 
     private double separationSpeed(ConstraintRows rows, int row) {
-        double speed = ConstraintRows.dot6(rows.firstJacobian, 6 * row, first.velocity);
-        return second == null ? speed : speed + ConstraintRows.dot6(rows.secondJacobian, 6 * row, second.velocity);
+        double speed = ConstraintRows.dot6(rows.firstJacobian, 6 * row, first.velocity, 0);
+        return second == null ? speed : speed + ConstraintRows.dot6(rows.secondJacobian, 6 * row, second.velocity, 0);
     }
 
     @Override

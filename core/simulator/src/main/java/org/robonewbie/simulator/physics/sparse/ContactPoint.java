@@ -42,11 +42,6 @@ final class ContactPoint implements Contact {
     }
 
     @Override
-    public Vector3 forceOnFirst() {
-        return new Vector3(force[0], force[1], force[2]);
-    }
-
-    @Override
     public void addTo(double[] sums) {
         double magnitude = Math.sqrt(Rotations.dot(force, 0, force, 0));
         for (int axis = 0; axis < 3; axis++) {

@@ -109,7 +109,7 @@ final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable
         writeAnchorRows(rows, rate);
         writeAxisRows(rows, rate);
         int row = firstRow + 5;
-        rows.softness[row] = definition.softness();
+        rows.softness[row] = HingeDefinition.SOFTNESS;
         double radians = angleRadians();
         if (radians <= definition.minRadians()) {
             writeStop(rows, rate, radians - definition.minRadians(), 1);
@@ -194,7 +194,7 @@ final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable
     private void writeStop(ConstraintRows rows, double rate, double overshoot, int inwards) {
         int row = firstRow + 5;
         applyMotorTorque(rows.firstJacobian, inwards);
-        double correction = -rate * definition.stopErrorReduction() * overshoot;
+        double correction = -rate * HingeDefinition.STOP_ERROR_REDUCTION * overshoot;
         double speed = hingeSpeed(rows.firstJacobian);
         double rebound = -definition.stopBounce() * speed;
         boolean hits = speed * inwards < 0;
@@ -208,7 +208,7 @@ final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable
         boolean forwards = motorSpeed > 0 || (motorSpeed == 0 && inwards < 0);
         double torque = forwards ? definition.maxTorque() : -definition.maxTorque();
         if (motorSpeed * inwards > 0) {
-            torque *= definition.fudgeFactor();
+            torque *= HingeDefinition.FUDGE_FACTOR;
         }
         int axis = axisIndex();
         for (int i = 0; i < 3; i++) {

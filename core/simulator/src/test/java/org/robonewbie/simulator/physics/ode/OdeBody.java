@@ -13,11 +13,11 @@ import org.robonewbie.simulator.physics.RotationMatrix;
 final class OdeBody implements RigidBody {
 
     private final DBody body;
-    private final MassDistribution usual;
+    private final MassDistribution nominal;
 
     OdeBody(DWorld world, MassDistribution mass, Vector3 position) {
         body = OdeHelper.createBody(world);
-        usual = mass;
+        nominal = mass;
         setMassFactor(1);
         setPosition(position);
     }
@@ -34,6 +34,38 @@ final class OdeBody implements RigidBody {
     @Override
     public RotationMatrix rotation() {
         return OdeVectors.from(body.getRotation());
+    }
+
+    @Override
+    public Vector3 axisY() {
+        return rotation().axisY();
+    }
+
+    @Override
+    public double upwards() {
+        return rotation().zz();
+    }
+
+    @Override
+    public Vector3 directionToLocal(double x, double y, double z) {
+        return rotation().inverse().apply(new Vector3(x, y, z));
+    }
+
+    @Override
+    public Vector3 localAngularVelocity() {
+        return rotation().inverse().apply(angularVelocity());
+    }
+
+    @Override
+    public boolean isWithin(double metres) {
+        Vector3 centre = position();
+        return Math.abs(centre.x()) < metres && Math.abs(centre.y()) < metres && Math.abs(centre.z()) < metres;
+    }
+
+    @Override
+    public void addDamping(double linear, double angular) {
+        addForce(velocity().times(-linear));
+        addTorque(angularVelocity().times(-angular));
     }
 
     @Override
@@ -79,8 +111,8 @@ final class OdeBody implements RigidBody {
     @Override
     public void setMassFactor(double factor) {
         DMass details = OdeHelper.createMass();
-        Vector3 inertia = usual.inertia().times(factor);
-        details.setParameters(factor * usual.massKg(), 0, 0, 0, inertia.x(), inertia.y(), inertia.z(), 0, 0, 0);
+        Vector3 inertia = nominal.inertia().times(factor);
+        details.setParameters(factor * nominal.massKg(), 0, 0, 0, inertia.x(), inertia.y(), inertia.z(), 0, 0, 0);
         body.setMass(details);
     }
 

@@ -40,7 +40,20 @@ final class OdeContact implements Contact {
     }
 
     @Override
-    public Vector3 forceOnFirst() {
-        return OdeVectors.from(feedback.f1);
+    public void addTo(double[] sums) {
+        Vector3 force = OdeVectors.from(feedback.f1);
+        double magnitude = force.length();
+        double[] terms = {
+            force.x(),
+            force.y(),
+            force.z(),
+            magnitude * position.x(),
+            magnitude * position.y(),
+            magnitude * position.z(),
+            magnitude
+        };
+        for (int i = 0; i < terms.length; i++) {
+            sums[i] += terms[i];
+        }
     }
 }

@@ -25,11 +25,11 @@ final class OdeHinge implements MotorHinge {
         joint.setParam(PARAM_N.dParamHiStop1, definition.maxRadians());
         joint.setParam(PARAM_N.dParamVel1, 0);
         joint.setParam(PARAM_N.dParamFMax1, definition.maxTorque());
-        joint.setParam(PARAM_N.dParamCFM1, definition.softness());
-        joint.setParam(PARAM_N.dParamStopCFM1, definition.softness());
-        joint.setParam(PARAM_N.dParamStopERP1, definition.stopErrorReduction());
+        joint.setParam(PARAM_N.dParamCFM1, HingeDefinition.SOFTNESS);
+        joint.setParam(PARAM_N.dParamStopCFM1, HingeDefinition.SOFTNESS);
+        joint.setParam(PARAM_N.dParamStopERP1, HingeDefinition.STOP_ERROR_REDUCTION);
         joint.setParam(PARAM_N.dParamBounce1, definition.stopBounce());
-        joint.setParam(PARAM_N.dParamFudgeFactor1, definition.fudgeFactor());
+        joint.setParam(PARAM_N.dParamFudgeFactor1, HingeDefinition.FUDGE_FACTOR);
     }
 
     DHingeJoint joint() {

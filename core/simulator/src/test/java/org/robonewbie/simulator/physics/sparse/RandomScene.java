@@ -103,10 +103,7 @@ final class RandomScene {
                 middle - between(0, 0.1),
                 middle + between(0, 0.1),
                 random.nextInt(3) == 0 ? 0.05 : 10,
-                1e-8,
-                0.8,
-                random.nextInt(2),
-                1e-5);
+                random.nextInt(2));
     }
 
     private void kick(RigidBody body) {

@@ -9,66 +9,61 @@ import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
-import org.robonewbie.protocol.telemetry.NumberWish;
 import org.robonewbie.protocol.telemetry.TelemetryItem.DeclaredNumber;
 import org.robonewbie.protocol.telemetry.TelemetryLine;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
+import org.robonewbie.protocol.telemetry.TuningRequest;
 
-/** A program of another process that tells a {@link TelemetryServer} what its robots think. */
-final class TelemetryVisitor implements AutoCloseable {
+/** A connection from a program that sends the telemetry of its robots to a {@link TelemetryServer}. */
+final class TelemetryConnection implements AutoCloseable {
 
-    private static final int LONGEST_LINE = 200_000;
+    private static final int MAX_LINE_LENGTH = 200_000;
     private static final int MAX_NUMBERS = 1000;
 
     private final Socket socket;
     private final TelemetrySink sink;
     private final Set<String> numbers = ConcurrentHashMap.newKeySet();
 
-    TelemetryVisitor(Socket socket, TelemetrySink sink) {
+    TelemetryConnection(Socket socket, TelemetrySink sink) {
         this.socket = socket;
         this.sink = sink;
     }
 
-    /** Hands on what the robots tell, until they leave. */
-    void listen() {
+    /** Receives telemetry until the connection is closed. */
+    void receive() {
         try (socket;
                 Reader reader =
                         new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8))) {
             StringBuilder line = new StringBuilder();
-            for (int sign = reader.read(); sign >= 0 && line.length() < LONGEST_LINE; sign = reader.read()) {
-                if (sign == '\n') {
-                    TelemetryLine.read(line.toString()).ifPresent(this::hear);
+            for (int next = reader.read(); next >= 0 && line.length() < MAX_LINE_LENGTH; next = reader.read()) {
+                if (next == '\n') {
+                    TelemetryLine.read(line.toString()).ifPresent(this::accept);
                     line.setLength(0);
                 } else {
-                    line.append((char) sign);
+                    line.append((char) next);
                 }
             }
         } catch (IOException gone) {
-            // a robot that leaves in the middle of a line has nothing more to say
+            // an incomplete last line is dropped
         }
     }
 
-    private void hear(TelemetryMessage message) {
+    private void accept(TelemetryMessage message) {
         if (message.item() instanceof DeclaredNumber number && numbers.size() < MAX_NUMBERS) {
             numbers.add(key(message.team(), message.number(), number.name()));
         }
         sink.accept(message);
     }
 
-    /**
-     * Hands a wish on if it is for a robot of this program. Others, such as programs of older versions that never read, get nothing.
-     *
-     * @param wish for a number
-     * @return whether it was handed on
-     */
-    boolean take(NumberWish wish) {
-        if (!numbers.contains(key(wish.team(), wish.number(), wish.name()))) {
+    /** Sends a request if a robot of this program has declared the number, and returns whether it was sent. */
+    boolean forward(TuningRequest request) {
+        if (!numbers.contains(key(request.team(), request.number(), request.name()))) {
             return false;
         }
         try {
             OutputStream out = socket.getOutputStream();
-            out.write((wish.write() + "\n").getBytes(StandardCharsets.UTF_8));
+            out.write((request.write() + "\n").getBytes(StandardCharsets.UTF_8));
             out.flush();
             return true;
         } catch (IOException gone) {
@@ -80,8 +75,8 @@ final class TelemetryVisitor implements AutoCloseable {
     public void close() {
         try {
             socket.close();
-        } catch (IOException alreadyGone) {
-            // closed is closed
+        } catch (IOException ignored) {
+            // closed in any case
         }
     }
 

@@ -3,22 +3,22 @@ package org.robonewbie.protocol.telemetry;
 import java.util.Optional;
 
 /**
- * Somebody wants another value for a number that a robot's program has declared. As a line, separated by tabs:
+ * A request to change the value of a number that a robot's program has declared. As a line of text, separated by tabs:
  *
  * <pre>
  * tune  Blue  3  gain  0.75
  * </pre>
  *
  * @param team name of the robot's team
- * @param number its shirt number, 1 to 11
- * @param name what the program calls the number
- * @param value its new value, in the unit of the program
+ * @param number the robot's shirt number, 1 to 11
+ * @param name name of the number in the program
+ * @param value new value in the unit of the program
  */
-public record NumberWish(String team, int number, String name, double value) {
+public record TuningRequest(String team, int number, String name, double value) {
 
     private static final String KIND = "tune";
 
-    /** {@return the wish as one line without its end} */
+    /** {@return the request as one line without its line end} */
     public String write() {
         return new FieldWriter(KIND)
                 .text(team)
@@ -29,19 +29,19 @@ public record NumberWish(String team, int number, String name, double value) {
     }
 
     /**
-     * Reads a wish.
+     * Parses a request.
      *
-     * @param line one line without its end
-     * @return the wish; empty if the line is none
+     * @param line one line without its line end
+     * @return the request; empty if the line is not a request
      */
-    public static Optional<NumberWish> read(String line) {
+    public static Optional<TuningRequest> read(String line) {
         try {
             FieldReader fields = new FieldReader(line);
             return fields.text().equals(KIND)
-                    ? Optional.of(new NumberWish(
+                    ? Optional.of(new TuningRequest(
                             fields.text(), Integer.parseInt(fields.text()), fields.text(), fields.number()))
                     : Optional.empty();
-        } catch (IllegalArgumentException noWish) {
+        } catch (IllegalArgumentException notARequest) {
             return Optional.empty();
         }
     }

@@ -24,19 +24,20 @@ import org.junit.jupiter.api.io.TempDir;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.cycle.WorldSettings;
 
 /** Whoever comes through the door of a team plays for this team, whatever it says. */
 @Timeout(60)
-class TeamDoorTest {
+class TeamEndpointTest {
 
-    private static final TeamDoor RED = new TeamDoor("Red", 1, Optional.empty(), guest -> true);
+    private static final TeamEndpoint RED = new TeamEndpoint("Red", 1, Optional.empty(), guest -> true);
 
     @TempDir
     Path folder = Path.of("");
 
     @Test
     void robotBelongsToTheTeamOfItsDoorWhateverItSays() throws Exception {
-        try (Simulator simulator = start(RED, new TeamDoor("Blue", 1, Optional.empty(), guest -> true));
+        try (Simulator simulator = start(RED, new TeamEndpoint("Blue", 1, Optional.empty(), guest -> true));
                 TestAgent red = agent(simulator, "Red");
                 TestAgent impostor = agent(simulator, "Blue")) {
             red.joinRunningGame("Red", 1);
@@ -54,13 +55,10 @@ class TeamDoorTest {
 
     @Test
     void crowdFromOneTeamIsNotTakenForTheOtherThatIsAwaited() throws Exception {
-        List<TeamDoor> doors = List.of(RED, new TeamDoor("Blue", 1, Optional.empty(), guest -> true));
-        SimulatorSettings waiting = SimulatorSettings.beginner()
-                .doors(doors)
-                .synchronous(true)
-                .awaitedAgents(2)
-                .speed(SimulationControl.AS_FAST_AS_POSSIBLE)
-                .build();
+        List<TeamEndpoint> doors = List.of(RED, new TeamEndpoint("Blue", 1, Optional.empty(), guest -> true));
+        SimulatorSettings waiting = SimulatorSettings.of(WorldSettings.beginner())
+                .withAgents(agents(2, doors))
+                .withSpeed(SimulationControl.AS_FAST_AS_POSSIBLE);
 
         try (Simulator simulator = Simulator.start(waiting, sentence -> {});
                 TestAgent first = agent(simulator, "Red");
@@ -93,7 +91,7 @@ class TeamDoorTest {
 
     @Test
     void strangerIsSentAwayAtTheDoor() throws Exception {
-        TeamDoor closed = new TeamDoor("Red", 1, Optional.empty(), guest -> false);
+        TeamEndpoint closed = new TeamEndpoint("Red", 1, Optional.empty(), guest -> false);
 
         try (Simulator simulator = start(closed);
                 Socket stranger = new Socket(InetAddress.getLoopbackAddress(), simulator.agentPort("Red"))) {
@@ -113,7 +111,7 @@ class TeamDoorTest {
     void doorMayBeAFile() throws Exception {
         Path file = folder.resolve("red");
 
-        try (Simulator simulator = start(new TeamDoor("Red", 1, Optional.of(file), guest -> false));
+        try (Simulator simulator = start(new TeamEndpoint("Red", 1, Optional.of(file), guest -> false));
                 SocketChannel agent = SocketChannel.open(StandardProtocolFamily.UNIX)) {
             agent.connect(UnixDomainSocketAddress.of(file));
             byte[] text = "(scene rsg/agent/nao/nao.rsg)".getBytes(StandardCharsets.US_ASCII);
@@ -132,9 +130,16 @@ class TeamDoorTest {
         }
     }
 
-    private static Simulator start(TeamDoor... doors) throws IOException {
+    private static Simulator start(TeamEndpoint... doors) throws IOException {
         return Simulator.start(
-                SimulatorSettings.beginner().doors(List.of(doors)).speed(5).build(), sentence -> {});
+                SimulatorSettings.of(WorldSettings.beginner().withSynchronous(false))
+                        .withAgents(agents(0, List.of(doors)))
+                        .withSpeed(5),
+                sentence -> {});
+    }
+
+    private static SimulatorSettings.Agents agents(int awaited, List<TeamEndpoint> doors) {
+        return new SimulatorSettings.Agents(SimulatorSettings.LOCALHOST, 0, doors, awaited, 60);
     }
 
     private static TestAgent agent(Simulator simulator, String team) throws IOException {
