@@ -36,7 +36,7 @@ class ChildProcessTest {
     static final class EatsMemory {
         public static void main(String[] args) {
             List<long[]> food = new ArrayList<>();
-            while (true) {
+            while (food.size() < Integer.MAX_VALUE) {
                 food.add(new long[1_000_000]);
             }
         }
