@@ -11,8 +11,8 @@ import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
 import org.robonewbie.simulator.AgentMessages;
 
-/** What one robot and its program have said to each other: the last messages, and the commands that still hold. */
-final class HeardRobot {
+/** Last messages between a robot and its agent, and the commands in effect. */
+final class RobotMessages {
 
     private final PerceptorMessageReader perceptorReader = new PerceptorMessageReader();
     private final EffectorMessageReader effectorReader = new EffectorMessageReader();
@@ -20,12 +20,12 @@ final class HeardRobot {
     private String said = "";
     private AgentMessages last;
 
-    HeardRobot(AgentMessages first) {
+    RobotMessages(AgentMessages first) {
         this.last = first;
-        hear(first);
+        update(first);
     }
 
-    void hear(AgentMessages messages) {
+    void update(AgentMessages messages) {
         last = messages;
         said = "";
         effectorReader.read(buffer(messages.effectors()), this::command, problem -> {});
@@ -48,7 +48,7 @@ final class HeardRobot {
         return degreesPerSecond[joint.ordinal()];
     }
 
-    /** What the program says in this cycle; empty if it is silent. */
+    /** The message that the agent sends to other robots in this cycle; empty for none. */
     String said() {
         return said;
     }
