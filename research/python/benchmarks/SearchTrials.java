@@ -25,7 +25,7 @@ public class SearchTrials {
         for (int seed = 1; seed <= seeds; seed++) {
             double[] start = new double[n];
             Arrays.fill(start, centre);
-            int population = CovarianceMatrixAdaptation.usualPopulation(n);
+            int population = CovarianceMatrixAdaptation.defaultPopulation(n);
             RestartingSearch search = new RestartingSearch(start, step, population, new Random(seed).nextLong());
             System.out.printf(Locale.ROOT, "%s %d %d%n", name, n, trials(search, cost));
         }

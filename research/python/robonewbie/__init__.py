@@ -1,4 +1,4 @@
-"""Tasks for a simulated NAO humanoid with the interface of Gymnasium.
+"""Gymnasium environments of a simulated NAO humanoid robot.
 
 >>> import gymnasium, robonewbie
 >>> env = gymnasium.make("RoboNewbie/Walk-v1")
@@ -14,7 +14,7 @@ from robonewbie.vector import RoboNewbieVectorEnv
 
 __all__ = ["RoboNewbieEnv", "RoboNewbieError", "RoboNewbieVectorEnv"]
 
-_LONGEST_CYCLES = {
+_MAX_CYCLES = {
     "Stand": 500,
     "Walk": 500,
     "Follow": 500,
@@ -28,7 +28,7 @@ _LONGEST_CYCLES = {
     "Reach": 100,
 }
 
-for _task, _cycles in _LONGEST_CYCLES.items():
+for _task, _cycles in _MAX_CYCLES.items():
     gymnasium.register(
         id=f"RoboNewbie/{_task}-v1",
         entry_point="robonewbie.environment:RoboNewbieEnv",

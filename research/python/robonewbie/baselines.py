@@ -1,10 +1,10 @@
-"""Repeats the baselines of docs/policies.md: PPO of Stable-Baselines3, three seeds for each task, curves with their spread.
+"""Reproduces the baselines of docs/policies.md: PPO of Stable-Baselines3 with three seeds for each task, and their learning curves.
 
     python -m robonewbie.baselines                  all tasks, into the folder baselines
     python -m robonewbie.baselines Stand KickTo     these tasks
 
-What was interrupted goes on where it was; what is complete is not repeated. At the end each task has a row of the table in
-docs/policies.md: returns while it learned, and of its policies in 256 episodes that no training has seen, beside doing nothing.
+Interrupted trainings are resumed, and complete ones are not repeated. For each task it prints a row of the table in docs/policies.md:
+returns during training, and returns of the policies and of a zero-action baseline in 256 evaluation episodes.
 """
 
 import argparse
@@ -19,13 +19,13 @@ from robonewbie import curve, evaluate, train
 SEEDS = (1, 2, 3)
 EVALUATED = 256
 
-# Five epochs instead of ten: Python needs half the time.
+# Five epochs instead of ten halve the time in Python.
 COMMON = ["--n-epochs", "5"]
 
 
 @dataclass(frozen=True)
 class Baseline:
-    """How a task is trained: cycles of all robots together, arguments of robonewbie.train, and options of the task."""
+    """Training settings of a task: the total number of cycles, arguments of robonewbie.train, and options of the task."""
 
     cycles: int
     settings: str
@@ -40,18 +40,18 @@ class Baseline:
 
 
 def _log_std(deviation, inputs=1):
-    """With gSDE each input of the last layer adds its own noise."""
+    """Returns the initial log standard deviation of a weight; with gSDE the noise of all inputs of the last layer adds up."""
     return float(np.log(deviation / np.sqrt(inputs)))
 
 
-# With noise that stays the same for many actions, an error shows its consequences.
+# Noise that is held for many actions makes the consequences of an exploratory action visible.
 _ENGINE = Baseline(
     4_000_000,
     "--n-envs 512 --n-steps 32 --batch-size 4096 --learning-rate 0.001 --gamma 0.99"
     f" --log-std-init {_log_std(0.15, 32)} --sde-sample-freq 8 --net-arch 32 32",
 )
 TASKS = {
-    # One action lasts the whole episode: it chooses how the robot stands. A cycle counts even after the robot has fallen.
+    # One action, the posture of the robot, lasts the whole episode. Cycles after a fall count too.
     "Stand": Baseline(
         40_000_000,
         "--n-envs 512 --n-steps 4 --batch-size 1024 --learning-rate 0.005 --gamma 1 --gae-lambda 1"
@@ -77,7 +77,7 @@ TASKS = {
 
 
 def train_seed(task, seed, folder):
-    """Trains one seed, or what is missing of it, and gives the file of its policy."""
+    """Trains or resumes one seed, and returns the file of its policy."""
     baseline = TASKS[task]
     out = folder / f"{task}-{seed}.policy"
     file = _curve_of(out)
@@ -92,7 +92,7 @@ def _curve_of(policy):
 
 
 def _minutes(file):
-    """How long a training took; the clock begins again when it goes on."""
+    """Returns the duration of a training; the clock of a curve restarts at each resumption."""
     with open(file, newline="", encoding="utf-8") as lines:
         seconds = [float(row["seconds"]) for row in csv.DictReader(lines)]
     return sum(now for now, after in zip(seconds, [*seconds[1:], 0]) if after < now) / 60
@@ -104,7 +104,7 @@ def _range(numbers, digits=2):
 
 
 def row(task, policies):
-    """Evaluates what was learned with each seed, and gives a line for the table."""
+    """Evaluates the policies of all seeds, and returns a row of the table."""
     curves = [curve.read(_curve_of(policy)) for policy in policies]
     options = train.options_of(TASKS[task].options)
     learned = [evaluate.evaluate(task, evaluate.PlayedPolicy(policy.read_text(encoding="utf-8")), EVALUATED, options=options) for policy in policies]
@@ -124,9 +124,9 @@ def row(task, policies):
 
 
 def main(words=None):
-    """Trains what the command line names."""
-    parser = argparse.ArgumentParser(prog="python -m robonewbie.baselines", description="Repeats the baselines of docs/policies.md.")
-    parser.add_argument("tasks", nargs="*", metavar="TASK", help=f"one of {', '.join(TASKS)} (all)")
+    """Runs the command line."""
+    parser = argparse.ArgumentParser(prog="python -m robonewbie.baselines", description="Reproduces the baselines of docs/policies.md.")
+    parser.add_argument("tasks", nargs="*", metavar="TASK", help=f"any of {', '.join(TASKS)} (all)")
     parser.add_argument("--out", type=Path, default=Path("baselines"), help="folder of policies and curves (baselines)")
     wanted = parser.parse_args(words)
     unknown = set(wanted.tasks) - set(TASKS)

@@ -1,7 +1,7 @@
-"""A critic that sees more than the policy, for trainings by Stable-Baselines3: the time, and what else is observed.
+"""Asymmetric actor-critic for Stable-Baselines3: the critic observes the time and may have other inputs than the policy.
 
-A critic that does not know the time takes what happens early or late in an episode for the merit of the actions. It is
-not part of what plays later, so it may see what the policy does not.
+Without the time a critic attributes the effect of early and late steps of an episode to the actions. The critic is used in training
+only, so its inputs need not be available to the policy.
 """
 
 import numpy as np
@@ -12,7 +12,7 @@ from stable_baselines3.common.vec_env import VecEnvWrapper
 
 
 class Timed(VecEnvWrapper):
-    """Robots that observe one more number, the last: how much of the episode, which has so many actions at most, is over."""
+    """Appends the elapsed share of the episode to the observation."""
 
     def __init__(self, venv, longest):
         space = venv.observation_space
@@ -38,13 +38,13 @@ class Timed(VecEnvWrapper):
 
 
 class _Networks(MlpExtractor):
-    """The networks of actor and critic, each of which takes the numbers at places of its own."""
+    """Networks of actor and critic, each with a subset of the features."""
 
     def __init__(self, actor, critic, **settings):
         super().__init__(len(critic), **settings)
         self._actor, self._critic = actor, critic
-        own = MlpExtractor(len(actor), **settings)
-        self.policy_net, self.latent_dim_pi = own.policy_net, own.latent_dim_pi
+        actor_extractor = MlpExtractor(len(actor), **settings)
+        self.policy_net, self.latent_dim_pi = actor_extractor.policy_net, actor_extractor.latent_dim_pi
 
     def forward_actor(self, features):
         return super().forward_actor(features[:, self._actor])
@@ -54,7 +54,7 @@ class _Networks(MlpExtractor):
 
 
 class TwoViewsPolicy(ActorCriticPolicy):
-    """A policy and a critic that take different numbers of what is observed, each by their places."""
+    """Policy whose actor and critic have different inputs, given by their indices in the observation."""
 
     def __init__(self, *spaces_and_rate, actor, critic, **settings):
         self._views = {"actor": actor, "critic": critic}

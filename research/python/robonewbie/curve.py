@@ -1,7 +1,7 @@
-"""Draws learning curves as a picture (SVG).
+"""Plots learning curves as SVG.
 
     python -m robonewbie.curve walk.policy.csv run.policy.csv > curves.svg
-    python -m robonewbie.curve Stand=Stand-1.policy.csv,Stand-2.policy.csv > stand.svg    the mean of several seeds, and their spread
+    python -m robonewbie.curve Stand=Stand-1.policy.csv,Stand-2.policy.csv > stand.svg    mean and range of several seeds
 """
 
 import csv
@@ -14,7 +14,7 @@ COLOURS = ["#0b6bcb", "#c2410c", "#15803d", "#7e22ce"]
 
 
 def read(path):
-    """Gives what each line of a curve has learned from, in millions of cycles, and what it was paid."""
+    """Returns the training cycles (in millions) and the mean return of each row of a curve."""
     with open(path, newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     cycles, reward, total = [], [], 0
@@ -26,12 +26,12 @@ def read(path):
 
 
 def smoothed(values, window):
-    """Averages each value with those before it."""
+    """Returns the moving average."""
     return [sum(values[max(0, i - window + 1) : i + 1]) / len(values[max(0, i - window + 1) : i + 1]) for i in range(len(values))]
 
 
 def together(name, curves):
-    """Joins the curves of several seeds, as far as the shortest goes: name, cycles, mean, least and greatest rewards."""
+    """Aggregates the curves of several seeds, truncated to the shortest: name, cycles, mean, minimum and maximum."""
     length = min(len(xs) for xs, _ in curves)
     rewards = list(zip(*(ys[:length] for _, ys in curves)))
     mean = [sum(row) / len(row) for row in rewards]
@@ -39,9 +39,9 @@ def together(name, curves):
 
 
 def svg(curves):
-    """Draws curves: a name, cycles in millions, and rewards; thin as they are, thick averaged over a twentieth.
+    """Plots curves, each a name, cycles in millions and returns: a thin line for the values, a thick one for their moving average.
 
-    A curve of several seeds has its least and greatest rewards as well, between which it is shaded.
+    A curve of several seeds also has minima and maxima, and the area between them is shaded.
     """
     most = max(x for _, xs, *_ in curves for x in xs) or 1
     low = min(0, *(y for _, _, *rows in curves for ys in rows for y in ys))
@@ -79,7 +79,7 @@ def svg(curves):
 
 
 def main(files=None):
-    """Draws the files that the command line names."""
+    """Runs the command line."""
     files = sys.argv[1:] if files is None else files
     if not files:
         sys.exit("Name the curves: python -m robonewbie.curve walk.policy.csv > curves.svg")

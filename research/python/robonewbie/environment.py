@@ -1,4 +1,4 @@
-"""One robot with the interface of gymnasium.Env."""
+"""Environment of one robot with the interface of gymnasium.Env, and the base of all other environments."""
 
 import sys
 import webbrowser
@@ -9,29 +9,29 @@ import numpy as np
 from robonewbie.picture import draw
 from robonewbie.simulator import RESET, STEP, TRUNCATED, Connection, RoboNewbieError
 
-_SEEDS = 2**62
+SEED_LIMIT = 2**62
 RENDER_MODES = ["human", "rgb_array"]
 
 
 class EpisodeSeeds:
-    """Draws the seeds of episodes, for each of several robots from a chance of its own."""
+    """Generates the seeds of episodes, with a separate random generator for each environment."""
 
-    def __init__(self, robots):
-        self._randoms = [np.random.default_rng() for _ in range(robots)]
+    def __init__(self, count):
+        self._generators = [np.random.default_rng() for _ in range(count)]
 
     def begin(self, seeds):
-        """Seeds each chance; ``None`` lets one go on."""
+        """Seeds the generators; ``None`` leaves a generator unchanged."""
         for i, seed in enumerate(seeds):
             if seed is not None:
-                self._randoms[i] = np.random.default_rng(seed)
+                self._generators[i] = np.random.default_rng(seed)
 
-    def draw(self, wanted):
-        """Returns a seed for each robot that is wanted, 0 for the others."""
-        return np.array([r.integers(_SEEDS) if w else 0 for r, w in zip(self._randoms, wanted)], dtype=np.int64)
+    def draw(self, needed):
+        """Returns a seed for each environment of a boolean mask, and 0 for the others."""
+        return np.array([g.integers(SEED_LIMIT) if n else 0 for g, n in zip(self._generators, needed)], dtype=np.int64)
 
 
 def spaces_of(description):
-    """Makes the spaces of observation and action from what the simulator tells."""
+    """Creates the observation and action space from the description of a task."""
     low = np.array([entry["least"] for entry in description["observation"]], dtype=np.float32)
     high = np.array([entry["greatest"] for entry in description["observation"]], dtype=np.float32)
     observation = gymnasium.spaces.Box(low, high, dtype=np.float32)
@@ -39,37 +39,59 @@ def spaces_of(description):
     return observation, action
 
 
-def checked_render_mode(mode):
-    """Refuses a way to render that does not exist."""
-    if mode is not None and mode not in RENDER_MODES:
-        raise ValueError(f'There is no render_mode "{mode}". There are: {", ".join(RENDER_MODES)}, or leave it out.')
-    return mode
+class SimulatedTask:
+    """Base of all environments: the connection to the simulator, options of episodes, and rendering."""
+
+    def _connect(self, task, count, reward, render_mode, options):
+        if render_mode is not None and render_mode not in RENDER_MODES:
+            raise ValueError(f'There is no render_mode "{render_mode}". There are: {", ".join(RENDER_MODES)}, or omit it.')
+        self.render_mode = render_mode
+        self._options = options
+        self._changed = False
+        self._connection = Connection(task, count, reward, options)
+        self.description = self._connection.description
+        self.observation_names = [entry["name"] for entry in self.description["observation"]]
+        self.observation_units = [entry["unit"] for entry in self.description["observation"]]
+        self.action_names = self.description["action"]
+        self.studio_address = self._show() if render_mode == "human" else None
+        return spaces_of(self.description)
+
+    def _show(self):
+        address, file = self._connection.show(0)
+        print(f"Studio: {address}", file=sys.stderr)
+        webbrowser.open(file)  # the file hides the access code from command lines, which all users of the computer can read
+        return address
+
+    def _change(self, options):
+        """Sets the options of the next episode, in addition to those of the constructor."""
+        if options or self._changed:
+            self._connection.change({**self._options, **(options or {})})
+            self._changed = bool(options)
+
+    def render(self):
+        """Returns an image as an array of 360 x 480 x 3 bytes if ``render_mode`` is ``"rgb_array"``."""
+        return draw(self._connection.picture(0)) if self.render_mode == "rgb_array" else None
+
+    def close(self):
+        self._connection.close()
 
 
-def show(connection):
-    """Opens the studio in the browser with the first environment of a connection; returns the address of its page."""
-    address, file = connection.show(0)
-    print(f"Studio: {address}", file=sys.stderr)
-    webbrowser.open(file)  # every user of the computer can read the browser's command line, so that it holds no code
-    return address
+class RoboNewbieEnv(SimulatedTask, gymnasium.Env):
+    """A task for one robot; a step is a cycle of 20 ms.
 
+    ``observation_names``, ``observation_units`` and ``action_names`` describe the spaces. An action contains a target angle for each
+    joint: -1 to 1 times ``range_degrees``, relative to the initial posture.
 
-class RoboNewbieEnv(gymnasium.Env):
-    """A task for one robot; one step is a cycle of 20 ms.
+    ``reward`` is the name of a measure such as ``"energy"`` that replaces the reward of the task. ``options`` change the episodes:
+    ``x``, ``y`` (metres), ``heading`` (degrees), ``ball_x``, ``ball_y``, ``push`` (newtons by which the pushes once per second
+    increase), ``delay`` (cycles until an action takes effect), ``cycles`` (per action, 1), ``noise`` (standard deviation of additional
+    noise of joint angles, gyroscope and accelerometer), ``friction`` and ``mass`` (relative, 1), and for ``Follow`` and similar tasks
+    ``forward``, ``left`` (m/s) and ``turn`` (degrees/s). Each is a number, or a pair (low, high) from which each episode draws.
+    ``reset(options={...})`` changes the next episode.
 
-    ``observation_names``, ``observation_units`` and ``action_names`` say what the numbers are. An action is, for each joint,
-    the angle to go to: -1 to 1 times ``range_degrees`` from the first posture.
+    ``render_mode="human"`` opens the studio, where the robot moves in real time and the page can pause it.
 
-    ``reward`` is the name of a measure such as ``"energy"``; without it the task decides what it pays. ``options`` change the
-    episodes: ``x``, ``y`` (metres), ``heading`` (degrees), ``ball_x``, ``ball_y``, ``push`` (newtons by which pushes once per
-    second get harder), ``delay`` (cycles until an action acts), ``cycles`` (how many an action lasts, 1), ``noise`` (standard deviation of errors on top of joint angles,
-    gyro and accelerometer), ``friction`` and ``mass`` (1 is the usual), and for ``Follow`` and its like
-    ``forward``, ``left`` (m/s) and ``turn`` (degrees/s). Each is a number, or a pair (low, high) from which each
-    episode draws its own. ``reset(options={...})`` changes the episode that begins.
-
-    ``render_mode="human"`` opens the studio, where the robot moves in real time; its page can stop the clock.
-
-    ``info`` is the true state. For a task of your own, override ``observation``, ``reward`` and ``termination``:
+    ``info`` is the true state. To customise a task, override ``observation``, ``reward`` and ``termination``:
 
     >>> class Crouch(RoboNewbieEnv):
     ...     def reward(self, reward, info):
@@ -79,41 +101,29 @@ class RoboNewbieEnv(gymnasium.Env):
     metadata = {"render_modes": RENDER_MODES, "render_fps": 50}
 
     def __init__(self, task="Walk", reward="", render_mode=None, **options):
-        self.render_mode = checked_render_mode(render_mode)
-        self._made_of = {"task": task, "reward": reward, "render_mode": render_mode, **options}
-        self._options = options
-        self._changed = False
-        self._connection = Connection(task, 1, reward, options)
-        description = self._connection.description
-        if len(description["robots"]) > 1:
+        self._arguments = {"task": task, "reward": reward, "render_mode": render_mode, **options}
+        self.observation_space, self.action_space = self._connect(task, 1, reward, render_mode, options)
+        if len(self.description["robots"]) > 1:
             raise RoboNewbieError(f"In {task} several robots learn. Use robonewbie.parallel.parallel_env(\"{task}\").")
-        self.observation_space, self.action_space = spaces_of(description)
-        self.observation_names = [entry["name"] for entry in description["observation"]]
-        self.observation_units = [entry["unit"] for entry in description["observation"]]
-        self.action_names = description["action"]
-        self.range_degrees = description["rangeDegrees"]
+        self.range_degrees = self.description["rangeDegrees"]
         self.cycles = options.get("cycles", 1)
-        self.studio_address = show(self._connection) if render_mode == "human" else None
 
     def observation(self, observation, info):
-        """Returns the observation of a step; a subclass may derive it from what the robot senses or from the true state."""
+        """Returns the observation of a step. Override to derive it from the sensor readings or the true state."""
         return observation
 
     def reward(self, reward, info):
-        """Returns the reward of a step; a subclass may replace that of the task."""
+        """Returns the reward of a step. Override to replace that of the task."""
         return reward
 
     def termination(self, terminated, info):
-        """Returns whether the episode is terminated; a subclass may decide otherwise than the task."""
+        """Returns whether the episode is terminated. Override to replace the decision of the task."""
         return terminated
 
     def reset(self, *, seed=None, options=None):
         super().reset(seed=seed)
-        if options or self._changed:
-            self._connection.change({**self._options, **(options or {})})
-            self._changed = bool(options)
-        episode = int(self.np_random.integers(_SEEDS))
-        observation, _, _ = self._connection.act(RESET, episode, 0)
+        self._change(options)
+        observation, _, _ = self._connection.act(RESET, int(self.np_random.integers(SEED_LIMIT)), 0)
         info = self._info()
         return self.observation(observation[0], info), info
 
@@ -140,16 +150,9 @@ class RoboNewbieEnv(gymnasium.Env):
             info[name] = bool(info[name])
         return info
 
-    def render(self):
-        """Returns a picture as an array of 360 x 480 x 3 bytes if ``render_mode`` is ``"rgb_array"``."""
-        return draw(self._connection.picture(0)) if self.render_mode == "rgb_array" else None
-
-    def close(self):
-        self._connection.close()
-
     def __getstate__(self):
-        """A pickled environment is made again by the process that reads it."""
-        return self._made_of
+        """Pickles the arguments of the constructor; unpickling creates a new environment."""
+        return self._arguments
 
-    def __setstate__(self, made_of):
-        self.__init__(**made_of)
+    def __setstate__(self, arguments):
+        self.__init__(**arguments)

@@ -1,4 +1,4 @@
-"""Evaluates policies on episodes that no training has seen, beside doing nothing.
+"""Evaluates policies in episodes whose seeds no training uses, in comparison with zero actions.
 
     python -m robonewbie.evaluate Stand Stand.policy                  128 episodes each
     python -m robonewbie.evaluate QuickGetUp QuickGetUp.policy --option friction=2 --n-eval-episodes 256
@@ -14,12 +14,12 @@ from robonewbie.environment import EpisodeSeeds
 from robonewbie.simulator import RESET, SKIP, STEP, Connection
 from robonewbie.train import options_of
 
-# Trainings choose their episodes by seeds from 10 million on.
+# The seeds of trainings start at 10 million.
 FIRST_SEED = 1_000_000
 
 
 class PlayedPolicy:
-    """A policy as it stands in its file, without PyTorch: it gives the actions of all robots for what they observe."""
+    """Policy loaded from its file, evaluated with NumPy for a batch of observations."""
 
     def __init__(self, text):
         self.inputs, self.cycles, self._layers = [], 1, []
@@ -35,7 +35,7 @@ class PlayedPolicy:
                 self._layers.append((rows[:, 1:].T, rows[:, 0], words[3]))
 
     def act(self, observation):
-        """Gives a row of numbers from -1 to 1 for each row that is observed."""
+        """Returns a row of actions from -1 to 1 for each row of observations."""
         values = observation.astype(float)
         for weights, bias, activation in self._layers:
             values = values @ weights + bias
@@ -45,7 +45,7 @@ class PlayedPolicy:
 
 @dataclass(frozen=True)
 class Result:
-    """Result of the episodes: returns, lengths in actions, and whether each was a success."""
+    """Returns, lengths in actions, and successes of the episodes."""
 
     returns: np.ndarray
     actions: np.ndarray
@@ -57,14 +57,14 @@ class Result:
 
 
 def evaluate(task, policy=None, episodes=128, first_seed=FIRST_SEED, options=None):
-    """Plays each episode once, all at the same time; without a policy all actions are zero. Gives a Result.
+    """Plays all episodes in parallel and returns a Result. Without a policy all actions are zero.
 
-    An action lasts as long as while the policy was learned, unless the option cycles says something else.
+    The number of cycles per action is that of the policy's training, unless the option ``cycles`` sets it.
     """
     robots = Connection(task, episodes, "", {"cycles": policy.cycles if policy else 1, **(options or {})})
     described = robots.description
     names = [entry["name"] for entry in described["observation"]]
-    places = [names.index(name) for name in policy.inputs] if policy else []
+    indices = [names.index(name) for name in policy.inputs] if policy else []
     seeds = EpisodeSeeds(episodes)
     seeds.begin(range(first_seed, first_seed + episodes))
     running = np.ones(episodes, dtype=bool)
@@ -72,7 +72,7 @@ def evaluate(task, policy=None, episodes=128, first_seed=FIRST_SEED, options=Non
     returns, actions, successes = np.zeros(episodes), np.zeros(episodes, dtype=int), np.zeros(episodes, dtype=bool)
     success = robots.truth_names.index("is_success")
     while running.any():
-        action = policy.act(observation[:, places]) if policy else 0
+        action = policy.act(observation[:, indices]) if policy else 0
         observation, reward, _ = robots.act(np.where(running, STEP, SKIP), 0, action)
         returns[running] += reward[running]
         actions += running
@@ -83,18 +83,18 @@ def evaluate(task, policy=None, episodes=128, first_seed=FIRST_SEED, options=Non
 
 
 def main(words=None):
-    """Evaluates what the command line names."""
-    parser = argparse.ArgumentParser(prog="python -m robonewbie.evaluate", description="Evaluates a policy beside doing nothing.")
-    parser.add_argument("task", help="Stand, EngineFollow, EngineRun, KickTo, GetUp, QuickGetUp, another task, or the name of a Java class of yours")
-    parser.add_argument("policy", nargs="?", type=Path, help="file of the policy; without it only doing nothing is evaluated")
-    parser.add_argument("--n-eval-episodes", type=int, default=128, help="how many (128)")
-    parser.add_argument("--first-seed", type=int, default=FIRST_SEED, help=f"chooses the episodes ({FIRST_SEED})")
-    parser.add_argument("--option", action="append", default=[], metavar="NAME=VALUE", help="changes the episodes, such as cycles=2")
+    """Runs the command line."""
+    parser = argparse.ArgumentParser(prog="python -m robonewbie.evaluate", description="Evaluates a policy in comparison with zero actions.")
+    parser.add_argument("task", help="Stand, EngineFollow, EngineRun, KickTo, GetUp, QuickGetUp, another task, or the name of a custom Java class")
+    parser.add_argument("policy", nargs="?", type=Path, help="file of the policy; without it only zero actions are evaluated")
+    parser.add_argument("--n-eval-episodes", type=int, default=128, help="number of episodes (128)")
+    parser.add_argument("--first-seed", type=int, default=FIRST_SEED, help=f"seed of the first episode ({FIRST_SEED})")
+    parser.add_argument("--option", action="append", default=[], metavar="NAME=VALUE", help="option of the task, such as cycles=2")
     wanted = parser.parse_args(words)
-    both = {"doing nothing": None}
+    policies = {"zero actions": None}
     if wanted.policy:
-        both = {str(wanted.policy): PlayedPolicy(wanted.policy.read_text(encoding="utf-8")), **both}
-    for name, policy in both.items():
+        policies = {str(wanted.policy): PlayedPolicy(wanted.policy.read_text(encoding="utf-8")), **policies}
+    for name, policy in policies.items():
         print(f"{name}: {evaluate(wanted.task, policy, wanted.n_eval_episodes, wanted.first_seed, options_of(wanted.option))}")
 
 

@@ -1,17 +1,18 @@
-"""Writes episodes in the format of LeRobot, version 3 (needs ``pip install pyarrow pandas``).
+"""Writes episodes in LeRobot's data set format, version 3 (needs ``pip install pyarrow pandas``).
 
-Roll-outs of an environment:
+Rollouts of an environment:
 
 >>> env = RecordEpisodes(gymnasium.make("RoboNewbie/Walk-v1"), "walks", task="Walk ahead.")
->>> # let a policy act in it
+>>> # run a policy in env
 >>> env.close()
 
-Games that ``robonewbie record`` has written: ``python -m robonewbie.lerobot dataset games``. There each robot of each run is an episode; a goal
-pays 1, one of the other team costs 1.
+Data sets of ``robonewbie record``: ``python -m robonewbie.lerobot dataset games``. Each robot of each run is an episode. The reward of a
+goal is 1, that of a goal of the other team -1.
 """
 
 import json
 import sys
+from collections import defaultdict
 from pathlib import Path
 
 import gymnasium
@@ -29,7 +30,7 @@ _FILES_PER_CHUNK = 1000
 
 
 class EpisodeWriter:
-    """A folder of episodes. Files are complete or not there; what is not closed has no ``meta/info.json``."""
+    """Writer of a folder of episodes. Files are written atomically; ``meta/info.json`` is written by ``close``."""
 
     def __init__(self, folder, observation_names, action_names, frames_per_second=FRAMES_PER_SECOND):
         self._folder = Path(folder)
@@ -42,10 +43,10 @@ class EpisodeWriter:
         self._waiting = []
         self._frames = 0
         self._files = 0
-        self._sums = {}
+        self._statistics = defaultdict(_Statistics)
 
     def add(self, task, observations, actions, rewards, dones):
-        """Adds an episode: what the robot saw, what it did then, and what came of that, a row for each frame."""
+        """Adds an episode with a row for each frame: the observation, the action, its reward, and whether it ended the episode."""
         count = len(actions)
         if not count:
             return
@@ -76,7 +77,7 @@ class EpisodeWriter:
         )
         self._frames += count
         for name, values in columns.items():
-            self._sums[name] = _Sum.of(values).plus(self._sums.get(name))
+            self._statistics[name].add(values)
         if sum(len(part["index"]) for part in self._waiting) >= _FRAMES_PER_FILE:
             self._write_file()
 
@@ -95,7 +96,7 @@ class EpisodeWriter:
         meta = self._folder / "meta"
         _write(pa.Table.from_pylist(self._episodes), meta / "episodes" / _FILE.format(chunk=0, file=0))
         pd.DataFrame({"task_index": list(self._tasks.values())}, index=list(self._tasks)).to_parquet(meta / "tasks.parquet")
-        stats = {name: found.statistics() for name, found in self._sums.items()}
+        stats = {name: statistics.summary() for name, statistics in self._statistics.items()}
         (meta / "stats.json").write_text(json.dumps(stats, indent=2), encoding="utf-8")
         (meta / "info.json").write_text(json.dumps(self._info(), indent=2), encoding="utf-8")
 
@@ -123,33 +124,25 @@ class EpisodeWriter:
         }
 
 
-class _Sum:
-    """What statistics need to know of the frames so far."""
+class _Statistics:
+    """Running statistics of a column."""
 
-    def __init__(self, count, total, squares, least, most):
-        self.count, self.total, self.squares, self.least, self.most = count, total, squares, least, most
+    def __init__(self):
+        self._count, self._sum, self._squares, self._min, self._max = 0, 0, 0, np.inf, -np.inf
 
-    @staticmethod
-    def of(values):
+    def add(self, values):
         rows = values.reshape(len(values), -1).astype(float)
-        return _Sum(len(rows), rows.sum(axis=0), (rows**2).sum(axis=0), rows.min(axis=0), rows.max(axis=0))
+        self._count += len(rows)
+        self._sum = self._sum + rows.sum(axis=0)
+        self._squares = self._squares + (rows**2).sum(axis=0)
+        self._min = np.minimum(self._min, rows.min(axis=0))
+        self._max = np.maximum(self._max, rows.max(axis=0))
 
-    def plus(self, other):
-        if other is None:
-            return self
-        return _Sum(
-            self.count + other.count,
-            self.total + other.total,
-            self.squares + other.squares,
-            np.minimum(self.least, other.least),
-            np.maximum(self.most, other.most),
-        )
-
-    def statistics(self):
-        mean = self.total / self.count
-        spread = np.sqrt(np.maximum(self.squares / self.count - mean**2, 0))
-        numbers = {"min": self.least, "max": self.most, "mean": mean, "std": spread}
-        return {**{name: value.tolist() for name, value in numbers.items()}, "count": [self.count]}
+    def summary(self):
+        mean = self._sum / self._count
+        std = np.sqrt(np.maximum(self._squares / self._count - mean**2, 0))
+        numbers = {"min": self._min, "max": self._max, "mean": mean, "std": std}
+        return {**{name: value.tolist() for name, value in numbers.items()}, "count": [self._count]}
 
 
 def _array(values):
@@ -166,14 +159,14 @@ def _write(table, path):
 
 
 class RecordEpisodes(gymnasium.Wrapper):
-    """Writes all episodes of a RoboNewbie environment to a folder, which is complete after ``close``."""
+    """Wrapper that records all episodes of a RoboNewbie environment in a folder, which is complete after ``close``."""
 
     def __init__(self, env, folder, task="", frames_per_second=None):
         super().__init__(env)
-        own = env.unwrapped
-        rate = frames_per_second or round(FRAMES_PER_SECOND / getattr(own, "cycles", 1))
-        self._writer = EpisodeWriter(folder, own.observation_names, own.action_names, rate)
-        self._task = task or getattr(env.spec, "id", None) or type(own).__name__
+        inner = env.unwrapped
+        rate = frames_per_second or round(FRAMES_PER_SECOND / getattr(inner, "cycles", 1))
+        self._writer = EpisodeWriter(folder, inner.observation_names, inner.action_names, rate)
+        self._task = task or getattr(env.spec, "id", None) or type(inner).__name__
         self._rows = []
         self._last = None
 
@@ -202,26 +195,26 @@ class RecordEpisodes(gymnasium.Wrapper):
 
 
 def convert(folder, target):
-    """Writes a data set of ``robonewbie record`` in the format of LeRobot; a number that is missing becomes 0."""
+    """Converts a data set of ``robonewbie record`` to LeRobot's format. Missing numbers become 0."""
     folder = Path(folder)
     known = parquet.description(folder)
     of_cycles, of_events = (known["tables"][name]["columns"] for name in ("cycles", "events"))
     columns = [column["name"] for column in of_cycles if column["kind"] == "decimal"]
     actions = [name for name in columns if name.startswith("command_")]
-    felt = ("sensed_", "gyro_", "accelerometer_", "left_foot_", "right_foot_", "ball_")
-    seen = [name for name in columns if name.startswith(felt)]
-    writer = EpisodeWriter(target, seen, actions)
+    sensors = ("sensed_", "gyro_", "accelerometer_", "left_foot_", "right_foot_", "ball_")
+    observations = [name for name in columns if name.startswith(sensors)]
+    writer = EpisodeWriter(target, observations, actions)
     for file in sorted(folder.glob(known["tables"]["cycles"]["files"])):
         cycles = parquet.read(file, of_cycles).to_pandas()
-        goals = parquet.read(folder / "events" / file.name, of_events).to_pandas()
+        events = parquet.read(folder / "events" / file.name, of_events).to_pandas()
         for (run, team, _), rows in cycles.groupby(["run", "team", "number"], sort=True):
-            happened = np.zeros(int(cycles.cycle.max()) + 1)
-            of_run = goals[goals.run == run]
+            goals = np.zeros(int(cycles.cycle.max()) + 1)
+            of_run = events[events.run == run]
             for cycle, event in zip(of_run.cycle, of_run.event):
                 if event.startswith("goal "):
-                    happened[min(cycle, len(happened) - 1)] += 1 if event.endswith(f" {team}") else -1
-            rewards = np.add.reduceat(happened, rows.cycle.to_numpy())[1:] if len(rows) > 1 else np.zeros(0)
-            state = rows[seen].fillna(0).to_numpy()[:-1]
+                    goals[min(cycle, len(goals) - 1)] += 1 if event.endswith(f" {team}") else -1
+            rewards = np.add.reduceat(goals, rows.cycle.to_numpy())[1:] if len(rows) > 1 else np.zeros(0)
+            state = rows[observations].fillna(0).to_numpy()[:-1]
             done = np.arange(1, len(rows)) == len(rows) - 1
             writer.add(known["agent"], state, rows[actions].to_numpy()[1:], rewards, done)
     writer.close()

@@ -5,40 +5,31 @@
 >>> observations, infos = match.reset(seed=1)
 """
 
+import copy
+
 import numpy as np
 from gymnasium.utils import seeding
 from pettingzoo import ParallelEnv
 
-from robonewbie.environment import RENDER_MODES, checked_render_mode, show, spaces_of
-from robonewbie.picture import draw
-from robonewbie.simulator import RESET, STEP, TRUNCATED, Connection, RoboNewbieError
-
-_SEEDS = 2**62
+from robonewbie.environment import RENDER_MODES, SEED_LIMIT, SimulatedTask
+from robonewbie.simulator import RESET, STEP, TRUNCATED, RoboNewbieError
 
 
-class RoboNewbieParallelEnv(ParallelEnv):
-    """Two teams, ``left_1`` to ``right_11``; a step is a cycle of 20 ms unless the option ``cycles`` says otherwise.
+class RoboNewbieParallelEnv(SimulatedTask, ParallelEnv):
+    """Two teams of agents ``left_1`` to ``right_11``. A step is a cycle of 20 ms unless the option ``cycles`` is set.
 
-    ``task`` is ``Match1v1``, ``Match2v2``, ``Match11v11``, ``KeeperAgainstAttacker``, or a Java class of yours with several
+    ``task`` is ``Match1v1``, ``Match2v2``, ``Match11v11``, ``KeeperAgainstAttacker``, or a custom Java class with several
     ``learners``. ``options`` are those of ``RoboNewbieEnv``.
     """
 
     metadata = {"name": "robonewbie_v1", "render_modes": RENDER_MODES, "render_fps": 50, "is_parallelizable": True}
 
     def __init__(self, task="Match1v1", render_mode=None, **options):
-        self.render_mode = checked_render_mode(render_mode)
-        self._options = options
-        self._changed = False
-        self._connection = Connection(task, 1, "", options)
-        description = self._connection.description
-        self.possible_agents = list(description["robots"])
+        observation, action = self._connect(task, 1, "", render_mode, options)
+        self.possible_agents = list(self.description["robots"])
         self.agents = []
-        observation, action = spaces_of(description)
-        self.observation_spaces = {agent: _copy(observation) for agent in self.possible_agents}
-        self.action_spaces = {agent: _copy(action) for agent in self.possible_agents}
-        self.observation_names = [entry["name"] for entry in description["observation"]]
-        self.action_names = description["action"]
-        self.studio_address = show(self._connection) if render_mode == "human" else None
+        self.observation_spaces = {agent: copy.deepcopy(observation) for agent in self.possible_agents}
+        self.action_spaces = {agent: copy.deepcopy(action) for agent in self.possible_agents}
         self._random, _ = seeding.np_random()
 
     def observation_space(self, agent):
@@ -50,20 +41,18 @@ class RoboNewbieParallelEnv(ParallelEnv):
     def reset(self, seed=None, options=None):
         if seed is not None:
             self._random, _ = seeding.np_random(seed)
-        options = {name: value for name, value in (options or {}).items() if name != "options"}  # PettingZoo's own test gives this
-        if options or self._changed:
-            self._connection.change({**self._options, **options})
-            self._changed = bool(options)
+        # PettingZoo's API test passes an option that is called "options".
+        self._change({name: value for name, value in (options or {}).items() if name != "options"})
         self.agents = list(self.possible_agents)
-        observation, _, _ = self._connection.act(RESET, int(self._random.integers(_SEEDS)), 0)
+        observation, _, _ = self._connection.act(RESET, int(self._random.integers(SEED_LIMIT)), 0)
         return self._each(observation), self._infos()
 
     def step(self, actions):
         if not self.agents:
-            raise RoboNewbieError("The match is over. Call reset.")
+            raise RoboNewbieError("The match is over. Call reset().")
         missing = [agent for agent in self.agents if agent not in actions]
         if missing:
-            raise RoboNewbieError(f"There is no action for {', '.join(missing)}: each robot needs one in each step.")
+            raise RoboNewbieError(f"There is no action for {', '.join(missing)}. Each step needs an action of each robot.")
         rows = np.stack([actions[agent] for agent in self.possible_agents])
         observation, reward, terminated = self._connection.act(STEP, 0, rows)
         truncated = self._connection.state == TRUNCATED
@@ -85,18 +74,7 @@ class RoboNewbieParallelEnv(ParallelEnv):
         names = self._connection.truth_names
         return self._each([dict(zip(names, row)) for row in self._connection.truth.tolist()])
 
-    def render(self):
-        """Returns a picture as an array of 360 x 480 x 3 bytes if ``render_mode`` is ``"rgb_array"``."""
-        return draw(self._connection.picture(0)) if self.render_mode == "rgb_array" else None
-
-    def close(self):
-        self._connection.close()
-
-
-def _copy(space):
-    return type(space)(space.low, space.high, dtype=space.dtype)
-
 
 def parallel_env(task="Match1v1", **keywords):
-    """Makes a match, as PettingZoo's own environments are made."""
+    """Creates a match, like the factory functions of PettingZoo's environments."""
     return RoboNewbieParallelEnv(task, **keywords)

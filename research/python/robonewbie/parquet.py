@@ -1,7 +1,7 @@
-"""Writes the tables of ``robonewbie record`` as Apache Parquet (needs ``pip install pyarrow``).
+"""Converts the tables of ``robonewbie record`` to Apache Parquet (needs ``pip install pyarrow``).
 
-``python -m robonewbie.parquet dataset`` writes the folder ``dataset/parquet``: the same tables with the same columns, of the kinds that
-``dataset.json`` names. A decimal that is missing is null. In a table of several runs each run begins a group of rows.
+``python -m robonewbie.parquet dataset`` writes the folder ``dataset/parquet`` with the same tables and columns, typed as in
+``dataset.json``. Missing decimals are null. In a table of several runs each run starts a new row group.
 """
 
 import json
@@ -17,7 +17,7 @@ _ROWS_PER_GROUP = 20_000
 
 
 def description(folder):
-    """Reads what ``dataset.json`` says of a data set."""
+    """Reads the ``dataset.json`` of a data set."""
     file = Path(folder) / "dataset.json"
     try:
         return json.loads(file.read_text(encoding="utf-8"))
@@ -28,7 +28,7 @@ def description(folder):
 
 
 def read(file, columns):
-    """Reads a table of a data set, CSV or Parquet; the columns are those that ``dataset.json`` lists for it."""
+    """Reads a table of a data set, CSV or Parquet, with the columns that ``dataset.json`` lists for it."""
     if file.suffix == ".parquet":
         return pq.read_table(file)
     types = {column["name"]: _TYPES[column["kind"]] for column in columns}
@@ -46,7 +46,7 @@ def read(file, columns):
 
 
 def convert(folder, report=print):
-    """Writes all tables of a data set to its folder ``parquet``, and reports each."""
+    """Converts all tables of a data set to its folder ``parquet``, and reports each."""
     folder = Path(folder)
     known = description(folder)
     facts = {name: value for name, value in known.items() if isinstance(value, str)}

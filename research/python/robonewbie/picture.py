@@ -1,4 +1,4 @@
-"""Draws a moment without any graphics library: boxes for the limbs of each robot, the ball, and the ground."""
+"""Software renderer of an environment: boxes for the limbs of each robot, the ball, and the ground."""
 
 import numpy as np
 
@@ -12,11 +12,11 @@ _NEAR = 0.1
 
 
 class _Camera:
-    """Looks from the right and from behind at the first robot."""
+    """Perspective camera behind and to the right of the first robot."""
 
     def __init__(self, target):
-        self.place = target + np.array([-1.1, -1.7, 0.75])
-        ahead = target - self.place
+        self.position = target + np.array([-1.1, -1.7, 0.75])
+        ahead = target - self.position
         self.ahead = ahead / np.linalg.norm(ahead)
         self.right = np.cross(self.ahead, [0, 0, 1])
         self.right /= np.linalg.norm(self.right)
@@ -24,11 +24,11 @@ class _Camera:
         self.scale = 1.9 * HEIGHT
 
     def project(self, points):
-        """Pixels and depths of points in metres."""
-        seen = np.asarray(points, dtype=float) - self.place
-        depth = np.maximum(seen @ self.ahead, 1e-9)
-        x = WIDTH / 2 + self.scale * (seen @ self.right) / depth
-        y = HEIGHT / 2 - self.scale * (seen @ self.up) / depth
+        """Returns the pixels and depths of points in metres."""
+        relative = np.asarray(points, dtype=float) - self.position
+        depth = np.maximum(relative @ self.ahead, 1e-9)
+        x = WIDTH / 2 + self.scale * (relative @ self.right) / depth
+        y = HEIGHT / 2 - self.scale * (relative @ self.up) / depth
         return np.stack([x, y], axis=-1), depth
 
 
@@ -48,17 +48,17 @@ def _fill(image, corners, colour):
 
 
 def _ground(camera):
-    """A pixel of grass where its ray meets the ground, with a line each half metre; sky elsewhere."""
+    """Renders the ground with lines every half metre, and the sky above the horizon."""
     x, y = np.meshgrid(np.arange(WIDTH) + 0.5 - WIDTH / 2, HEIGHT / 2 - np.arange(HEIGHT) - 0.5)
     rays = camera.ahead + (x[..., None] * camera.right + y[..., None] * camera.up) / camera.scale
-    falls = rays[..., 2] < -1e-6
-    far = np.where(falls, camera.place[2] / -np.where(falls, rays[..., 2], -1), 0)
-    hit = camera.place[:2] + far[..., None] * rays[..., :2]
-    line = (np.abs(hit * 2 - np.round(hit * 2)) < 0.02).any(axis=-1) & (far < 8)
+    downwards = rays[..., 2] < -1e-6
+    distance = np.where(downwards, camera.position[2] / -np.where(downwards, rays[..., 2], -1), 0)
+    hit = camera.position[:2] + distance[..., None] * rays[..., :2]
+    line = (np.abs(hit * 2 - np.round(hit * 2)) < 0.02).any(axis=-1) & (distance < 8)
     image = np.empty((HEIGHT, WIDTH, 3), dtype=np.uint8)
     image[:] = _SKY
-    image[falls] = _GRASS
-    image[falls & line] = _LINE
+    image[downwards] = _GRASS
+    image[downwards & line] = _LINE
     return image
 
 
@@ -72,13 +72,13 @@ def _faces(robots, camera):
                 corners = box[face]
                 normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
                 normal *= np.sign(normal @ (corners.mean(axis=0) - centre)) / np.linalg.norm(normal)
-                if normal @ (camera.place - corners[0]) > 0:
+                if normal @ (camera.position - corners[0]) > 0:
                     light = 0.55 + 0.45 * max(0, normal @ _SUN)
                     yield corners, light * colour
 
 
 def draw(moment):
-    """Draws what the simulator tells of a moment as an array of HEIGHT x WIDTH x 3 bytes."""
+    """Renders the simulator's description of a moment as an array of HEIGHT x WIDTH x 3 bytes."""
     camera = _Camera(np.asarray(moment["robots"][0]).mean(axis=(0, 1)))
     image = _ground(camera)
     shapes = []
@@ -88,8 +88,8 @@ def draw(moment):
             shapes.append((depth.mean(), pixels, colour))
     ball, depth = camera.project(moment["ball"])
     if depth > _NEAR:
-        turn = np.linspace(0, 2 * np.pi, 16, endpoint=False)
-        circle = ball + camera.scale * 0.042 / depth * np.stack([np.cos(turn), np.sin(turn)], axis=-1)
+        angle = np.linspace(0, 2 * np.pi, 16, endpoint=False)
+        circle = ball + camera.scale * 0.042 / depth * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
         shapes.append((depth, circle, _BALL))
     for _, pixels, colour in sorted(shapes, key=lambda shape: -shape[0]):
         _fill(image, pixels, colour)

@@ -1,4 +1,4 @@
-"""Many robots at once for Stable-Baselines3, all in one simulator.
+"""Vectorised environment for Stable-Baselines3, with all robots in one simulator.
 
 >>> from stable_baselines3 import PPO
 >>> from robonewbie.sb3 import VecEnv
@@ -6,24 +6,20 @@
 """
 
 import numpy as np
-from gymnasium import spaces
 from stable_baselines3.common.vec_env import VecEnv as _VecEnv
 
-from robonewbie.environment import EpisodeSeeds, checked_render_mode, show, spaces_of
+from robonewbie.environment import EpisodeSeeds, SimulatedTask
 from robonewbie.picture import draw
-from robonewbie.simulator import RESET, STEP_AND_RESET, Connection
+from robonewbie.simulator import RESET, STEP_AND_RESET
 
 
-class VecEnv(_VecEnv):
-    """Robots in worlds of their own; ``reward`` and ``options`` are those of ``RoboNewbieEnv``."""
+class VecEnv(_VecEnv, SimulatedTask):
+    """Robots in separate worlds. ``reward`` and ``options`` are those of ``RoboNewbieEnv``."""
 
     def __init__(self, task="Walk", num_envs=8, reward="", render_mode=None, **options):
-        self.render_mode = checked_render_mode(render_mode)
-        self._connection = Connection(task, num_envs, reward, options)
-        self.description = self._connection.description
+        observation_space, action_space = self._connect(task, num_envs, reward, render_mode, options)
         self._episodes = EpisodeSeeds(num_envs)
-        self.studio_address = show(self._connection) if render_mode == "human" else None
-        super().__init__(num_envs, *spaces_of(self._connection.description))
+        super().__init__(num_envs, observation_space, action_space)
 
     def reset(self):
         self._episodes.begin(self._seeds)

@@ -1,4 +1,4 @@
-"""Finds and starts the simulator, and talks to it. The messages are described in docs/gym-protocol.md."""
+"""Client of the simulator, which it finds and starts. docs/gym-protocol.md describes the messages."""
 
 import atexit
 import contextlib
@@ -24,15 +24,15 @@ except ImportError:  # Windows
 SKIP, STEP, RESET, STEP_AND_RESET = 0, 1, 2, 3
 TERMINATED, TRUNCATED = 1, 2
 _START_SECONDS = 600  # the first start builds the program
-_PATIENCE_SECONDS = 60
-_OLDEST_JAVA = 17
+_TIMEOUT_SECONDS = 60
+_MIN_JAVA = 17
 _HOW_TO_GET_JAVA = (
     "Install Java 17 or newer, for example from https://adoptium.net, and if it is installed already, set JAVA_HOME to its folder."
 )
 
 
 class RoboNewbieError(RuntimeError):
-    """Something is wrong; the text says what to do."""
+    """Error with instructions for the user."""
 
 
 def _launcher_in(folder):
@@ -41,15 +41,15 @@ def _launcher_in(folder):
 
 
 def _command():
-    """Finds the program: ROBONEWBIE names the launcher or the jar; else it is looked for."""
-    wanted = os.environ.get("ROBONEWBIE")
-    if wanted:
-        path = Path(wanted).expanduser()
+    """Returns the command of the program: the launcher or jar that ROBONEWBIE names, else one in the usual places."""
+    named = os.environ.get("ROBONEWBIE")
+    if named:
+        path = Path(named).expanduser()
         if path.is_dir():
             path = _launcher_in(path) or path
         if not path.is_file():
             raise RoboNewbieError(
-                f"The environment variable ROBONEWBIE is \"{wanted}\", where there is no program. "
+                f"The environment variable ROBONEWBIE is \"{named}\", which is not a program. "
                 "Set it to the folder of RoboNewbie, its launcher or robonewbie.jar."
             )
         return _command_for_jar(path) if path.suffix == ".jar" else [str(path)]
@@ -77,16 +77,16 @@ def _java():
     java = shutil.which("java", path=str(Path(home, "bin")) if home else None) or shutil.which("java")
     if not java:
         raise RoboNewbieError(f"Java was not found. {_HOW_TO_GET_JAVA}")
-    told = subprocess.run([java, "-version"], capture_output=True, text=True).stderr
-    version = re.search(r'version "(?:1\.)?(\d+)', told)
-    if not version or int(version.group(1)) < _OLDEST_JAVA:
+    output = subprocess.run([java, "-version"], capture_output=True, text=True).stderr
+    version = re.search(r'version "(?:1\.)?(\d+)', output)
+    if not version or int(version.group(1)) < _MIN_JAVA:
         found = version.group(1) if version else "does not start"
-        raise RoboNewbieError(f"Java {_OLDEST_JAVA} or newer is needed. Found: {java} ({found}). {_HOW_TO_GET_JAVA}")
+        raise RoboNewbieError(f"Java {_MIN_JAVA} or newer is needed. Found: {java} ({found}). {_HOW_TO_GET_JAVA}")
     return java
 
 
 def _environment():
-    """Java decodes names of files by the locale, and needs UTF-8 for letters such as ü; robonewbie's launcher does the same."""
+    """Returns an environment with a UTF-8 locale, by which Java decodes file names, as the launcher of robonewbie does."""
     if os.name == "nt":
         return None
     try:
@@ -97,7 +97,7 @@ def _environment():
 
 
 class _Process:
-    """The simulator, which serves all environments of this Python program and ends with it."""
+    """Process of the simulator, which serves all environments of this Python program and ends with it."""
 
     def __init__(self):
         command = _command() + ["gym"]
@@ -122,7 +122,7 @@ class _Process:
         else:
             code = self.process.wait()
             raise RoboNewbieError(
-                f"The simulator ended at once with exit code {code}; its messages stand above. "
+                f"The simulator exited with code {code} during start-up; see its messages above. "
                 f"Does this work in a terminal? {' '.join(command)} --help"
             )
         watchdog.cancel()
@@ -141,44 +141,44 @@ _process = None
 _owner = None
 _lock = threading.Lock()
 
-# The processes of a program find the simulator that one of them has started by this file, which its name is inherited for.
-_meeting_place = os.environ.setdefault(
-    "ROBONEWBIE_MEETING_PLACE", str(Path(tempfile.gettempdir(), f"robonewbie-{uuid.uuid4().hex}"))
+# File with the port of the simulator. Child processes inherit its name and share the simulator.
+_port_file = os.environ.setdefault(
+    "ROBONEWBIE_PORT_FILE", str(Path(tempfile.gettempdir(), f"robonewbie-{uuid.uuid4().hex}"))
 )
 
 
 @contextlib.contextmanager
-def _one_at_a_time():
-    """Lets one thread of one process look for the simulator, or start it."""
-    with _lock, open(_meeting_place + ".lock", "w", encoding="ascii") as file:
+def _exclusive():
+    """Excludes other threads and processes while one of them looks for the simulator or starts it."""
+    with _lock, open(_port_file + ".lock", "w", encoding="ascii") as file:
         if fcntl:
             fcntl.flock(file, fcntl.LOCK_EX)
         yield
 
 
 def _connect():
-    """Connects to the simulator of this program, which is started if it does not run."""
+    """Connects to the simulator of this program, and starts it if necessary."""
     global _process, _owner
-    with _one_at_a_time():
+    with _exclusive():
         try:
-            port = int(Path(_meeting_place).read_text(encoding="ascii"))
-            return socket.create_connection(("127.0.0.1", port), timeout=_PATIENCE_SECONDS / 2)
+            port = int(Path(_port_file).read_text(encoding="ascii"))
+            return socket.create_connection(("127.0.0.1", port), timeout=_TIMEOUT_SECONDS / 2)
         except (OSError, ValueError):
             _process, _owner = _Process(), os.getpid()
-            Path(_meeting_place).write_text(str(_process.port), encoding="ascii")
-            return socket.create_connection(("127.0.0.1", _process.port), timeout=_PATIENCE_SECONDS / 2)
+            Path(_port_file).write_text(str(_process.port), encoding="ascii")
+            return socket.create_connection(("127.0.0.1", _process.port), timeout=_TIMEOUT_SECONDS / 2)
 
 
 @atexit.register
 def _stop():
     if _process is not None and _owner == os.getpid():
         _process.stop()
-        for file in (_meeting_place, _meeting_place + ".lock"):
+        for file in (_port_file, _port_file + ".lock"):
             Path(file).unlink(missing_ok=True)
 
 
 def _lines(options):
-    """Writes options as the simulator reads them; a pair is a range."""
+    """Formats options as lines of a request; a pair is a range."""
     return [f"{name}={_text(name, value)}" for name, value in options.items()]
 
 
@@ -190,25 +190,25 @@ def _text(name, value):
         return repr(float(value))
     except (TypeError, ValueError):
         raise RoboNewbieError(
-            f'The option "{name}" is {value!r}. It takes a number, or for a range a pair of numbers such as (0.5, 2).'
+            f'The option "{name}" is {value!r}. Give a number, or for a range a pair of numbers such as (0.5, 2).'
         ) from None
 
 
 class Connection:
-    """Some environments of one task in the simulator."""
+    """Connection with environments of one task in the simulator."""
 
     def __init__(self, task, count, reward="", options=None):
         self._socket = _connect()
         self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         try:
-            order = "\n".join([task, f"reward={reward}", *_lines(options or {})])
-            self.description = json.loads(self._ask(b"M" + struct.pack("<i", count) + order.encode("utf-8")))
+            request = "\n".join([task, f"reward={reward}", *_lines(options or {})])
+            self.description = json.loads(self._ask(b"M" + struct.pack("<i", count) + request.encode("utf-8")))
         except RoboNewbieError:
             self.close()
             raise
         rows = count * len(self.description["robots"])
         actions, quantities = len(self.description["action"]), len(self.description["observation"])
-        self._orders = np.zeros(rows, dtype=[("what", "u1"), ("seed", "<i8"), ("action", "<f4", (actions,))])
+        self._requests = np.zeros(rows, dtype=[("what", "u1"), ("seed", "<i8"), ("action", "<f4", (actions,))])
         self.truth_names = self.description["truth"]
         self._answer = np.dtype(
             [
@@ -223,37 +223,40 @@ class Connection:
         self.fresh = np.zeros((0, quantities), dtype=np.float32)
 
     def act(self, what, seeds, actions):
-        """Steps or resets environments, or lets them wait; returns observations, rewards and which are terminated.
+        """Steps, resets or skips environments; returns observations, rewards and whether each is terminated.
 
-        ``state`` is TERMINATED, TRUNCATED or 0, ``fresh`` has the first observations of those that were reset after their step."""
-        self._orders["what"] = what
-        self._orders["seed"] = seeds
-        self._orders["action"] = actions
-        reply = self._ask(b"A" + self._orders.tobytes())
-        answer = np.frombuffer(reply, dtype=self._answer, count=len(self._orders))
+        Sets ``state`` to TERMINATED, TRUNCATED or 0, and ``fresh`` to the initial observations of those that were reset after their step.
+        """
+        self._requests["what"] = what
+        self._requests["seed"] = seeds
+        self._requests["action"] = actions
+        reply = self._ask(b"A" + self._requests.tobytes())
+        answer = np.frombuffer(reply, dtype=self._answer, count=len(self._requests))
         self.truth, self.state = answer["truth"], answer["state"]
-        begun = np.frombuffer(reply, dtype="<f4", offset=len(self._orders) * self._answer.itemsize)
-        self.fresh = begun.reshape(-1, self._answer["observation"].shape[0])
+        fresh = np.frombuffer(reply, dtype="<f4", offset=len(self._requests) * self._answer.itemsize)
+        self.fresh = fresh.reshape(-1, self._answer["observation"].shape[0])
         return answer["observation"].copy(), answer["reward"].copy(), self.state == TERMINATED
 
     def change(self, options):
-        """Changes the episodes that begin from now on."""
+        """Sets the options of the following episodes."""
         self._ask(b"C" + "\n".join(_lines(options)).encode("utf-8"))
 
     def picture(self, index):
-        """Gives the places of limbs and ball in one environment."""
+        """Returns the positions of limbs and ball in one environment."""
         return json.loads(self._ask(b"P" + struct.pack("<i", index)))
 
     def show(self, index):
-        """Starts the studio with one environment, which runs in real time from now on; gives the addresses of its page, which
-        opens once, and of a file that opens it."""
+        """Opens the studio with one environment, which then runs in real time.
+
+        Returns the one-time address of its page, and the address of a file that redirects to the page.
+        """
         address, file = self._ask(b"V" + struct.pack("<i", index)).decode("utf-8").split("\n")
-        self._socket.settimeout(None)  # the page may stop the clock
+        self._socket.settimeout(None)  # the page may pause the simulation
         return address, file
 
     def _ask(self, message):
         if self._socket.fileno() < 0:
-            raise RoboNewbieError("The environment was closed. Make it again.")
+            raise RoboNewbieError("The environment is closed. Create it again.")
         try:
             self._socket.sendall(struct.pack("<i", len(message)) + message)
             (length,) = struct.unpack("<i", self._receive(4))
@@ -261,12 +264,12 @@ class Connection:
         except TimeoutError as silent:
             self.close()
             raise RoboNewbieError(
-                f"The simulator has not answered for {_PATIENCE_SECONDS} s. Is it stopped, or the computer overloaded? "
-                "Make the environment again."
+                f"The simulator has not answered for {_TIMEOUT_SECONDS} s. Is it stopped, or the computer overloaded? "
+                "Create the environment again."
             ) from silent
         except OSError as broken:
             raise RoboNewbieError(
-                f"The connection to the simulator broke ({broken}). Make the environment again."
+                f"The connection to the simulator was lost ({broken}). Create the environment again."
             ) from broken
         if reply[0]:
             raise RoboNewbieError(reply[1:].decode("utf-8"))
@@ -278,10 +281,10 @@ class Connection:
         while view:
             try:
                 count = self._socket.recv_into(view)
-            except TimeoutError:  # a program that was stopped (Control-Z) finds its wait over as soon as it goes on
+            except TimeoutError:  # after a suspension of this program (Control-Z) the time is up immediately
                 count = self._socket.recv_into(view)
             if not count:
-                raise OSError("it was closed at the other end")
+                raise OSError("the simulator closed it")
             view = view[count:]
         return bytes(data)
 

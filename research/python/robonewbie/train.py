@@ -1,17 +1,18 @@
-"""Trains a task by PPO of Stable-Baselines3, and writes a policy that agents in Java play.
+"""Trains a task by PPO of Stable-Baselines3, and writes a policy for Java agents.
 
     python -m robonewbie.train Stand --total-timesteps 300000
     python -m robonewbie.train Stand --total-timesteps 600000 --resume
     python -m robonewbie.train Stand --net-arch --inputs "gyro.*|accelerometer.*" --option cycles=2
 
-The policy begins with doing nothing: its last layer has zeros. After each round it keeps all that is needed to go on, so that a training
-can be stopped at any moment. The observations' normalisation is folded into the first layer of the policy.
+The last layer of the initial policy is zero, so all actions are zero. A checkpoint is written after each update, so a training can be
+interrupted at any time. The normalisation of observations is folded into the first layer of the policy.
 """
 
 import argparse
 import csv
 import math
 import os
+import pickle
 import re
 import sys
 import time
@@ -19,20 +20,20 @@ from pathlib import Path
 
 import numpy as np
 
-# Stable-Baselines3 gives robot i the seed plus i, so neighbouring seeds would share most of their episodes.
+# Stable-Baselines3 seeds environment i with the seed plus i, so neighbouring seeds would share most of their episodes.
 SEEDS_APART = 10_000_000
 
 
 def fold(weights, bias, mean, variance, epsilon):
-    """Gives the layer that does with raw numbers what one does with normalised ones."""
+    """Folds the normalisation of inputs into a layer."""
     deviation = np.sqrt(variance + epsilon)
     return weights / deviation, bias - weights @ (mean / deviation)
 
 
 def policy_text(task, about, inputs, outputs, range_degrees, layers, motion=(), cycles=1, walk=None):
-    """Writes a policy as org.robonewbie.agent.policy.PolicyText reads it; layers are weights, bias and activation, "tanh" or "cut".
+    """Formats a policy for org.robonewbie.agent.policy.PolicyText. A layer is weights, bias and activation, "tanh" or "cut".
 
-    With the numbers of a walk, by name, the policy corrects the walk engine, and its outputs are those of a reflex.
+    With the parameters of a walk, by name, the policy corrects the walk engine.
     """
     lines = [f"policy 1 {task}", *(f"# {line}" for line in about), f"numbers range-degrees {range_degrees:g}"]
     if motion:
@@ -54,18 +55,18 @@ def _numbers(layer):
 
 
 def layers_of(model, normalisation, inputs):
-    """Takes the policy's layers of a PPO model, with the normalisation of its inputs, by their places, folded into the first one."""
+    """Returns the layers of the actor of a PPO model, with the normalisation of its inputs (indices) folded into the first one."""
     from torch.nn import Linear
 
     hidden = [layer for layer in model.policy.mlp_extractor.policy_net if isinstance(layer, Linear)]
     all_layers = [_numbers(layer) for layer in (*hidden, model.policy.action_net)]
-    seen = normalisation.obs_rms
-    all_layers[0] = fold(*all_layers[0], seen.mean[inputs], seen.var[inputs], normalisation.epsilon)
+    moments = normalisation.obs_rms
+    all_layers[0] = fold(*all_layers[0], moments.mean[inputs], moments.var[inputs], normalisation.epsilon)
     return [(*layer, "tanh") for layer in all_layers[:-1]] + [(*all_layers[-1], "cut")]
 
 
 def options_of(words):
-    """Reads what changes the episodes: NAME=VALUE or NAME=LOW..HIGH."""
+    """Parses options of a task: NAME=VALUE or NAME=LOW..HIGH."""
     options = {}
     for word in words:
         name, equals, value = word.partition("=")
@@ -83,24 +84,24 @@ def _arguments(words):
     parser = argparse.ArgumentParser(
         prog="python -m robonewbie.train", description="Trains a task by PPO. Parameters have the names of Stable-Baselines3."
     )
-    parser.add_argument("task", help="Stand, EngineFollow, EngineRun, KickTo, GetUp, QuickGetUp, another task, or the name of a Java class of yours")
-    parser.add_argument("--total-timesteps", type=int, default=300_000, help="actions of all robots together (300000)")
-    parser.add_argument("--n-envs", type=int, default=64, help="robots in parallel (64)")
-    parser.add_argument("--n-steps", type=int, default=64, help="actions of each robot between two updates (64)")
-    parser.add_argument("--batch-size", type=int, default=512, help="actions in a minibatch (512)")
-    parser.add_argument("--n-epochs", type=int, default=10, help="epochs of an update (10)")
-    parser.add_argument("--learning-rate", type=float, default=3e-4, help="initial learning rate; falls linearly to 0 (0.0003)")
+    parser.add_argument("task", help="Stand, EngineFollow, EngineRun, KickTo, GetUp, QuickGetUp, another task, or the name of a custom Java class")
+    parser.add_argument("--total-timesteps", type=int, default=300_000, help="total number of actions of all robots (300000)")
+    parser.add_argument("--n-envs", type=int, default=64, help="number of parallel robots (64)")
+    parser.add_argument("--n-steps", type=int, default=64, help="actions of each robot per update (64)")
+    parser.add_argument("--batch-size", type=int, default=512, help="minibatch size (512)")
+    parser.add_argument("--n-epochs", type=int, default=10, help="epochs per update (10)")
+    parser.add_argument("--learning-rate", type=float, default=3e-4, help="initial learning rate, which decreases linearly to 0 (0.0003)")
     parser.add_argument("--gamma", type=float, default=0.99, help="discount factor (0.99)")
     parser.add_argument("--gae-lambda", type=float, default=0.95, help="factor of generalized advantage estimation (0.95)")
-    parser.add_argument("--log-std-init", type=float, default=math.log(0.1), help="log of the first actions' standard deviation; with gSDE each input of the last layer adds as much (-2.3)")
-    parser.add_argument("--sde-sample-freq", type=int, default=-1, help="use gSDE, with new noise after so many actions (no gSDE)")
-    parser.add_argument("--net-arch", type=int, nargs="*", default=[64, 64], metavar="N", help="neurons of each hidden layer; nothing for none (64 64)")
-    parser.add_argument("--inputs", default=".*", metavar="REGEX", help="names of the policy's inputs (all that is observed)")
-    parser.add_argument("--critic", default=".*", metavar="REGEX", help="names of the critic's inputs beside the time (all that is observed)")
+    parser.add_argument("--log-std-init", type=float, default=math.log(0.1), help="initial log standard deviation of actions, or with gSDE of each weight's noise (-2.3)")
+    parser.add_argument("--sde-sample-freq", type=int, default=-1, help="use gSDE and sample new noise every N actions (no gSDE)")
+    parser.add_argument("--net-arch", type=int, nargs="*", default=[64, 64], metavar="N", help="size of each hidden layer; empty for none (64 64)")
+    parser.add_argument("--inputs", default=".*", metavar="REGEX", help="names of the policy's inputs (all observed quantities)")
+    parser.add_argument("--critic", default=".*", metavar="REGEX", help="names of the critic's inputs in addition to the time (all observed quantities)")
     parser.add_argument("--option", action="append", default=[], metavar="NAME=VALUE", help="option of the task, such as cycles=2, friction=0.7..1.3")
-    parser.add_argument("--seed", type=int, default=1, help="chooses weights and episodes (1)")
+    parser.add_argument("--seed", type=int, default=1, help="seed of weights and episodes (1)")
     parser.add_argument("--out", type=Path, help="file of the policy (TASK.policy)")
-    parser.add_argument("--resume", action="store_true", help="continue an interrupted training")
+    parser.add_argument("--resume", action="store_true", help="resume an interrupted training")
     wanted = parser.parse_args(words)
     wanted.options = options_of(wanted.option)
     wanted.cycles = int(wanted.options.get("cycles", 1))
@@ -108,7 +109,7 @@ def _arguments(words):
 
 
 class Training:
-    """A task, a model, and the files beside the policy: .zip and .normalisation to go on with, .csv with the curve."""
+    """Training of a task, with the files beside the policy: the checkpoint .zip and .normalisation, and the learning curve .csv."""
 
     def __init__(self, wanted):
         from stable_baselines3 import PPO
@@ -121,21 +122,21 @@ class Training:
         self.out = wanted.out
         self.began = time.monotonic()
         self.task = VecEnv(wanted.task, wanted.n_envs, **wanted.options)
-        self.inputs = chosen(self.task.description, wanted.inputs)
+        self.inputs = indices_of(self.task.description, wanted.inputs)
         longest = math.ceil(self.task.description["longestCycles"] / wanted.cycles)
         robots = VecMonitor(Timed(self.task, longest))
         if wanted.resume:
             self.normalised = VecNormalize.load(str(self._beside(".normalisation")), robots)
             self.model = PPO.load(self._beside(".zip"), self.normalised, device="cpu")
-            # With the seed alone it would meet its first episodes again.
+            # The seed alone would repeat the first episodes.
             self.model.set_random_seed(SEEDS_APART * wanted.seed + self.model.num_timesteps)
         else:
             self.normalised = VecNormalize(robots, gamma=wanted.gamma)
             self.model = PPO(TwoViewsPolicy, self.normalised, **self._settings())
-            self._do_nothing_at_first()
+            self._initialise_actor()
 
-    def _do_nothing_at_first(self):
-        """Gives the last layer zeros; hidden neurons get a bias, or a robot at rest, whose numbers are 0, would not explore by gSDE."""
+    def _initialise_actor(self):
+        """Sets the last layer to zero and hidden biases to random values, without which gSDE would not explore for zero inputs."""
         policy = self.model.policy
         for numbers in policy.action_net.parameters():
             numbers.data.zero_()
@@ -145,20 +146,15 @@ class Training:
 
     def _settings(self):
         wanted = self.wanted
+        names = ("n_steps", "batch_size", "n_epochs", "learning_rate", "gamma", "gae_lambda", "sde_sample_freq")
         return {
-            "n_steps": wanted.n_steps,
-            "batch_size": wanted.batch_size,
-            "n_epochs": wanted.n_epochs,
-            "learning_rate": wanted.learning_rate,
-            "gamma": wanted.gamma,
-            "gae_lambda": wanted.gae_lambda,
+            **{name: getattr(wanted, name) for name in names},
             "seed": SEEDS_APART * wanted.seed,
             "device": "cpu",
             "use_sde": wanted.sde_sample_freq > 0,
-            "sde_sample_freq": wanted.sde_sample_freq,
             "policy_kwargs": {
                 "actor": self.inputs,
-                "critic": [*chosen(self.task.description, wanted.critic), len(self.task.description["observation"])],
+                "critic": [*indices_of(self.task.description, wanted.critic), len(self.task.description["observation"])],
                 "net_arch": {"pi": wanted.net_arch, "vf": wanted.net_arch or [64, 64]},
                 "log_std_init": wanted.log_std_init,
             },
@@ -166,7 +162,7 @@ class Training:
 
     @property
     def all_cycles(self):
-        """Cycles of all robots so far."""
+        """The total number of cycles so far."""
         return self.model.num_timesteps * self.wanted.cycles
 
     def _beside(self, ending):
@@ -178,15 +174,15 @@ class Training:
             write(file)
         os.replace(part, self._beside(ending))
 
-    def keep(self):
-        """Writes policy, curve and all that is needed to go on."""
-        self._replace(".normalisation", lambda file: file.write(_pickled(self.normalised)))
+    def save(self):
+        """Writes the policy, the learning curve and the checkpoint."""
+        self._replace(".normalisation", lambda file: pickle.dump(self.normalised, file))
         self._replace(".zip", self.model.save)
         self._replace("", lambda file: file.write(self.text().encode("utf-8")))
         self._add_to_curve()
 
     def text(self):
-        """Gives the policy as a text."""
+        """Returns the policy in its file format."""
         wanted, described = self.wanted, self.task.description
         return policy_text(
             wanted.task,
@@ -222,39 +218,33 @@ class Training:
             print(f"{self.all_cycles:9d}: reward {reward:8.3f} in {cycles:.0f} cycles", flush=True)
 
     def run(self):
-        """Trains, update by update."""
+        """Trains up to the total number of actions."""
         wanted = self.wanted
         while self.model.num_timesteps < wanted.total_timesteps:
             rate = wanted.learning_rate * (1 - self.model.num_timesteps / wanted.total_timesteps)
             self.model.lr_schedule = lambda _, rate=rate: rate
             self.model.learn(wanted.n_envs * wanted.n_steps, reset_num_timesteps=False)
-            self.keep()
+            self.save()
 
 
-def chosen(description, inputs):
-    """Gives the places of what is observed under the names that the regular expression describes."""
+def indices_of(description, inputs):
+    """Returns the indices of the observed quantities whose names match a regular expression."""
     names = [entry["name"] for entry in description["observation"]]
-    places = [i for i, name in enumerate(names) if re.fullmatch(inputs, name)]
-    if not places:
-        sys.exit(f"Nothing that is observed in {description['task']} has a name like {inputs}. There are: {', '.join(names)}.")
-    return places
-
-
-def _pickled(normalised):
-    import pickle
-
-    return pickle.dumps(normalised)
+    indices = [i for i, name in enumerate(names) if re.fullmatch(inputs, name)]
+    if not indices:
+        sys.exit(f"No observed quantity of {description['task']} has a name that matches {inputs}. There are: {', '.join(names)}.")
+    return indices
 
 
 def main(words=None):
-    """Trains what the command line says."""
+    """Runs the command line."""
     wanted = _arguments(words)
     wanted.out = wanted.out or Path(f"{wanted.task}.policy")
     model = wanted.out.with_name(wanted.out.name + ".zip")
     if model.exists() and not wanted.resume:
-        sys.exit(f"There is a training in {model} already. Go on with --resume, or choose another --out.")
+        sys.exit(f"There is already a training in {model}. Resume it with --resume, or choose another --out.")
     if wanted.resume and not model.exists():
-        sys.exit(f"There is nothing to resume: {model} does not exist. Leave out --resume.")
+        sys.exit(f"There is nothing to resume: {model} does not exist. Omit --resume to start a new training.")
     training = Training(wanted)
     training.run()
     training.task.close()

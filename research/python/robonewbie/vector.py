@@ -1,42 +1,33 @@
-"""Many robots at once with the interface of gymnasium.vector.VectorEnv; the simulator uses all cores."""
+"""Parallel environments with the interface of gymnasium.vector.VectorEnv. The simulator steps them on all cores."""
 
 import gymnasium
 import numpy as np
 from gymnasium.vector.utils import batch_space
 
-from robonewbie.environment import RENDER_MODES, EpisodeSeeds, checked_render_mode, show, spaces_of
+from robonewbie.environment import RENDER_MODES, EpisodeSeeds, SimulatedTask
 from robonewbie.picture import draw
-from robonewbie.simulator import RESET, STEP, TRUNCATED, Connection
+from robonewbie.simulator import RESET, STEP, TRUNCATED
 
 
-class RoboNewbieVectorEnv(gymnasium.vector.VectorEnv):
-    """Robots in worlds of their own. An episode that has ended is reset in the next step, whose action does not count."""
+class RoboNewbieVectorEnv(gymnasium.vector.VectorEnv, SimulatedTask):
+    """Robots in separate worlds. The step after the end of an episode resets it and ignores the action (next-step autoreset)."""
 
     metadata = {"render_modes": RENDER_MODES, "render_fps": 50, "autoreset_mode": gymnasium.vector.AutoresetMode.NEXT_STEP}
 
     def __init__(self, task="Walk", num_envs=1, max_episode_steps=None, reward="", render_mode=None, **options):
-        self.render_mode = checked_render_mode(render_mode)
         self.num_envs = num_envs
-        self._options = options
-        self._changed = False
-        self._connection = Connection(task, num_envs, reward, options)
-        description = self._connection.description
-        self._longest = max_episode_steps or description["longestCycles"]
-        self.single_observation_space, self.single_action_space = spaces_of(description)
+        self.single_observation_space, self.single_action_space = self._connect(task, num_envs, reward, render_mode, options)
+        self._max_steps = max_episode_steps or self.description["longestCycles"]
         self.observation_space = batch_space(self.single_observation_space, num_envs)
         self.action_space = batch_space(self.single_action_space, num_envs)
-        self.observation_names = [entry["name"] for entry in description["observation"]]
         self._episodes = EpisodeSeeds(num_envs)
         self._steps = np.zeros(num_envs, dtype=int)
         self._done = np.ones(num_envs, dtype=bool)
-        self.studio_address = show(self._connection) if render_mode == "human" else None
 
     def reset(self, *, seed=None, options=None):
         if seed is not None:
             self._episodes.begin([seed + i for i in range(self.num_envs)] if np.isscalar(seed) else seed)
-        if options or self._changed:
-            self._connection.change({**self._options, **(options or {})})
-            self._changed = bool(options)
+        self._change(options)
         self._done[:] = True
         observation, _, _ = self._connection.act(RESET, self._episodes.draw(self._done), 0)
         self._steps[:] = 0
@@ -51,7 +42,7 @@ class RoboNewbieVectorEnv(gymnasium.vector.VectorEnv):
         reward[fresh] = 0
         terminated[fresh] = False
         self._steps = np.where(fresh, 0, self._steps + 1)
-        truncated = ((self._steps >= self._longest) | (self._connection.state == TRUNCATED)) & ~terminated
+        truncated = ((self._steps >= self._max_steps) | (self._connection.state == TRUNCATED)) & ~terminated
         self._done = terminated | truncated
         return observation, reward, terminated, truncated, self._info()
 
@@ -63,7 +54,7 @@ class RoboNewbieVectorEnv(gymnasium.vector.VectorEnv):
         return info
 
     def render(self):
-        """Returns a picture of each robot if ``render_mode`` is ``"rgb_array"``."""
+        """Returns an image of each robot if ``render_mode`` is ``"rgb_array"``."""
         if self.render_mode != "rgb_array":
             return None
         return tuple(draw(self._connection.picture(i)) for i in range(self.num_envs))

@@ -139,7 +139,7 @@ class EnvironmentTest(unittest.TestCase):
         env.close()
         with self.assertRaisesRegex(robonewbie.RoboNewbieError, '"bal_x". Did you mean ball_x?'):
             gymnasium.make("RoboNewbie/Walk-v1", bal_x=1)
-        with self.assertRaisesRegex(robonewbie.RoboNewbieError, "range with the smaller number first"):
+        with self.assertRaisesRegex(robonewbie.RoboNewbieError, "ascending range such as"):
             gymnasium.make("RoboNewbie/Walk-v1", x=(1, -1))
         for wrong in ("slippery", (1, 2, 3), None):
             with self.assertRaisesRegex(robonewbie.RoboNewbieError, 'option "friction" is .* a pair of numbers'):
@@ -235,7 +235,7 @@ class EnvironmentTest(unittest.TestCase):
         with self.assertRaisesRegex(robonewbie.RoboNewbieError, "one number for each of LEFT_SHOULDER_PITCH"):
             env.step(np.zeros(3))
         env.close()
-        with self.assertRaisesRegex(robonewbie.RoboNewbieError, "closed. Make it again"):
+        with self.assertRaisesRegex(robonewbie.RoboNewbieError, "is closed. Create it again"):
             env.step(np.zeros(4))
 
 
@@ -299,7 +299,7 @@ class ProcessTest(unittest.TestCase):
         self.assertEqual(done.stdout.strip(), "1")
 
     def test_stopped_simulator_is_told_and_does_not_hang(self):
-        with mock.patch.object(simulator, "_PATIENCE_SECONDS", 1):
+        with mock.patch.object(simulator, "_TIMEOUT_SECONDS", 1):
             env = robonewbie.RoboNewbieEnv("Reach")
         env.reset(seed=1)
         process = simulator._process.process
@@ -345,7 +345,7 @@ class ProcessTest(unittest.TestCase):
 
 def _environment_of_a_program():
     """The environment of a program that shares no simulator with this one."""
-    return {name: text for name, text in os.environ.items() if name != "ROBONEWBIE_MEETING_PLACE"}
+    return {name: text for name, text in os.environ.items() if name != "ROBONEWBIE_PORT_FILE"}
 
 
 def _ends(process):

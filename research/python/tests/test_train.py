@@ -131,7 +131,7 @@ class TrainTest(unittest.TestCase):
 
             self.assertEqual(policy.inputs, ["gyro.forward", "gyro.left", "gyro.up"])
             np.testing.assert_array_equal(policy.act(np.array([[100.0, -50.0, 7.0]])), np.zeros((1, 12)))
-            with self.assertRaisesRegex(SystemExit, "Nothing that is observed in Stand has a name like wing"):
+            with self.assertRaisesRegex(SystemExit, "No observed quantity of Stand has a name that matches wing"):
                 train.main(["Stand", "--n-envs", "2", "--inputs", "wing", "--out", str(out)])
 
     @unittest.skipUnless(stable_baselines3, "stable-baselines3 is not installed")
@@ -153,7 +153,7 @@ class TrainTest(unittest.TestCase):
                 train.main(["Reach", "--out", str(out), "--resume"])
             words = ["Reach", "--n-envs", "2", "--n-steps", "32", "--batch-size", "8", "--sde-sample-freq", "4", "--net-arch", "16", "16", "--out", str(out)]
             train.main([*words, "--total-timesteps", "64"])
-            with self.assertRaisesRegex(SystemExit, "There is a training in .* already. Go on with --resume"):
+            with self.assertRaisesRegex(SystemExit, r"There is already a training in .*\. Resume it with --resume"):
                 train.main([*words, "--total-timesteps", "64"])
             train.main([*words, "--total-timesteps", "256", "--resume"])
 

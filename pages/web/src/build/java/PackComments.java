@@ -13,7 +13,7 @@ import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
-import org.robonewbie.programs.completion.ApiDocumentation;
+import org.robonewbie.programs.completion.CommentCollector;
 import org.robonewbie.web.compiling.ProgramLibrary;
 
 /**
@@ -55,7 +55,7 @@ final class PackComments {
             JavacTask task =
                     (JavacTask) compiler.getTask(null, files, null, null, null, files.getJavaFileObjects(file));
             CompilationUnitTree unit = task.parse().iterator().next();
-            return new TreeMap<>(ApiDocumentation.comments(unit, Trees.instance(task)));
+            return new TreeMap<>(CommentCollector.read(unit, Trees.instance(task)));
         }
     }
 }

@@ -139,7 +139,9 @@ class ArchitectureTest {
                     "org.robonewbie.agent..",
                     "org.robonewbie.simulator..",
                     "org.robonewbie.trial..",
-                    "com.google.gson.."
+                    "com.google.gson..",
+                    "javax.crypto..",
+                    "javax.lang.model.."
                 }),
                 Arguments.of("examples", new String[] {"org.robonewbie.nao..", "org.robonewbie.agent.."}),
                 Arguments.of("team", new String[] {"org.robonewbie.nao..", "org.robonewbie.agent.."}));

@@ -158,7 +158,7 @@ class DocumentationTest {
                 .as(line)
                 .doesNotThrowAnyException();
         if (arguments.length > 1 && arguments[0].equals("run") && !arguments[1].endsWith(".java")) {
-            assertThat(ExampleCatalogue.load().classNames()).as(line).containsKey(arguments[1]);
+            assertThat(ExampleCatalogue.classNames()).as(line).containsKey(arguments[1]);
         }
     }
 

@@ -121,7 +121,7 @@ class FormerFilesTest {
         String resumed = ends(0, "experiment", "push.plan", "--output", "push.csv");
 
         assertThat(refused).contains("push.csv.trials belongs to another run", "delete the file to begin again");
-        assertThat(resumed).contains("12 trials are done already");
+        assertThat(resumed).contains("12 trials are already done");
         assertThat(folder.resolve("push.csv")).content().hasLineCount(41);
     }
 
@@ -137,7 +137,7 @@ class FormerFilesTest {
 
         ends(0, order);
 
-        assertThat(refused).contains("made in another way: version is \"RoboNewbie 2.0.0");
+        assertThat(refused).contains("incomplete data set with other settings: version is \"RoboNewbie 2.0.0");
         assertThat(about).content().contains("\"complete\": true");
         assertThat(folder.resolve("dataset/cycles/run-00001.csv")).hasBinaryContent(first);
     }

@@ -74,7 +74,7 @@ class TextReadersTest {
             Map.entry("site/ApiPages", BUILD),
             Map.entry("site/Article", BUILD),
             Map.entry("app/StartArchive", WRITTEN),
-            Map.entry("app/marking/KeptMarks", WRITTEN),
+            Map.entry("exercises/marking/KeptMarks", WRITTEN),
             Map.entry("app/doctor/GraphicsCheck", SYSTEM),
             Map.entry("app/doctor/PortCheck", WIRE),
             Map.entry("app/doctor/ProjectCheck", "the output of Maven, in the encoding of the system"),
@@ -83,7 +83,7 @@ class TextReadersTest {
             Map.entry("programs/process/ProgramOutput", "the output of a process, in the encoding of the system"),
             Map.entry("programs/project/ExampleTeam", RESOURCE),
             Map.entry("programs/project/NewProject", RESOURCE),
-            Map.entry("app/marking/JudgesKey", WRITTEN));
+            Map.entry("exercises/marking/JudgesKey", WRITTEN));
 
     @Test
     void textOfPeopleIsReadByOneReader() {

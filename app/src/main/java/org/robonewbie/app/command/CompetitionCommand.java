@@ -10,7 +10,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.function.Function;
-import org.robonewbie.app.course.ExerciseContests;
 import org.robonewbie.app.studio.ContestStudio;
 import org.robonewbie.competition.Competition;
 import org.robonewbie.competition.CompetitionSettings;
@@ -210,7 +209,7 @@ final class CompetitionCommand implements Callable<Integer> {
                         .map(file -> Optional.ofNullable(file.toAbsolutePath().getParent())
                                 .orElse(Path.of("")))
                         .orElse(Path.of("")),
-                ExampleCatalogue.load().classNames(),
+                ExampleCatalogue.classNames(),
                 Math.max(1, parallel.orElse(Runtime.getRuntime().availableProcessors())),
                 new Limits(
                         memoryMegabytes,

@@ -3,7 +3,6 @@ package org.robonewbie.app.command;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
-import org.robonewbie.programs.ExampleCatalogue;
 import org.robonewbie.programs.ProgramFinder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -33,6 +32,6 @@ final class DemoCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        return new ProgramFinder(ExampleCatalogue.load(), List.of()).find(AGENT).run(agentOptions);
+        return new ProgramFinder(List.of()).find(AGENT).run(agentOptions);
     }
 }

@@ -6,7 +6,7 @@ import org.robonewbie.trial.batch.BatchRunner;
 import org.robonewbie.trial.batch.ThreadRunner;
 import picocli.CommandLine.Option;
 
-/** Where trials run: on the cores of this computer, or on a cluster. */
+/** Command-line options for the runner of trials: this computer or a cluster. */
 final class EngineOption {
 
     private static final String LOCAL = "local";
@@ -22,18 +22,16 @@ final class EngineOption {
             names = "--master",
             paramLabel = "URL",
             defaultValue = "",
-            description = "spark: where the cluster is, such as spark://host:7077 or local-cluster[2,1,1024].")
+            description = "spark: address of the cluster, such as spark://host:7077 or local-cluster[2,1,1024].")
     private String master = "";
 
-    @Option(names = "--threads", paramLabel = "N", description = "local: how many threads (default: one per core).")
+    @Option(names = "--threads", paramLabel = "N", description = "local: number of threads (default: one per core).")
     private int threads = Runtime.getRuntime().availableProcessors();
 
-    /** {@return whether trials run in this program} */
     boolean isLocal() {
         return engine.equals(LOCAL);
     }
 
-    /** {@return the trials at the same time in this program} */
     int threads() {
         if (threads < 1) {
             throw new CalledWronglyException("--threads " + threads + ": give a number of at least 1.");
@@ -41,7 +39,6 @@ final class EngineOption {
         return threads;
     }
 
-    /** {@return the chosen engine} */
     BatchRunner runner() {
         if (isLocal()) {
             return new ThreadRunner(threads());
@@ -54,6 +51,6 @@ final class EngineOption {
                 .filter(other -> other.label().equals(engine))
                 .findFirst()
                 .orElseThrow(() -> new CalledWronglyException("There is no engine \"" + engine
-                        + "\" in this program. There is local; spark needs the program of docs/cluster.md."));
+                        + "\" in this program. Use local; for spark see docs/cluster.md."));
     }
 }

@@ -2,13 +2,13 @@ package org.robonewbie.app.command;
 
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
-import org.robonewbie.app.course.EvaluationSummary;
+import org.robonewbie.exercises.marking.EvaluationSummary;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 
-/** Summarises what the participants of a course have answered. */
+/** Summarises the evaluation forms of a course. */
 @Command(
         name = "evaluation",
         description = "Summarise the evaluation forms of a course by the participants' experience.",
@@ -25,7 +25,7 @@ final class EvaluationCommand implements Callable<Integer> {
 
     @Parameters(
             paramLabel = "FILE",
-            description = "Table with commas: names of the questions, then a line of numbers for each participant.")
+            description = "CSV table: names of the questions, then a line of numbers for each participant.")
     private Path file = Path.of("");
 
     @Override

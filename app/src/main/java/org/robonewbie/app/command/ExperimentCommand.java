@@ -19,20 +19,20 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Carries out a series of trials and writes a table. */
+/** Command that runs an experiment, a series of trials, and writes a table of its results. */
 @Command(
         name = "experiment",
         description = {
-            "Carry out many trials of an experiment and write a table.",
+            "Run the trials of an experiment and write a table of the results.",
             "",
             "A plan is a text file such as:",
             "  experiment=org.robonewbie.learning.series.PushExperiment",
             "  trials=1000",
             "  seed=1",
             "  newtons=20,40,60",
-            "Each name but the first three is a parameter; all combinations of values are tried in turn.",
-            "The table is the same for any engine and any number of threads. Each result is kept at once in a file beside it:",
-            "after a kill or on a full disk the same command goes on where it was."
+            "All names except the first three are parameters; the trials cycle through all combinations of their values.",
+            "The table does not depend on the engine and the number of threads. Each result is recorded immediately beside the",
+            "table. To resume an interrupted run, run the same command again."
         },
         footer = {
             "",
@@ -47,7 +47,7 @@ final class ExperimentCommand implements Callable<Integer> {
     @Mixin
     final HelpOption help = new HelpOption();
 
-    @Parameters(paramLabel = "PLAN", description = "A file that says what to do.")
+    @Parameters(paramLabel = "PLAN", description = "File with the plan of the experiment.")
     private Path planFile = Path.of("");
 
     @Mixin
@@ -81,16 +81,16 @@ final class ExperimentCommand implements Callable<Integer> {
         }
     }
 
-    /** Keeps each result in a file beside the table until that is written, so that no trial is run twice. */
+    /** Runs the missing trials; the journal beside the table is deleted when the table is complete. */
     private int run(ExperimentPlan plan, BatchRunner runner) throws IOException {
         Experiment experiment = Experiment.of(plan.experiment());
-        experiment.parameters().ifPresent(plan::refuseOthersThan);
+        experiment.parameters().ifPresent(plan::requireKnown);
         Path journal = output.resolveSibling(output.getFileName() + ".trials");
         try (ExperimentRun run = ExperimentRun.open(journal, plan)) {
             int missing = run.missing().size();
             int done = plan.trials() - missing;
             if (done > 0) {
-                System.err.println(done + " trials are done already and kept, " + missing + " are left.");
+                System.err.println(done + " trials are already done, " + missing + " are left.");
             }
             try (BatchProgress progress = BatchProgress.of("trials", plan.trials(), done)) {
                 run.run(runner, progress);
@@ -103,8 +103,9 @@ final class ExperimentCommand implements Callable<Integer> {
                 return ExitCode.OK;
             }
             run.failures().forEach(System.err::println);
-            System.err.println(run.failures().size()
-                    + " trials failed, see above. The others are kept; the same command tries again what is missing.");
+            System.err.println(
+                    run.failures().size()
+                            + " trials failed, see above. To run them again, run the same command; the other results are kept.");
             return ExitCode.SOFTWARE;
         }
     }

@@ -5,7 +5,7 @@ import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.programs.process.Sandbox;
 import picocli.CommandLine.Option;
 
-/** The option {@code --fence} of the commands that judge programs. */
+/** The option {@code --fence}, which selects the sandbox of programs. */
 final class FenceOption {
 
     private enum When {
@@ -22,14 +22,14 @@ final class FenceOption {
     @Option(
             names = "--fence",
             paramLabel = "WHEN",
-            description = "Fence programs in by bubblewrap (Linux): auto where there is one, required, or none"
+            description = "Run programs in a sandbox by bubblewrap (Linux): auto if available, required, or none"
                     + " (${DEFAULT-VALUE}).")
     private When fence = When.AUTO;
 
     /**
-     * Finds the sandbox.
+     * Returns the sandbox.
      *
-     * @throws CalledWronglyException if it is required and there is none
+     * @throws CalledWronglyException if it is required and not available
      */
     Sandbox sandbox() {
         if (fence == When.NONE) {
@@ -37,8 +37,8 @@ final class FenceOption {
         }
         Sandbox found = Sandbox.find();
         if (fence == When.REQUIRED && !found.isUp()) {
-            throw new CalledWronglyException("Programs cannot be fenced in: " + found.absence()
-                    + ". Install the package bubblewrap, or leave --fence required out.");
+            throw new CalledWronglyException("There is no sandbox: " + found.absence()
+                    + ". Install the package bubblewrap, or remove --fence required.");
         }
         return found;
     }

@@ -10,13 +10,12 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
-import org.robonewbie.app.course.GradingConditions;
-import org.robonewbie.app.course.GradingProcess;
-import org.robonewbie.app.marking.ClassMarking;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Grade;
 import org.robonewbie.exercises.Language;
+import org.robonewbie.exercises.grading.ProcessGrader;
+import org.robonewbie.exercises.marking.ClassMarking;
 import org.robonewbie.exercises.progress.ExerciseProgress;
 import org.robonewbie.exercises.progress.Progress;
 import org.robonewbie.exercises.progress.ProgressService;
@@ -29,13 +28,14 @@ import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.programs.ClassPath;
 import org.robonewbie.programs.process.RobotProcess;
 import org.robonewbie.programs.process.Sandbox;
+import org.robonewbie.trial.batch.BatchProgress;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Grades a solution of an exercise, lists the exercises, or hands out what to begin with. */
+/** Grades solutions of exercises, lists the exercises, and writes start code. */
 @Command(
         name = "grade",
         description = "Grade your solution of an exercise. Without arguments it lists the exercises.",
@@ -43,18 +43,18 @@ import picocli.CommandLine.Parameters;
             "",
             "Examples:",
             "  robonewbie grade                          list the exercises",
-            "  robonewbie grade arm-by-side --start      write ArmBySide.java, the program to begin with",
+            "  robonewbie grade arm-by-side --start      write the start code ArmBySide.java",
             "  robonewbie grade arm-by-side ArmBySide.java",
             "  robonewbie grade 3 ArmBySide.java --seeds 10 --json grade.json",
-            "  robonewbie grade kick Kick.java --watch     and look at the first trial in the studio",
+            "  robonewbie grade kick Kick.java --watch     and show the first trial in the studio",
             "  robonewbie grade kick Kick.java --language de   findings and hints in German",
             "  robonewbie grade kick Kick.java --record kick.rec   then: robonewbie studio kick.rec",
-            "  robonewbie grade kick --hint              open one hint after the other",
+            "  robonewbie grade kick --hint              reveal the next hint",
             "  robonewbie grade kick --solution          show a solution, after three tries",
-            "  robonewbie grade --progress               passed, best points, tries, time of work, badges",
+            "  robonewbie grade --progress               passed, best points, tries, working time, badges",
             "  robonewbie grade --progress --csv anna.csv --name Anna   the table for your teacher",
             "  robonewbie grade --progress anna.json ben.json   the progress of a team",
-            "  robonewbie grade --class submissions      grade what a class has handed in: one folder for each student",
+            "  robonewbie grade --class submissions      grade a class: one folder for each student",
             "  robonewbie grade kick --class submissions --seeds 10   only this exercise",
             "",
             "Exit code: 0 passed, 1 not yet passed, 2 called wrongly."
@@ -80,45 +80,45 @@ final class GradeCommand implements Callable<Integer> {
             description = "Your solution: a .java file, or the name of a class that extends Agent.")
     private Optional<String> solution = Optional.empty();
 
-    @Option(names = "--start", description = "Write the program to begin with into the current folder.")
+    @Option(names = "--start", description = "Write the start code into the current folder.")
     private boolean start;
 
-    @Option(names = "--hint", description = "Show the open hints of the worksheet and open the next one.")
+    @Option(names = "--hint", description = "Show the revealed hints of the worksheet and reveal the next one.")
     private boolean hint;
 
     @Option(
             names = "--solution",
             description =
-                    "Show a solution, after three graded tries, if this computer has solutions and your teacher has not"
+                    "Show a solution, after three graded tries, if solutions are installed and your teacher has not"
                             + " locked this one (" + SolutionRepository.SWITCH + ").")
     private boolean solutionWanted;
 
-    @Option(names = "--seeds", paramLabel = "N", defaultValue = "3", description = "How many trials (default: 3).")
+    @Option(names = "--seeds", paramLabel = "N", defaultValue = "3", description = "Number of trials (default: 3).")
     private int seeds;
 
-    @Option(names = "--json", paramLabel = "FILE", description = "Write the grade as JSON too.")
+    @Option(names = "--json", paramLabel = "FILE", description = "Also write the grade as JSON.")
     private Optional<Path> json = Optional.empty();
 
-    @Option(names = "--record", paramLabel = "FILE", description = "Record the first trial, to be seen in the studio.")
+    @Option(names = "--record", paramLabel = "FILE", description = "Record the first trial for the studio.")
     private Optional<Path> recording = Optional.empty();
 
-    @Option(names = "--watch", description = "Show the first trial in the studio afterwards, as it was judged.")
+    @Option(names = "--watch", description = "Show the recording of the first trial in the studio.")
     private boolean watched;
 
-    @Option(names = "--no-browser", description = "With --watch: print the studio's address and open no browser.")
+    @Option(names = "--no-browser", description = "With --watch: print the studio's address without opening a browser.")
     private boolean withoutBrowser;
 
     @Option(
             names = "--class",
             paramLabel = "FOLDER",
-            description = "Grade all programs of a class, which lie in one folder for each student, into one table."
-                    + " What was graded is kept: the same command goes on where it was.")
+            description = "Grade all programs of a class, with one folder for each student, into one table."
+                    + " Repeat the command to resume, or to grade what has changed.")
     private Optional<Path> classFolder = Optional.empty();
 
     @Option(
             names = "--results",
             paramLabel = "FOLDER",
-            description = "With --class: where table and kept marks go (default: FOLDER-grades).")
+            description = "With --class: folder for the table and stored grades (default: FOLDER-grades).")
     private Optional<Path> results = Optional.empty();
 
     @Mixin
@@ -151,36 +151,45 @@ final class GradeCommand implements Callable<Integer> {
         }
         Exercise exercise = exercise(exerciseName.get());
         if (start) {
-            return handOut(exercise);
+            return writeStartCode(exercise);
         }
         if (hint || solutionWanted) {
-            return hint ? openHint(exercise) : openSolution(exercise);
+            return hint ? revealHint(exercise) : showSolution(exercise);
         }
         String program = solution.orElseThrow(() -> withoutSolution(exercise));
         if (watched && recording.isEmpty()) {
             recording = Optional.of(TemporaryFiles.folder("robonewbie-grade").resolve(exercise.name() + ".rec"));
         }
-        language.language(); // refused before the trials, not after them
-        Path folder = Path.of("").toAbsolutePath();
-        GradingProcess process = new GradingProcess(
-                exercise, new RobotProcess.Request(program, classPath.folders(), folder, false), conditions());
-        Optional<Grade> grade = process.run();
-        int exitCode = grade.isPresent() ? tell(exercise, grade.get()) : process.exitCode();
+        language.language(); // rejects an unknown language before the trials
+        ProcessGrader.Result result = grade(exercise, program);
+        int exitCode =
+                result.grade().isPresent() ? report(exercise, result.grade().get()) : result.exitCode();
         if (watched) {
             recording.filter(Files::isRegularFile).ifPresent(this::show);
         }
         return exitCode;
     }
 
-    private GradingConditions conditions() {
-        return new GradingConditions(
-                seeds, Runtime.getRuntime().availableProcessors(), sandbox(), recording, System.err::println);
+    private ProcessGrader.Result grade(Exercise exercise, String program) throws IOException {
+        Path folder = Path.of("").toAbsolutePath();
+        try (BatchProgress bar = BatchProgress.of("trials", seeds, 0)) {
+            return new ProcessGrader(
+                            seeds,
+                            Runtime.getRuntime().availableProcessors(),
+                            sandbox(),
+                            recording,
+                            line -> bar.print(System.err::println, line))
+                    .grade(
+                            exercise,
+                            new RobotProcess.Request(program, classPath.folders(), folder, false),
+                            (seed, score) -> bar.advance(!score.passed()));
+        }
     }
 
     private Sandbox sandbox() {
         Sandbox sandbox = fence.sandbox();
         if (!sandbox.isUp()) {
-            System.err.println("Programs are not fenced in (" + sandbox.absence() + ").");
+            System.err.println("Programs run without a sandbox (" + sandbox.absence() + ").");
         }
         return sandbox;
     }
@@ -188,7 +197,7 @@ final class GradeCommand implements Callable<Integer> {
     private int gradeClass(Path folder) throws IOException {
         if (solution.isPresent()) {
             throw new CalledWronglyException("\"" + solution.get()
-                    + "\" is too much here: --class grades the programs of the folder " + folder + ".");
+                    + "\" is unexpected: --class grades the programs of the folder " + folder + ".");
         }
         List<Exercise> wanted =
                 exerciseName.map(name -> List.of(exercise(name))).orElseGet(Exercises::all);
@@ -196,13 +205,13 @@ final class GradeCommand implements Callable<Integer> {
             Path whole = folder.toAbsolutePath().normalize();
             return whole.resolveSibling(whole.getFileName() + "-grades");
         });
-        Path page = new ClassMarking(folder, wanted, seeds, target, judge(), sandbox(), System.out::println).run();
+        Path page = new ClassMarking(folder, wanted, seeds, target, version(), sandbox(), System.out::println).run();
         System.out.println("The table: " + page + ", and as grades.csv beside it.");
         return ExitCode.OK;
     }
 
-    /** What distinguishes this judge from that of another build. */
-    private static String judge() throws IOException {
+    /** Returns the version of the grader. */
+    private static String version() throws IOException {
         Optional<Path> jar = ClassPath.ownJar();
         return jar.isPresent() ? Files.getLastModifiedTime(jar.get()).toString() : "not packaged";
     }
@@ -211,7 +220,7 @@ final class GradeCommand implements Callable<Integer> {
         return Exercises.find(name).orElseThrow(() -> unknown(name));
     }
 
-    /** Opens the studio, which stays until it is ended. */
+    /** Runs the studio until it is closed. */
     private void show(Path file) {
         List<String> words = new ArrayList<>(List.of(StudioCommand.NAME, file.toString(), "--agent-port", "0"));
         if (withoutBrowser) {
@@ -220,7 +229,7 @@ final class GradeCommand implements Callable<Integer> {
         RoboNewbieCommand.run(words.toArray(String[]::new));
     }
 
-    private int openHint(Exercise exercise) {
+    private int revealHint(Exercise exercise) {
         Language spoken = language.language();
         ProgressService.Hints hints = ProgressService.ofUser().nextHint(exercise, spoken);
         for (int i = 0; i < hints.open().size(); i++) {
@@ -233,13 +242,13 @@ final class GradeCommand implements Callable<Integer> {
         return ExitCode.OK;
     }
 
-    private static int openSolution(Exercise exercise) {
+    private static int showSolution(Exercise exercise) {
         SolutionRepository.Answer answer = ProgressService.ofUser().solution(exercise);
         (answer.open() ? System.out : System.err).println(answer.text().stripTrailing());
         return answer.open() ? ExitCode.OK : ExitCode.SOFTWARE;
     }
 
-    private int tell(Exercise exercise, Grade grade) throws IOException {
+    private int report(Exercise exercise, Grade grade) throws IOException {
         Language spoken = language.language();
         System.out.print(grade.text(spoken));
         ProgressService.ofUser().graded(exercise, grade.points(), grade.passed(), spoken).stream()
@@ -251,18 +260,17 @@ final class GradeCommand implements Callable<Integer> {
         return grade.passed() ? ExitCode.OK : ExitCode.SOFTWARE;
     }
 
-    private int handOut(Exercise exercise) throws IOException {
+    private int writeStartCode(Exercise exercise) throws IOException {
         Path file = Path.of(exercise.className() + ".java");
         if (Files.exists(file)) {
-            throw new CalledWronglyException(
-                    "There is a file " + file + " already, and it is kept. Rename it to start over.");
+            throw new CalledWronglyException("The file " + file + " exists already. Rename it to start over.");
         }
         Files.writeString(file, exercise.startCode());
         ProgressService.ofUser().begun(exercise);
         System.out.println(ProgramName.here()
                 .in("Written: " + file + System.lineSeparator()
                         + language.language().translated(exercise.goal()) + System.lineSeparator()
-                        + "Change it, then see it in the scene of the exercise, with points and a hint:"
+                        + "Edit it, then grade it and see the trial with points and a hint:"
                         + System.lineSeparator() + "robonewbie grade " + exercise.name() + " " + file + " --watch"));
         return ExitCode.OK;
     }
@@ -285,7 +293,7 @@ final class GradeCommand implements Callable<Integer> {
         return lines.stream().map(line -> line + System.lineSeparator()).collect(Collectors.joining());
     }
 
-    /** A tick and the best points, as wide as the blanks of an exercise that was not tried. */
+    /** Returns a tick and the best points, or blanks of the same width before the first try. */
     private static String points(ExerciseProgress state) {
         if (state.tries() == 0) {
             return "      ";
@@ -304,7 +312,7 @@ final class GradeCommand implements Callable<Integer> {
     private static CalledWronglyException withoutSolution(Exercise exercise) {
         return new CalledWronglyException("Which program solves " + exercise.name() + "? Write: robonewbie grade "
                 + exercise.name() + " " + exercise.className() + ".java" + System.lineSeparator()
-                + "There is none yet? This writes the program to begin with: robonewbie grade " + exercise.name()
+                + "To write the start code first: robonewbie grade " + exercise.name()
                 + " --start");
     }
 }

@@ -12,12 +12,12 @@ import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** Serves environments to the Python package, which starts it by itself. */
+/** Command that serves environments to the Python package, which starts it automatically. */
 @Command(
         name = "gym",
         hidden = true,
         description = {
-            "Serve environments to learning programs; the Python package starts this by itself.",
+            "Serve environments to learning programs. The Python package starts this command automatically.",
             "",
             "Prints \"gym PORT\" and serves on 127.0.0.1 until its standard input ends. docs/gym-protocol.md describes"
                     + " the messages."
@@ -59,7 +59,7 @@ final class GymCommand implements Callable<Integer> {
             System.out.println("gym " + server.port());
             System.out.flush();
             while (System.in.read() >= 0) {
-                // Input has no meaning; its end says that the learning program is gone.
+                // Input is ignored. It ends when the learning program exits.
             }
         }
         return ExitCode.OK;

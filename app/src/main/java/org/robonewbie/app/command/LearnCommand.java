@@ -22,15 +22,15 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Searches for a policy of a task by an evolution strategy, or evaluates one. */
+/** Command that learns a policy of a task by an evolution strategy, or evaluates one. */
 @Command(
         name = "learn",
         description = {
             "Learn a policy of a task by an evolution strategy, or evaluate one.",
             "",
-            "After each generation it writes the policy to FILE, the learning curve to FILE.csv and a checkpoint to"
-                    + " FILE.checkpoint, from which an interrupted search continues when it is started again."
-                    + " docs/policies.md explains how it learns and what came of it."
+            "Each generation writes the policy to FILE, the learning curve to FILE.csv and a checkpoint to FILE.checkpoint."
+                    + " To resume an interrupted search, run the same command again."
+                    + " docs/policies.md explains the method and its results."
         },
         sortOptions = false,
         footer = {
@@ -38,10 +38,10 @@ import picocli.CommandLine.Parameters;
             "Examples:",
             "  robonewbie learn WalkGait                      a walk, into WalkGait.policy",
             "  robonewbie learn WalkGait better.policy --start shipped --sigma 0.02 --learning-rate 0.003",
-            "  robonewbie learn Stand --option noise=0.3      a task of the Python package, or a class of yours",
-            "  robonewbie learn Stand --evaluate 100          how well Stand.policy does",
-            "  robonewbie learn Stand shipped --evaluate 100  the same for the policy of the framework",
-            "  robonewbie learn Stand none --evaluate 100     the same without having learned anything"
+            "  robonewbie learn Stand --option noise=0.3      a task of the Python package, or a custom class",
+            "  robonewbie learn Stand --evaluate 100          evaluates Stand.policy",
+            "  robonewbie learn Stand shipped --evaluate 100  evaluates the shipped policy",
+            "  robonewbie learn Stand none --evaluate 100     evaluates an untrained policy"
         })
 final class LearnCommand implements Callable<Integer> {
 
@@ -54,14 +54,14 @@ final class LearnCommand implements Callable<Integer> {
     @Parameters(
             index = "0",
             paramLabel = "TASK",
-            description = "WalkGait, JogGait, RunGait, Stand, KickTo, QuickGetUp, another task, or a class of yours.")
+            description = "WalkGait, JogGait, RunGait, Stand, KickTo, QuickGetUp, another task, or a custom class.")
     private String task = "";
 
     @Parameters(
             index = "1",
             arity = "0..1",
             paramLabel = "FILE",
-            description = "Policy that is written (TASK.policy); with --evaluate also \"shipped\" or \"none\".")
+            description = "Policy file (TASK.policy); with --evaluate also \"shipped\" or \"none\".")
     private @Nullable String file;
 
     @Option(names = "--generations", paramLabel = "N", description = "Number of generations (500).")
@@ -85,7 +85,7 @@ final class LearnCommand implements Callable<Integer> {
     @Option(
             names = "--inputs",
             paramLabel = "REGEX",
-            description = "Names of the inputs of the network (all that is observed but joints).")
+            description = "Names of the network's inputs (all observed quantities except joint angles).")
     private String inputs = PolicyModel.DEFAULT_INPUTS;
 
     @Option(names = "--hidden", paramLabel = "N", description = "Hidden neurons; 0 for no hidden layer (16).")
@@ -100,13 +100,13 @@ final class LearnCommand implements Callable<Integer> {
     @Option(
             names = "--start",
             paramLabel = "POLICY",
-            description = "Policy from which a new search starts: a file, or \"shipped\".")
+            description = "Initial policy of a new search: a file, or \"shipped\".")
     private @Nullable String start;
 
     @Option(
             names = "--evaluate",
             paramLabel = "EPISODES",
-            description = "Evaluate the policy in so many episodes instead of learning.")
+            description = "Evaluate the policy in this number of episodes instead of learning.")
     private @Nullable Integer evaluate;
 
     @Override
@@ -131,7 +131,7 @@ final class LearnCommand implements Callable<Integer> {
     private void learn(PolicyModel model, String name) throws IOException {
         if (SHIPPED.equals(name) || NONE.equals(name)) {
             throw new CalledWronglyException(
-                    "\"" + name + "\" cannot be written. Add --evaluate EPISODES to evaluate it.");
+                    "\"" + name + "\" cannot be overwritten. Add --evaluate EPISODES to evaluate it.");
         }
         Path output = Path.of(name);
         EvolutionStrategy strategy = new EvolutionStrategy(seed, pairs, sigma, learningRate);
@@ -148,7 +148,7 @@ final class LearnCommand implements Callable<Integer> {
         };
     }
 
-    /** The name of a shipped policy: {@code kick-to} for {@code KickTo}, {@code get-up} for {@code QuickGetUp}, {@code walk} for {@code WalkGait}. */
+    /** The name of a task's shipped policy, such as {@code kick-to}, {@code get-up} for {@code QuickGetUp}, {@code walk} for {@code WalkGait}. */
     private static String shippedName(String task) {
         return task.replaceFirst("^Quick(?=[A-Z])|Gait$", "")
                 .replaceAll("(?<=[a-z])(?=[A-Z])", "-")

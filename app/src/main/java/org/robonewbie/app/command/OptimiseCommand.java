@@ -29,18 +29,17 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Improves a motion or the walk engine by trial in the simulator. */
+/** Command that optimises a motion, the walk engine or an agent by trials in the simulator. */
 @Command(
         name = "optimise",
         description = {
-            "Improve a motion, the walk engine or an agent: change its numbers, try it in the simulator, keep what is better"
-                    + " (CMA-ES).",
+            "Optimise the numbers of a motion, the walk engine or an agent by trials in the simulator (CMA-ES).",
             "",
             "Objectives: distance-walked, walk-speed, energy, stability, standing-time, get-up-time, kick-distance,",
-            "time-to-score, or a class of yours that implements Measure.",
-            "The same seed and the same options give the same result, on any number of threads and on a cluster. An interrupted",
-            "run goes on with --resume. A page of the studio shows the progress; after the end the program waits until the page is closed,",
-            "with --headless it opens none. Exit code 1: nothing better was found."
+            "time-to-score, or a custom class that implements Measure.",
+            "The same seed and options give the same result on any number of threads and on a cluster. --resume continues an",
+            "interrupted run. A page of the studio shows the progress, and the program exits when the page is closed; --headless",
+            "opens no page. Exit code 1: no improvement was found."
         },
         footer = {
             "",
@@ -64,50 +63,53 @@ final class OptimiseCommand implements Callable<Integer> {
     @Parameters(
             arity = "0..1",
             paramLabel = "MOTION",
-            description = "What to improve: a motion of the library, a motion file, or walk-engine.")
+            description = "What to optimise: a motion of the library, a motion file, or walk-engine.")
     private String name = "";
 
     @Mixin
     final OptimisedAgent agent = new OptimisedAgent();
 
-    @Option(names = "--objective", paramLabel = "NAME", description = "The measure to improve.")
+    @Option(names = "--objective", paramLabel = "NAME", description = "Measure to optimise.")
     private String objective = "";
 
-    @Option(names = "--generations", paramLabel = "N", defaultValue = "30", description = "Rounds (default: 30).")
+    @Option(
+            names = "--generations",
+            paramLabel = "N",
+            defaultValue = "30",
+            description = "Number of generations (default: 30).")
     private int generations;
 
     @Option(
             names = "--population",
             paramLabel = "N",
-            description = "Candidates in each round (default: 4 + 3 ln(n) for n numbers).")
+            description = "Candidates per generation (default: 4 + 3 ln(n) for n numbers).")
     private Optional<Integer> population = Optional.empty();
 
     @Option(
             names = "--plain",
-            description =
-                    "Learn from good candidates only, and never begin again: plain CMA-ES, as for the library's motions.")
+            description = "CMA-ES without negative weights and restarts, as for the library's motions.")
     private boolean plain;
 
     @Option(
             names = "--seed",
             paramLabel = "N",
             defaultValue = "1",
-            description = "Chooses candidates and trials (default: 1).")
+            description = "Seed of candidates and trials (default: 1).")
     private long seed;
 
     @Option(
             names = "--seeds",
             paramLabel = "N",
             defaultValue = "4",
-            description = "Trials of each candidate, each disturbed in another way (default: 4).")
+            description = "Trials per candidate, each with other disturbances (default: 4).")
     private int trials;
 
     @Option(
             names = "--step",
             paramLabel = "X",
             description =
-                    "Spread of the first candidates: 1 is 5 degrees and 60 ms in each keyframe (default: 0.05), or a"
-                            + " quarter of each range of an agent's numbers (default: 0.5).")
+                    "Initial step size: 1 is 5 degrees and 60 ms in each keyframe (default: 0.05), or a quarter of the range"
+                            + " of each number of an agent (default: 0.5).")
     private Optional<Double> step = Optional.empty();
 
     @Mixin
@@ -116,13 +118,13 @@ final class OptimiseCommand implements Callable<Integer> {
     @Option(
             names = "--output",
             paramLabel = "FILE",
-            description = "Where the result goes (default: NAME-optimised.txt in this folder).")
+            description = "File of the result (default: NAME-optimised.txt in this folder).")
     private Optional<Path> output = Optional.empty();
 
-    @Option(names = "--both-sides", description = "Write the mirror image for the other side beside the output too.")
+    @Option(names = "--both-sides", description = "Also write the mirror image for the other side beside the output.")
     private boolean bothSides;
 
-    @Option(names = "--resume", description = "Go on with an interrupted run, from its file OUTPUT.checkpoint.")
+    @Option(names = "--resume", description = "Resume an interrupted run from its file OUTPUT.checkpoint.")
     private boolean resume;
 
     @Mixin
@@ -140,24 +142,23 @@ final class OptimiseCommand implements Callable<Integer> {
     private int optimise() throws IOException, InterruptedException {
         if (!where.isLocal() && agent.isSourceFile()) {
             throw new CalledWronglyException(
-                    "A cluster does not know a program of this folder. Compile it, name its class"
-                            + " after --agent, and send its jar to the workers (docs/cluster.md).");
+                    "A cluster cannot run a source file. Compile it, name its class after --agent, and send its jar to the"
+                            + " workers (docs/cluster.md).");
         }
-        if (agent.isWanted() != name.isEmpty()) {
-            throw new CalledWronglyException(
-                    "Name what to improve: a motion, walk-engine, or --agent CLASS; one of them.");
+        if (agent.isGiven() != name.isEmpty()) {
+            throw new CalledWronglyException("Name one thing to optimise: a motion, walk-engine, or --agent CLASS.");
         }
         if (objective.isEmpty()) {
-            throw new CalledWronglyException("Name the measure by which to improve " + plainName()
+            throw new CalledWronglyException("Name the measure to optimise " + plainName()
                     + ": --objective NAME. There are: " + Objective.labels() + ".");
         }
         Objective wanted = agent.objective(objective);
         Parametrization subject = subject(wanted);
-        Path file = output.orElse(agent.isWanted() ? agent.file() : Path.of(plainName() + "-optimised.txt"));
+        Path file = output.orElse(agent.isGiven() ? agent.file() : Path.of(plainName() + "-optimised.txt"));
         if (bothSides) {
             OtherSide.of(file);
         }
-        int candidates = population.orElseGet(() -> CovarianceMatrixAdaptation.usualPopulation(subject.dimension()));
+        int candidates = population.orElseGet(() -> CovarianceMatrixAdaptation.defaultPopulation(subject.dimension()));
         var plan = new OptimisationPlan(seed, generations, candidates, trials, firstStep(), where.threads(), plain);
         Optimisation optimisation = where.isLocal()
                 ? new Optimisation(subject, wanted, plan, file)
@@ -194,10 +195,10 @@ final class OptimiseCommand implements Callable<Integer> {
     private OptimisationResult search(
             Optimisation optimisation, Parametrization subject, OptimisationListener listener, Path file)
             throws IOException {
-        if (agent.isWanted()) {
-            rehearse(subject);
+        if (agent.isGiven()) {
+            reportErrors(subject);
         }
-        OptimisationResult result = agent.isWanted()
+        OptimisationResult result = agent.isGiven()
                 ? SilentPrograms.entirely(() -> optimisation.run(resume, listener))
                 : optimisation.run(resume, listener);
         if (result.isBetter() && bothSides) {
@@ -206,24 +207,24 @@ final class OptimiseCommand implements Callable<Integer> {
         return result;
     }
 
-    /** Runs an agent once, so that its mistakes are seen once and not in each of some thousand trials. */
-    private void rehearse(Parametrization subject) throws IOException {
+    /** Runs an agent once with output, since the output of the following trials is suppressed. */
+    private void reportErrors(Parametrization subject) throws IOException {
         SilentPrograms.complaining(() -> subject.evaluate(new double[subject.dimension()], seed));
     }
 
     private double firstStep() {
-        return step.orElse(agent.isWanted() ? STEP_OF_AGENTS : STEP_OF_MOTIONS);
+        return step.orElse(agent.isGiven() ? STEP_OF_AGENTS : STEP_OF_MOTIONS);
     }
 
     private String plainName() {
-        if (agent.isWanted()) {
+        if (agent.isGiven()) {
             return agent.simpleName();
         }
         return String.valueOf(Path.of(name).getFileName()).replaceFirst("\\.txt$", "");
     }
 
     private Parametrization subject(Objective wanted) throws IOException {
-        if (agent.isWanted()) {
+        if (agent.isGiven()) {
             return agent.subject(wanted);
         }
         if (name.equals(WalkParametrization.NAME)) {

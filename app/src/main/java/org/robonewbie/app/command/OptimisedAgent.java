@@ -10,41 +10,40 @@ import org.robonewbie.learning.optimise.AgentScene;
 import org.robonewbie.learning.optimise.Objective;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.programs.CalledWronglyException;
-import org.robonewbie.programs.ExampleCatalogue;
 import org.robonewbie.programs.ProgramFinder;
 import org.robonewbie.programs.StudentsAgents;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** A student's program whose numbers are to be improved, and where it is tried. */
+/** Command-line options for an agent whose numbers are optimised, and for the scene of its trials. */
 public final class OptimisedAgent {
 
     @Option(
             names = "--agent",
             paramLabel = "CLASS",
             description =
-                    "Improve the numbers that this agent declares by number(...): an example, your class or .java file.")
+                    "Optimise the numbers that this agent declares by number(...): an example, your class or .java file.")
     private Optional<String> program = Optional.empty();
 
     @Option(
             names = "--pose",
             paramLabel = "X,Y,DEGREES",
             split = ",",
-            description = "With --agent: where it starts (default: -1,0,0).")
+            description = "With --agent: initial pose (default: -1,0,0).")
     private List<Double> pose = List.of(-1.0, 0.0, 0.0);
 
     @Option(
             names = "--ball",
             paramLabel = "X,Y",
             split = ",",
-            description = "With --agent: where the ball lies (default: 0,0).")
+            description = "With --agent: position of the ball (default: 0,0).")
     private List<Double> ball = List.of(0.0, 0.0);
 
     @Option(
             names = "--spread",
             paramLabel = "METRES",
             defaultValue = "0.2",
-            description = "With --agent: how far robot and ball start elsewhere in each trial (default: 0.2).")
+            description = "With --agent: largest random offset of robot and ball in each trial (default: 0.2).")
     private double spread;
 
     @Option(
@@ -57,31 +56,31 @@ public final class OptimisedAgent {
     @Mixin
     private final ClassPathOption classPath = new ClassPathOption();
 
-    /** {@return whether a program was named at all} */
-    public boolean isWanted() {
+    /** {@return whether an agent was named} */
+    public boolean isGiven() {
         return program.isPresent();
     }
 
-    /** {@return whether the program is a {@code .java} file, which only this computer has} */
+    /** {@return whether the agent is a {@code .java} file} */
     public boolean isSourceFile() {
         return program.filter(name -> name.endsWith(".java")).isPresent();
     }
 
-    /** {@return the name of the class without package and ending} */
+    /** {@return the simple name of the class} */
     public String simpleName() {
         String name = String.valueOf(Path.of(program.orElse("")).getFileName()).replaceFirst("\\.java$", "");
         return name.substring(name.lastIndexOf('.') + 1);
     }
 
-    /** {@return the file that the program itself reads} */
+    /** {@return the file of numbers that the agent reads} */
     public Path file() {
         return Path.of(TunableNumbers.fileName(simpleName()));
     }
 
     /**
-     * Looks up what is to be improved, a measure of the framework or a class from the class path.
+     * Looks up an objective, a built-in measure or a class of the class path.
      *
-     * @param label name of the measure
+     * @param label the name of the measure
      * @return the objective
      */
     public Objective objective(String label) {
@@ -89,34 +88,34 @@ public final class OptimisedAgent {
     }
 
     /**
-     * Makes the program the subject of a search.
+     * Creates the parametrization of the agent.
      *
-     * @param objective what is to be improved
-     * @return the program with its numbers
+     * @param objective the objective
+     * @return the parametrization
      */
     public AgentParametrization subject(Objective objective) {
         if (pose.size() != 3 || ball.size() != 2) {
             throw new CalledWronglyException(
-                    "Give --pose three numbers, such as -1,0,0, and --ball two, such as 0,0. Given: " + pose + " and "
+                    "--pose needs three numbers, such as -1,0,0, and --ball two, such as 0,0. Given: " + pose + " and "
                             + ball + ".");
         }
         String name = program.orElseThrow();
         List<Path> folders = classPath.folders();
-        StudentsAgents agents = StudentsAgents.of(new ProgramFinder(ExampleCatalogue.load(), folders).findClass(name));
+        StudentsAgents agents = new StudentsAgents(new ProgramFinder(folders).findClass(name));
         AgentScene scene = new AgentScene(
                 new Vector3(pose.get(0), pose.get(1), 0),
                 pose.get(2),
                 new Vector3(ball.get(0), ball.get(1), 0),
                 spread,
                 seconds);
-        return new AgentParametrization(name, () -> made(agents), objective, scene);
+        return new AgentParametrization(name, () -> created(agents), objective, scene);
     }
 
-    private static Agent made(StudentsAgents agents) {
+    private static Agent created(StudentsAgents agents) {
         try {
             return agents.get();
         } catch (IllegalStateException broken) {
-            throw new CalledWronglyException("The agent cannot be made: " + broken.getMessage() + ".");
+            throw new CalledWronglyException("The agent cannot be created: " + broken.getMessage() + ".");
         }
     }
 }

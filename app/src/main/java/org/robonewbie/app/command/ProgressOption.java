@@ -15,7 +15,7 @@ import org.robonewbie.programs.CalledWronglyException;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Option;
 
-/** The options with which {@code grade} shows progress: passed, best points, tries, time of work and badges. */
+/** The options of {@code grade} that show the progress of a student or a team. */
 final class ProgressOption {
 
     private static final Path OWN = Path.of("-");
@@ -26,10 +26,10 @@ final class ProgressOption {
             fallbackValue = "-",
             paramLabel = "FILE",
             description = {
-                "Show your progress: passed, best points, tries, time of work, badges; or that of a team by the progress files of its"
-                        + " members, where each exercise counts once.",
-                "Your file is .robonewbie/progress.json in your home folder; it never leaves the computer by itself. The environment"
-                        + " variable " + ProgressFile.SWITCH + " names another file, or \"off\"."
+                "Show your progress: passed exercises, best points, tries, working time, badges; or that of a team, given the progress"
+                        + " files of its members.",
+                "Your file is .robonewbie/progress.json in your home folder; it is never sent anywhere. The environment variable "
+                        + ProgressFile.SWITCH + " selects another file, or \"off\"."
             })
     private List<Path> files = List.of();
 
@@ -66,7 +66,7 @@ final class ProgressOption {
             }
             ProgressFile member = new ProgressFile(file);
             if (member.isDamaged()) {
-                System.err.println("The file " + file + " is damaged or holds no progress, and counts as empty.");
+                System.err.println("The file " + file + " is damaged or not a progress file, and is treated as empty.");
             }
             team = team.joined(member.read());
         }

@@ -12,7 +12,6 @@ import org.robonewbie.learning.dataset.DataSet;
 import org.robonewbie.learning.dataset.Recording;
 import org.robonewbie.nao.file.FolderLock;
 import org.robonewbie.programs.CalledWronglyException;
-import org.robonewbie.programs.ExampleCatalogue;
 import org.robonewbie.programs.ProgramFinder;
 import org.robonewbie.programs.process.WorkerPool;
 import picocli.CommandLine.Command;
@@ -91,7 +90,7 @@ final class RecordCommand implements Callable<Integer> {
     public Integer call() throws IOException {
         check();
         String agent = agentAndOptions.get(0);
-        new ProgramFinder(ExampleCatalogue.load(), classPath.folders()).findRepeatedly(agent); // rejects a bad program
+        new ProgramFinder(classPath.folders()).findRepeatedly(agent); // rejects a bad program
         DataSet set = create();
         FolderLock lock = FolderLock.take(folder.resolve(LOCK))
                 .orElseThrow(() -> new CalledWronglyException("Another recording is using the folder " + folder

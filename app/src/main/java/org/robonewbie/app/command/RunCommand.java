@@ -63,7 +63,7 @@ final class RunCommand implements Callable<Integer> {
             throw new CalledWronglyException("The agent comes before its options: robonewbie run "
                     + ExampleCatalogue.FIRST_EXAMPLE + " " + optionsBeforeTheAgent.get(0));
         }
-        ProgramFinder finder = new ProgramFinder(ExampleCatalogue.load(), classPath.folders());
+        ProgramFinder finder = new ProgramFinder(classPath.folders());
         if (!(rehearsalSeconds >= 0)) {
             throw new CalledWronglyException(
                     "--rehearse " + rehearsalSeconds + " is not valid. Give a number of seconds, at least 0.");

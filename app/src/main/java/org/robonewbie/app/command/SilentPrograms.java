@@ -5,19 +5,18 @@ import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 
-/** Keeps quiet what programs print while something is done; there may be thousands of trials. */
+/** Discards the output of programs that run in this process. */
 final class SilentPrograms {
 
     private SilentPrograms() {}
 
-    /** Something to do in silence. */
     @FunctionalInterface
     interface Work<T> {
 
         T run() throws IOException;
     }
 
-    /** Keeps quiet what programs print, but not what they complain about. */
+    /** Discards the standard output, but not the error output. */
     static <T> T complaining(Work<T> work) throws IOException {
         PrintStream out = System.out;
         System.setOut(nowhere());
@@ -28,7 +27,7 @@ final class SilentPrograms {
         }
     }
 
-    /** Keeps everything quiet. */
+    /** Discards standard output and error output. */
     static <T> T entirely(Work<T> work) throws IOException {
         PrintStream err = System.err;
         System.setErr(nowhere());

@@ -3,15 +3,13 @@ package org.robonewbie.app.doctor;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import org.robonewbie.app.course.GradingConditions;
-import org.robonewbie.app.course.GradingProcess;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Grade;
+import org.robonewbie.exercises.grading.ProcessGrader;
 import org.robonewbie.nao.file.TemporaryFolder;
 import org.robonewbie.programs.process.RobotProcess;
 import org.robonewbie.programs.process.Sandbox;
@@ -27,13 +25,13 @@ final class ExerciseCheckup {
 
     static Finding graded() {
         Exercise exercise = Exercises.all().get(0);
-        List<String> output = new ArrayList<>();
         try (TemporaryFolder folder = TemporaryFolder.create("room")) {
             Path file = folder.path().resolve(exercise.className() + ".java");
             Files.writeString(file, exercise.startCode());
             RobotProcess.Request program = new RobotProcess.Request(file.toString(), List.of(), folder.path(), true);
-            GradingConditions conditions = new GradingConditions(1, 1, Sandbox.find(), Optional.empty(), output::add);
-            return of(exercise, new GradingProcess(exercise, program, conditions).run(), output);
+            ProcessGrader grader = new ProcessGrader(1, 1, Sandbox.find(), Optional.empty(), line -> {});
+            ProcessGrader.Result result = grader.grade(exercise, program, (seed, score) -> {});
+            return of(exercise, result.grade(), result.output());
         } catch (IOException failed) {
             return Finding.broken(SUBJECT, String.valueOf(failed.getMessage()), ADVICE);
         }

@@ -6,12 +6,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.robonewbie.app.course.GradingProcess;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Grade;
 import org.robonewbie.exercises.Grade.SeededScore;
 import org.robonewbie.exercises.Performance;
 import org.robonewbie.exercises.Score;
+import org.robonewbie.exercises.grading.ProcessGrader;
 import org.robonewbie.exercises.service.CourseHost;
 import org.robonewbie.exercises.service.CourseHost.State;
 import org.robonewbie.exercises.service.CourseHost.Status;
@@ -79,15 +79,15 @@ final class CourseAttempt implements CourseHost.Attempt {
     /** Opens the same port each time if possible, without a timeout, since the student's agent may be held by a debugger. */
     private static GuestDoor defaultDoor() throws IOException {
         try {
-            return GuestDoor.open(DEFAULT_PORT, 0);
+            return GuestDoor.open(DEFAULT_PORT);
         } catch (IOException inUse) {
-            return GuestDoor.open(0, 0);
+            return GuestDoor.open(0);
         }
     }
 
     private static RobotProcess start(String program, Path folder) throws IOException {
         RobotProcess.Request request = new RobotProcess.Request(program, List.of(folder), folder, false);
-        return RobotProcess.start(request, Sandbox.none("a program of its own author"), line -> {});
+        return new RobotProcess(request, Sandbox.none("a program of its own author"), line -> {});
     }
 
     private void tryAll() {
@@ -117,7 +117,7 @@ final class CourseAttempt implements CourseHost.Attempt {
         }
         try {
             begins();
-            return GradingProcess.trial(exercise, seed, student.get(), Optional.empty(), trial);
+            return ProcessGrader.trial(exercise, seed, student.get(), Optional.empty(), trial);
         } catch (IOException noPort) {
             return Score.failed(0, "The connection to the program cannot be opened (" + noPort.getMessage() + ").", "");
         }

@@ -29,7 +29,7 @@ class CompetitionCommandTest {
         Printed printed = Printed.by(words);
 
         assertThat(printed.exitCode()).isEqualTo(2);
-        assertThat(printed.err()).contains("A competition has at most 10 teams, and these are 11.");
+        assertThat(printed.err()).contains("A competition can have 10 teams, and there are 11.");
     }
 
     @ParameterizedTest

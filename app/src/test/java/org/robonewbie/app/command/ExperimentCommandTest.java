@@ -53,7 +53,7 @@ class ExperimentCommandTest {
         Printed printed = Printed.by("experiment", plan.toString(), "--output", broken.toString());
 
         assertThat(printed.exitCode()).as(printed.err()).isZero();
-        assertThat(printed.err()).contains("1 trials are done already and kept, 3 are left.");
+        assertThat(printed.err()).contains("1 trials are already done, 3 are left.");
         List<String> expected = new ArrayList<>(Files.readAllLines(whole));
         assertThat(Files.readAllLines(broken).get(3)).endsWith(",1.0,2.0,3.0");
         expected.set(3, Files.readAllLines(broken).get(3));

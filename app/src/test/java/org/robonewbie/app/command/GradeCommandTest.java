@@ -168,7 +168,7 @@ class GradeCommandTest {
         Printed printed = Printed.by("grade", "raise-arms", program("trials = 1 / (trials - trials);"), "--seeds", "1");
 
         assertThat(printed.exitCode()).isEqualTo(1);
-        assertThat(printed.out()).containsOnlyOnce("Hint: think() failed, as the program's own lines above say.");
+        assertThat(printed.out()).containsOnlyOnce("Hint: think() threw an exception, see the output of the program.");
         assertThat(printed.out() + printed.err()).contains("ArithmeticException");
     }
 
@@ -208,7 +208,7 @@ class GradeCommandTest {
         Printed printed = Printed.by("grade", "score-a-goal", file.toString());
 
         assertThat(printed.exitCode()).isEqualTo(2);
-        assertThat(printed.err()).contains("ScoreAGoal plays as Agent_Team does, which is given");
+        assertThat(printed.err()).contains("ScoreAGoal extends Agent_Team of the example team, which earns no points");
     }
 
     private String program(String lines) throws IOException {

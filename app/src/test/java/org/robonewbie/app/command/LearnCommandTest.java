@@ -86,7 +86,7 @@ class LearnCommandTest {
         assertThatThrownBy(() -> command("WalkGait", "--pairs", "0").call()).isInstanceOf(CalledWronglyException.class);
         assertThatThrownBy(() -> command("Stand", "shipped").call())
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessage("\"shipped\" cannot be written. Add --evaluate EPISODES to evaluate it.");
+                .hasMessage("\"shipped\" cannot be overwritten. Add --evaluate EPISODES to evaluate it.");
         assertThatThrownBy(() -> command("Stand", "shipped", "--evaluate", "0").call())
                 .isInstanceOf(CalledWronglyException.class)
                 .hasMessage("--evaluate 0: give a number from 1.");

@@ -74,8 +74,7 @@ class OptimiseCommandTest {
     void asksForAnObjective() {
         assertThatThrownBy(() -> command("kick-right").call())
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessageStartingWith(
-                        "Name the measure by which to improve kick-right: --objective NAME. There are: ");
+                .hasMessageStartingWith("Name the measure to optimise kick-right: --objective NAME. There are: ");
     }
 
     @Test
@@ -177,13 +176,13 @@ class OptimiseCommandTest {
     void saysWhatIsMissingForAnAgent() {
         assertThatThrownBy(() -> command("kick-right", "--agent", "Walker.java", "--objective", "energy")
                         .call())
-                .hasMessage("Name what to improve: a motion, walk-engine, or --agent CLASS; one of them.");
+                .hasMessage("Name one thing to optimise: a motion, walk-engine, or --agent CLASS.");
         assertThatThrownBy(() -> command("--agent", "Agent_Dance", "--objective", "energy")
                         .call())
-                .hasMessageStartingWith("Agent_Dance declares no number that could be improved.");
+                .hasMessageStartingWith("Agent_Dance declares no number to optimise.");
         assertThatThrownBy(() -> command("--agent", "Agent_Dance", "--objective", "energy", "--pose", "1,2")
                         .call())
-                .hasMessageStartingWith("Give --pose three numbers, such as -1,0,0, and --ball two");
+                .hasMessageStartingWith("--pose needs three numbers, such as -1,0,0, and --ball two");
     }
 
     private static OptimiseCommand command(String... arguments) {

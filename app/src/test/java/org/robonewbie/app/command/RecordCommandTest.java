@@ -191,7 +191,9 @@ class RecordCommandTest {
         Printed otherColumns = record(set, "--messages");
 
         assertThat(otherSeed.exitCode()).isEqualTo(2);
-        assertThat(otherSeed.err()).contains("was made in another way: first seed is \"9\" there and \"3\" now");
+        assertThat(otherSeed.err())
+                .contains(
+                        "contains an incomplete data set with other settings: first seed is \"9\" there and \"3\" now");
         assertThat(otherColumns.exitCode()).isEqualTo(2);
     }
 
@@ -201,7 +203,7 @@ class RecordCommandTest {
         assertThat(record(taken).exitCode()).isZero();
 
         assertThat(record(taken).exitCode()).isEqualTo(2);
-        assertThat(record(taken).err()).contains("holds a complete data set already. Name another folder");
+        assertThat(record(taken).err()).contains("already contains a complete data set. Name another folder");
         assertThat(record(folder.resolve("x"), "--runs", "0").err()).contains("--runs 0: give a number of at least 1.");
         assertThat(record(folder.resolve("x"), "--robots", "23").err()).contains("give a number from 1 to 22");
         assertThat(Printed.by("record", "Agent_BasicStructure", "--seconds", "0")

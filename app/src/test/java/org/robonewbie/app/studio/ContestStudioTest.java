@@ -35,7 +35,7 @@ class ContestStudioTest {
                     1,
                     folder,
                     Path.of(""),
-                    ExampleCatalogue.load().classNames(),
+                    ExampleCatalogue.classNames(),
                     2,
                     Limits.DEFAULT,
                     Sandbox.none("not wanted"),

@@ -1,31 +1,35 @@
 package org.robonewbie.exercises;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
+import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
 import java.util.stream.LongStream;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.programs.process.Departure;
 import org.robonewbie.programs.process.ProgressWatchdog;
+import org.robonewbie.trial.Controller;
+import org.robonewbie.trial.batch.BatchRunner;
+import org.robonewbie.trial.batch.Job;
+import org.robonewbie.trial.batch.ThreadRunner;
 
 /**
- * Grades solutions of exercises in this process, on the truth of the simulated world, for tests. A program that throws or never
- * returns fails its trial and nothing else, see {@link ProgressWatchdog}. {@code robonewbie grade} judges in the same way a program that runs
- * in another process.
+ * Grader of solutions in this process, on the ground truth of the simulated world, for tests. A program that throws or never returns
+ * fails its trial, see {@link ProgressWatchdog}. {@code robonewbie grade} judges in the same way a program in a child process.
  */
 public final class Grader {
 
-    private final int tasksAtOnce;
+    private final int threads;
 
-    /** Creates a grader that tries as many seeds at once as this computer has processors. */
+    /** Creates a grader with a thread for each processor. */
     public Grader() {
         this(Runtime.getRuntime().availableProcessors());
     }
@@ -33,18 +37,18 @@ public final class Grader {
     /**
      * Creates a grader.
      *
-     * @param trialsAtOnce how many seeds are tried at once, at least 1
+     * @param threads the number of trials at the same time, at least 1
      */
-    public Grader(int trialsAtOnce) {
-        this.tasksAtOnce = Math.max(1, trialsAtOnce);
+    public Grader(int threads) {
+        this.threads = threads;
     }
 
     /**
      * Grades a solution on the seeds 1, 2, 3 and so on.
      *
      * @param exercise the exercise
-     * @param student makes a robot with the student's program; asked once for each robot
-     * @param seeds how many seeds, at least 1
+     * @param student creates a robot with the student's program; called once for each robot
+     * @param seeds the number of seeds, at least 1
      * @return the grade
      */
     public Grade grade(Exercise exercise, Supplier<? extends Agent> student, int seeds) {
@@ -55,58 +59,87 @@ public final class Grader {
      * Grades a solution.
      *
      * @param exercise the exercise
-     * @param student makes a robot with the student's program; asked once for each robot, from several threads
-     * @param seeds the seeds to try
+     * @param student creates a robot with the student's program; called once for each robot, from several threads
+     * @param seeds the seeds
      * @param recording file for a recording of the first seed, for the studio; empty for none
      * @return the grade
      */
     public Grade grade(
             Exercise exercise, Supplier<? extends Agent> student, List<Long> seeds, Optional<Path> recording) {
-        ExecutorService threads = Executors.newFixedThreadPool(tasksAtOnce, Grader::daemon);
-        List<GradedTrial> trials = new ArrayList<>();
-        List<Future<Score>> scores = new ArrayList<>();
-        for (long seed : seeds) {
-            GradedTrial trial = new GradedTrial(
-                    exercise, student, seed, scores.isEmpty() ? recording : Optional.empty(), new ProgressWatchdog());
-            trials.add(trial);
-            scores.add(threads.submit(trial));
-        }
-        List<Grade.SeededScore> results = new ArrayList<>();
-        for (int i = 0; i < trials.size(); i++) {
-            results.add(new Grade.SeededScore(trials.get(i).seed(), await(trials.get(i), scores.get(i))));
-        }
-        threads.shutdownNow();
-        return new Grade(exercise.fullName(), results);
+        return grade(
+                exercise,
+                seeds,
+                seed -> watchedTrial(exercise, student, seed, recording.filter(file -> seed.equals(seeds.get(0)))),
+                (seed, score) -> {});
     }
 
-    /** Waits for a score as long as the trial makes progress. */
-    private static Score await(GradedTrial trial, Future<Score> score) {
-        while (!trial.progress().isExhausted()) {
+    /**
+     * Grades a solution. After a step that never returns, the other trials are skipped.
+     *
+     * @param exercise the exercise
+     * @param seeds the seeds
+     * @param trial plays the trial of a seed
+     * @param scores receives each score as soon as it is known
+     * @return the grade
+     */
+    public Grade grade(
+            Exercise exercise, List<Long> seeds, Job<Long, Score> trial, BatchRunner.Receiver<Long, Score> scores) {
+        AtomicBoolean endless = new AtomicBoolean();
+        List<Score> results;
+        try (BatchRunner runner = new ThreadRunner(threads)) {
+            Job<Long, Score> job = seed -> {
+                Score score = endless.get() ? Score.notTried() : trial.run(seed);
+                if (score.finding().startsWith(Performance.ENDLESS)) {
+                    endless.set(true);
+                }
+                return score;
+            };
+            results = runner.run(seeds, job, scores);
+        } catch (IOException failed) {
+            throw new UncheckedIOException(failed);
+        }
+        List<Grade.SeededScore> trials = new ArrayList<>();
+        for (int i = 0; i < results.size(); i++) {
+            trials.add(new Grade.SeededScore(seeds.get(i), results.get(i)));
+        }
+        return new Grade(exercise.fullName(), trials);
+    }
+
+    /** Plays a trial in another thread, which is abandoned when the program makes no progress. */
+    private static Score watchedTrial(
+            Exercise exercise, Supplier<? extends Agent> student, long seed, Optional<Path> recording) {
+        ProgressWatchdog watchdog = new ProgressWatchdog();
+        FutureTask<Score> trial = new FutureTask<>(() -> {
+            watchdog.begin();
             try {
-                return score.get(ProgressWatchdog.TICK_MILLISECONDS, TimeUnit.MILLISECONDS);
-            } catch (TimeoutException notYet) {
-                trial.progress().tick();
+                return Performance.of(
+                        exercise,
+                        seed,
+                        () -> Controller.ofAgent(student.get()),
+                        recording,
+                        cycle -> watchdog.progress());
+            } finally {
+                watchdog.end();
+            }
+        });
+        Thread thread = new Thread(trial, "trial");
+        thread.setDaemon(true);
+        thread.start();
+        while (!watchdog.isExhausted()) {
+            try {
+                return trial.get(ProgressWatchdog.TICK_MILLISECONDS, TimeUnit.MILLISECONDS);
+            } catch (TimeoutException running) {
+                watchdog.tick();
             } catch (ExecutionException exhausted) {
                 return Score.failed(
                         0, "The program ended with " + exhausted.getCause() + ".", "Does it keep too much?");
-            } catch (InterruptedException end) {
+            } catch (InterruptedException stopped) {
                 Thread.currentThread().interrupt();
                 return Score.failed(0, "The grading was stopped.", "");
             }
         }
-        return trial.progress().hasBegun()
-                ? Performance.of(
-                        Score.notTried(),
-                        new Departure(
-                                Departure.Cause.ENDLESS,
-                                trial.progress().place().orElse(""),
-                                ""))
-                : Score.notTried();
-    }
-
-    private static Thread daemon(Runnable work) {
-        Thread thread = new Thread(work, "trial");
-        thread.setDaemon(true);
-        return thread;
+        return Performance.of(
+                Score.notTried(),
+                new Departure(Departure.Cause.ENDLESS, watchdog.place().orElse(""), ""));
     }
 }

@@ -14,20 +14,17 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.TrialListener;
 
 /**
- * One trial of an exercise from the empty pitch to the score. All who judge play it: the command line, tests, the studio and
- * competitions.
+ * Trial of an exercise from the empty pitch to the score, used by the command line, tests, the studio and competitions.
  */
 public final class Performance {
 
-    /** How the finding about a program begins that does not come to the end of a step. */
+    /** Prefix of the finding about a step that does not return. */
     public static final String ENDLESS = "think() has not returned";
 
-    /** What to do about a program that could not be tried to the end. */
-    private static final String MEND = "Mend this first; the rest was not tried.";
+    private static final String FIX_FIRST = "Fix this first; the remaining checks were skipped.";
 
-    /** What to do about a program that went on after an exception in a step. */
-    private static final String MEND_STEP =
-            "think() failed, as the program's own lines above say. Mend that first; what the robot did has little to do with your idea.";
+    private static final String FIX_STEP =
+            "think() threw an exception, see the output of the program. Fix that first; the robot did not do what you intended.";
 
     private Performance() {}
 
@@ -35,11 +32,11 @@ public final class Performance {
      * Plays one trial to its end in this thread.
      *
      * @param exercise the exercise
-     * @param seed start of all that is left to chance
-     * @param student makes a robot with the student's program; asked once for each robot
+     * @param seed seed of the random numbers
+     * @param student creates a robot with the student's program; called once for each robot
      * @param recording file for a recording for the studio; empty for none
-     * @param listener watches the trial
-     * @return the score; a program that throws or goes away has none of the points
+     * @param listener observes the trial
+     * @return the score; 0 points for a program that throws or leaves
      */
     public static Score of(
             Exercise exercise,
@@ -52,7 +49,7 @@ public final class Performance {
         } catch (VirtualMachineError exhausted) {
             throw exhausted;
         } catch (AbsentProgramException absent) {
-            return Score.failed(0, String.valueOf(absent.getMessage()), MEND);
+            return Score.failed(0, String.valueOf(absent.getMessage()), FIX_FIRST);
         } catch (IOException | RuntimeException | Error mistake) {
             return ofMistake(mistake);
         }
@@ -77,9 +74,9 @@ public final class Performance {
     }
 
     /**
-     * Returns the score of a program that has thrown something.
+     * Returns the score of a program that has thrown an exception.
      *
-     * @param mistake what it has thrown
+     * @param mistake the exception
      * @return the score, with the line of the program
      */
     public static Score ofMistake(Throwable mistake) {
@@ -87,34 +84,34 @@ public final class Performance {
     }
 
     private static Score ofThrown(String mistake) {
-        return Score.failed(0, "The program ended with " + mistake + ".", MEND);
+        return Score.failed(0, "The program ended with " + mistake + ".", FIX_FIRST);
     }
 
     /**
-     * Returns the score of a trial whose robots have gone before its end, or of one with a mistake on the way.
+     * Returns the score of a trial whose robots have left early or failed in a step.
      *
      * @param score the score without that
-     * @param why why they have gone
+     * @param why why they have left
      * @return the score
      */
     public static Score of(Score score, Departure why) {
         return switch (why.cause()) {
             case NONE -> score;
-            case FAILED_STEP -> score.withHint(MEND_STEP);
+            case FAILED_STEP -> score.withHint(FIX_STEP);
             case THROWN -> ofThrown(why.text());
             case ENDLESS -> ofEndlessStep(" for " + ProgressWatchdog.SECONDS + " s", Optional.of(why.text()));
             case IDLE -> Score.failed(0, why.text(), why.advice());
             case EXIT -> ofExit(why.text());
-            case MEMORY -> Score.failed(0, "The program took all memory (" + why.text() + " MB).", MEND);
-            case EXCESS -> Score.failed(0, "The program started too many processes.", MEND);
+            case MEMORY -> Score.failed(0, "The program took all memory (" + why.text() + " MB).", FIX_FIRST);
+            case EXCESS -> Score.failed(0, "The program started too many processes.", FIX_FIRST);
         };
     }
 
     /**
-     * Returns the score of a program that does not come to the end of a step.
+     * Returns the score of a program whose step does not return.
      *
-     * @param howLong how long it has been waited for, such as {@code " for 4 s"}; empty if that is not known
-     * @param place where it is; empty if that is not known
+     * @param howLong the duration, such as {@code " for 4 s"}; empty if unknown
+     * @param place the current line; empty if unknown
      * @return the score
      */
     public static Score ofEndlessStep(String howLong, Optional<String> place) {
@@ -124,17 +121,19 @@ public final class Performance {
                         + place.filter(line -> !line.isEmpty())
                                 .map(line -> "; it is in " + line)
                                 .orElse("") + ".",
-                "think() is called 50 times per second and must return at once. Is there an endless loop?");
+                "think() is called 50 times per second and must return quickly. Is there an endless loop?");
     }
 
     /**
-     * Returns the score of a program that has ended itself.
+     * Returns the score of a program that has ended its process.
      *
-     * @param exitCode what it has called {@code System.exit} with
+     * @param exitCode the exit code
      * @return the score
      */
     public static Score ofExit(String exitCode) {
         return Score.failed(
-                0, "The program ended the whole process (exit code " + exitCode + "). Does it call System.exit?", MEND);
+                0,
+                "The program ended the whole process (exit code " + exitCode + "). Does it call System.exit?",
+                FIX_FIRST);
     }
 }

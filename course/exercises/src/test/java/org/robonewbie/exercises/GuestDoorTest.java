@@ -20,7 +20,7 @@ class GuestDoorTest {
     void agentThatComesThroughTheDoorPassesAsOneOfThisProcess(String name) throws IOException {
         Exercise exercise = Exercises.find(name).orElseThrow();
 
-        try (GuestDoor door = GuestDoor.open(0, 0)) {
+        try (GuestDoor door = GuestDoor.open(0)) {
             Score score = play(exercise, () -> guest(door, Solutions.of(exercise)));
 
             assertThat(score.passed()).as(score.toString()).isTrue();
@@ -31,7 +31,7 @@ class GuestDoorTest {
     void absenceOfTheProgramFailsTheTrial() throws IOException {
         Exercise exercise = Exercises.find("raise-arms").orElseThrow();
 
-        try (GuestDoor door = GuestDoor.open(0, 0)) {
+        try (GuestDoor door = GuestDoor.open(0)) {
             Score score = play(exercise, () -> door.await(() -> false));
 
             assertThat(score.passed()).isFalse();

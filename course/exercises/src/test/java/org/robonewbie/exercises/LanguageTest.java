@@ -27,7 +27,7 @@ class LanguageTest {
     private static final Pattern TEXT = Pattern.compile("\"((?:[^\"\\\\]|\\\\.)*)\"");
     private static final Path SOURCES = Path.of("src/main/java/org/robonewbie/exercises");
 
-    private static final String MEND = "Mend this first; the rest was not tried.";
+    private static final String FIX_FIRST = "Fix this first; the remaining checks were skipped.";
 
     static Stream<String> hintsOfTasks() throws IOException {
         try (Stream<Path> files = Files.list(SOURCES)) {
@@ -128,7 +128,7 @@ class LanguageTest {
 
     @Test
     void gradeIsToldInBothLanguages() {
-        Grade grade = new Grade("12-kick", List.of(new Grade.SeededScore(1, Score.failed(0, "no goal", MEND))));
+        Grade grade = new Grade("12-kick", List.of(new Grade.SeededScore(1, Score.failed(0, "no goal", FIX_FIRST))));
 
         assertThat(grade.text(Language.GERMAN))
                 .isEqualTo(String.join(
@@ -137,7 +137,7 @@ class LanguageTest {
                         "12-kick noch nicht bestanden: 0.0 von 10 Punkte",
                         "Hinweis: Behebe zuerst das; der Rest wurde nicht versucht.",
                         ""));
-        assertThat(grade.text(Language.ENGLISH)).isEqualTo(grade.toString()).contains("of 10 points", MEND);
+        assertThat(grade.text(Language.ENGLISH)).isEqualTo(grade.toString()).contains("of 10 points", FIX_FIRST);
     }
 
     @ParameterizedTest

@@ -10,20 +10,20 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
-import org.robonewbie.programs.completion.ApiDocumentation;
+import org.robonewbie.programs.completion.CommentCollector;
 
-/** Documentation comments of the framework, read from the sources that come along with it. */
+/** Documentation comments of the framework, read from its packaged sources. */
 final class ApiComments {
 
-    /** Where the build puts them. */
+    /** Resource folder of the packaged sources. */
     static final String FOLDER = "/META-INF/sources/";
 
-    /** For each class: comment by member, such as {@code setJointSpeed/2}. */
+    /** Comments by class and member, such as {@code setJointSpeed/2}. */
     private static final Map<String, Map<String, String>> READ = new ConcurrentHashMap<>();
 
     private ApiComments() {}
 
-    /** Finds what a class or one of its members does; empty if its source is not there. */
+    /** Returns the comment of a class or member; empty if its source is not packaged. */
     static String of(String className, String key) {
         String outermost = className.replaceFirst("\\$.*", "");
         return outermost.startsWith("org.robonewbie.")
@@ -31,7 +31,7 @@ final class ApiComments {
                 : "";
     }
 
-    /** The source of a class of the framework; empty if it does not come along. */
+    /** Returns the source of a class of the framework; empty if it is not packaged. */
     static Optional<String> source(String className) {
         String path = FOLDER + className.replace('.', '/') + ".java";
         try (InputStream stream = ApiComments.class.getResourceAsStream(path)) {
@@ -51,6 +51,6 @@ final class ApiComments {
     }
 
     private static Map<String, String> comments(JavacTask task) throws IOException {
-        return ApiDocumentation.comments(task.parse().iterator().next(), Trees.instance(task));
+        return CommentCollector.read(task.parse().iterator().next(), Trees.instance(task));
     }
 }

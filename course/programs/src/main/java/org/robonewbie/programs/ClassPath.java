@@ -20,15 +20,14 @@ import java.util.stream.Stream;
 import org.robonewbie.nao.file.TemporaryFiles;
 
 /**
- * The class path of a Java process. Its option separates places by colons (on Windows semicolons), so that none can have one in its
- * name, and it cannot express characters beyond 16 bits, such as emoji. Where a place has such a name, an empty jar in the folder for
- * temporary files refers to all places, as addresses in its manifest.
+ * Class path of a Java process. The option {@code -cp} cannot express paths that contain its separator or a character beyond 16 bits,
+ * such as an emoji. If there is such a path, an empty temporary jar refers to all entries by URLs in its manifest.
  *
  * @param places absolute paths of folders and jars
  */
 public record ClassPath(List<Path> places) {
 
-    /** A process that ends at once may still need its jar, so it is kept until this process ends. */
+    /** The temporary jars, which are kept until this process ends, since child processes read them. */
     private static final Map<ClassPath, Path> JARS = new ConcurrentHashMap<>();
 
     /** Makes all paths absolute. */
@@ -37,7 +36,7 @@ public record ClassPath(List<Path> places) {
                 places.stream().map(place -> place.toAbsolutePath().normalize()).toList();
     }
 
-    /** {@return the classes of this program: its class path, or the one jar to which a jar of the launcher refers} */
+    /** {@return the class path of this program; if the launcher has started it by a temporary jar, its own jar} */
     public static ClassPath ofThisProgram() {
         Path own = ownPlace();
         return new ClassPath(
@@ -48,7 +47,7 @@ public record ClassPath(List<Path> places) {
                         : List.of(own));
     }
 
-    /** {@return the jar that holds this program; empty if its classes are in folders, as in an IDE} */
+    /** {@return the jar of this program; empty if its classes are in folders, as in an IDE} */
     public static Optional<Path> ownJar() {
         return Optional.of(ownPlace()).filter(Files::isRegularFile);
     }
@@ -66,25 +65,25 @@ public record ClassPath(List<Path> places) {
     }
 
     /**
-     * Adds places.
+     * Appends entries.
      *
-     * @param more folders and jars, which are searched last
-     * @return all of them
+     * @param more folders and jars
+     * @return the longer class path
      */
     public ClassPath with(List<Path> more) {
         return new ClassPath(Stream.concat(places.stream(), more.stream()).toList());
     }
 
-    /** {@return the places as addresses, to be read by {@link #read}} */
+    /** {@return the entries as URLs, see {@link #read}} */
     public String text() {
         return places.stream().map(place -> place.toUri().toASCIIString()).collect(Collectors.joining(" "));
     }
 
     /**
-     * Reads places.
+     * Parses the result of {@link #text}.
      *
-     * @param text their addresses
-     * @return the places
+     * @param text the URLs
+     * @return the paths
      */
     public static List<Path> read(String text) {
         return Stream.of(text.split(" ", -1))
@@ -95,16 +94,16 @@ public record ClassPath(List<Path> places) {
     }
 
     /**
-     * Returns the class path as an option of Java.
+     * Returns the argument of the option {@code -cp}.
      *
-     * @return what follows {@code -cp}
-     * @throws CalledWronglyException if the folder for temporary files has a name that cannot stand in an option
+     * @return the argument
+     * @throws CalledWronglyException if the path of the temporary folder cannot be expressed either
      */
     public String option() {
         return files().stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator));
     }
 
-    /** {@return what a process with this class path must be able to read, with Java itself} */
+    /** {@return the files that a process with this class path reads, including its JVM} */
     public List<Path> readable() {
         return Stream.of(places.stream(), files().stream(), Stream.of(Path.of(System.getProperty("java.home"))))
                 .flatMap(each -> each)
@@ -125,7 +124,7 @@ public record ClassPath(List<Path> places) {
     }
 
     /**
-     * Looks for a character that cannot stand in a class path as Java's tools take it.
+     * Finds a character that the option {@code -cp} cannot express.
      *
      * @param place a folder or jar
      * @return the first such character of its absolute path; empty if there is none
@@ -148,7 +147,7 @@ public record ClassPath(List<Path> places) {
             jar.toFile().deleteOnExit();
             Optional<String> obstacle = obstacle(jar);
             if (obstacle.isPresent()) {
-                throw new CalledWronglyException("Java does not take the character \"" + obstacle.get()
+                throw new CalledWronglyException("Java does not support the character \"" + obstacle.get()
                         + "\" in the path of " + jar.getParent() + ". " + TemporaryFiles.howToChoose());
             }
             try (OutputStream file = Files.newOutputStream(jar);

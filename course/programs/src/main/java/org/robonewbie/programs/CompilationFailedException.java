@@ -1,6 +1,6 @@
 package org.robonewbie.programs;
 
-/** Java files do not compile; the compiler has shown where. */
+/** Thrown when Java files do not compile. The errors have been printed. */
 public final class CompilationFailedException extends RuntimeException {
 
     private static final long serialVersionUID = 1;

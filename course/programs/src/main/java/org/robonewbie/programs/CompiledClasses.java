@@ -17,7 +17,7 @@ import javax.tools.JavaFileManager;
 import javax.tools.JavaFileObject;
 import javax.tools.SimpleJavaFileObject;
 
-/** Keeps what the compiler makes in memory and loads it from there. */
+/** In-memory class files of a compilation, and a class loader for them. */
 final class CompiledClasses extends ForwardingJavaFileManager<JavaFileManager> {
 
     private final Map<String, ByteArrayOutputStream> byteCode = new TreeMap<>();
@@ -39,7 +39,7 @@ final class CompiledClasses extends ForwardingJavaFileManager<JavaFileManager> {
         };
     }
 
-    /** Writes what was compiled below a folder, as a compiler does. */
+    /** Writes the class files into a folder. */
     void writeTo(Path folder) throws IOException {
         for (Map.Entry<String, ByteArrayOutputStream> each : byteCode.entrySet()) {
             Path file = folder.resolve(each.getKey().replace('.', '/') + ".class");
@@ -48,7 +48,7 @@ final class CompiledClasses extends ForwardingJavaFileManager<JavaFileManager> {
         }
     }
 
-    /** The names of the classes that have a main method. */
+    /** Returns the names of the classes with a main method. */
     List<String> programs(List<Path> classPath) {
         ClassLoader loader = loader(classPath);
         return byteCode.keySet().stream()
@@ -58,7 +58,7 @@ final class CompiledClasses extends ForwardingJavaFileManager<JavaFileManager> {
                 .toList();
     }
 
-    /** A loader of the compiled classes, which finds all others and the user's files on the class path. */
+    /** Creates a class loader for these classes and for the class path. */
     ClassLoader loader(List<Path> classPath) {
         URLClassLoader others = ProgramFinder.loaderOf(classPath);
         return new URLClassLoader(others.getURLs(), others.getParent()) {

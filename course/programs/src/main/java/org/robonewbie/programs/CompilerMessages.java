@@ -20,8 +20,7 @@ import org.robonewbie.programs.hint.FrameworkNames;
 import org.robonewbie.programs.hint.Hints;
 
 /**
- * What the compiler says about a student's file, with the names of the framework that were probably meant, and the imports that are
- * missing.
+ * Diagnostics of a compilation, with suggestions for misspelt names of the framework and for missing imports.
  */
 final class CompilerMessages implements DiagnosticListener<JavaFileObject> {
 
@@ -66,7 +65,7 @@ final class CompilerMessages implements DiagnosticListener<JavaFileObject> {
         all.add(diagnostic);
     }
 
-    /** All that the compiler has said and that matters, each with what to do. */
+    /** Returns all errors and warnings with advice. */
     List<Remark> remarks() {
         return mistakes().stream()
                 .map(mistake -> new Remark(
@@ -86,7 +85,7 @@ final class CompilerMessages implements DiagnosticListener<JavaFileObject> {
         return HINTS.withoutFollowUps(mistakes, CompilerMessages::asRemark);
     }
 
-    /** Prints everything in the words of the compiler, and below what to do. */
+    /** Prints the diagnostics in the format of the compiler, each followed by advice. */
     void print(PrintStream out) {
         List<Diagnostic<? extends JavaFileObject>> mistakes = mistakes();
         for (Diagnostic<? extends JavaFileObject> each : mistakes) {
@@ -118,7 +117,7 @@ final class CompilerMessages implements DiagnosticListener<JavaFileObject> {
         return new Hints.Remark(String.valueOf(mistake.getCode()), text(mistake), mistake.getMessage(Locale.ROOT));
     }
 
-    /** What the compiler has underlined. */
+    /** Returns the underlined text. */
     private static String text(Diagnostic<? extends JavaFileObject> mistake) {
         JavaFileObject source = mistake.getSource();
         if (source == null || mistake.getStartPosition() == Diagnostic.NOPOS) {

@@ -4,7 +4,7 @@ import java.util.Optional;
 import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
 
-/** The compiler of the Java that runs RoboNewbie: a JDK has one, a run-time (JRE) has none. */
+/** Compiler of the Java installation that runs RoboNewbie. A JDK has one, a run-time (JRE) has none. */
 public final class CompilerOfThisJava {
 
     private CompilerOfThisJava() {}
@@ -14,12 +14,12 @@ public final class CompilerOfThisJava {
         try {
             return find().isPresent();
         } catch (NoClassDefFoundError withoutModule) {
-            return false; // a Java that was made smaller lacks even the class that is asked
+            return false; // the installation lacks the module java.compiler
         }
     }
 
     /**
-     * Requires a compiler, before anything of {@code javax.tools} is touched.
+     * Requires a compiler. Call before any use of {@code javax.tools}.
      *
      * @throws CalledWronglyException if there is none
      */

@@ -10,41 +10,30 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 
 /**
- * Knows all examples that can be run: the classes with a {@code main} method in {@code org.robonewbie.examples} and {@code
+ * Catalogue of the examples: the classes with a {@code main} method in {@code org.robonewbie.examples} and {@code
  * org.robonewbie.team}.
  */
 public final class ExampleCatalogue {
 
-    /** The example to begin with. */
+    /** Name of the first example of the tutorial. */
     public static final String FIRST_EXAMPLE = "Agent_BasicStructure";
 
     private static final List<String> PACKAGES = List.of("org.robonewbie.examples", "org.robonewbie.team");
 
-    private final SortedMap<String, String> classNames = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
-
     private ExampleCatalogue() {}
 
-    /**
-     * Looks through the class path.
-     *
-     * @return the examples on it
-     */
-    public static ExampleCatalogue load() {
-        ExampleCatalogue catalogue = new ExampleCatalogue();
+    /** {@return the examples on the class path: simple name to class name} */
+    public static SortedMap<String, String> classNames() {
+        SortedMap<String, String> classNames = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
         try {
             for (String each : PACKAGES) {
                 for (var places = loader().getResources(folder(each)); places.hasMoreElements(); ) {
-                    ResourceFolder.read(places.nextElement(), folder(each), path -> catalogue.addAll(each, path));
+                    ResourceFolder.read(places.nextElement(), folder(each), path -> addAll(each, path, classNames));
                 }
             }
         } catch (IOException unreadable) {
             throw new UncheckedIOException("The examples cannot be read", unreadable);
         }
-        return catalogue;
-    }
-
-    /** {@return the examples: simple name to class name} */
-    public SortedMap<String, String> classNames() {
         return classNames;
     }
 
@@ -52,7 +41,8 @@ public final class ExampleCatalogue {
         return packageName.replace('.', '/');
     }
 
-    private void addAll(String packageName, Path folder) throws IOException {
+    private static void addAll(String packageName, Path folder, SortedMap<String, String> classNames)
+            throws IOException {
         try (Stream<Path> files = Files.walk(folder)) {
             files.filter(file -> file.toString().endsWith(".class"))
                     .map(file -> packageName + "." + classNameOf(folder.relativize(file)))

@@ -6,7 +6,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.SortedMap;
 
-/** The texts of the examples, to be read and to begin with. */
+/** Source code of the examples, and templates of new programs. */
 public final class ExampleSources {
 
     private static final String SHORTEST = """
@@ -27,12 +27,12 @@ public final class ExampleSources {
             }
             """;
 
-    private final SortedMap<String, String> classNames = ExampleCatalogue.load().classNames();
+    private final SortedMap<String, String> classNames = ExampleCatalogue.classNames();
 
-    /** Looks which examples there are. */
+    /** Reads the catalogue of the examples. */
     public ExampleSources() {}
 
-    /** {@return names of the examples whose text is there} */
+    /** {@return names of the examples with source code} */
     public List<String> names() {
         return classNames.keySet().stream()
                 .filter(name -> text(name).isPresent())
@@ -40,21 +40,21 @@ public final class ExampleSources {
     }
 
     /**
-     * Reads an example.
+     * Returns the source code of an example.
      *
      * @param name its simple name
-     * @return its text; empty if there is none of this name
+     * @return the source code; empty if there is no such example
      */
     public Optional<String> text(String name) {
         return Optional.ofNullable(classNames.get(name)).flatMap(ApiComments::source);
     }
 
     /**
-     * Makes a program to begin with.
+     * Creates a new program.
      *
-     * @param file where it will be, which names its class and package
-     * @param example the text of an example; empty for the shortest program that moves a robot
-     * @return its text
+     * @param file its file, which determines class and package
+     * @param example source code of an example; empty for the shortest program that moves a robot
+     * @return its source code
      */
     public String startingWith(Path file, Optional<String> example) {
         String name = String.valueOf(file.getFileName()).replace(".java", "");
@@ -70,7 +70,7 @@ public final class ExampleSources {
         return old.map(each -> text.replaceAll("\\b" + each + "\\b", name)).orElse(text);
     }
 
-    /** The package of a file of a project. */
+    /** Returns the package of a file in a Maven project. */
     private static Optional<String> packageOf(Path file) {
         String folder = Objects.requireNonNull(file.toAbsolutePath().getParent())
                 .toString()

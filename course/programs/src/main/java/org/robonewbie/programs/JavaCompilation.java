@@ -15,28 +15,27 @@ import javax.tools.StandardJavaFileManager;
 import javax.tools.StandardLocation;
 
 /**
- * Java files that are compiled together, with the classes of this program and those of the class path. Classes are kept in memory, and
- * nothing of the files runs.
+ * Compilation of Java files in memory, against this program and a class path. No code of the files runs.
  *
- * @param name what messages call the files
- * @param sourcePath folders in which the compiler finds further sources by itself
- * @param classPath folders and jars that they use
+ * @param name name of the files in messages
+ * @param sourcePath folders in which the compiler looks for further sources
+ * @param classPath folders and jars
  */
 record JavaCompilation(String name, List<Path> sourcePath, List<Path> classPath) {
 
-    /** The files that the compiler has used last: the next compilation need not read all archives of the class path again. */
+    /** The file manager of the last compilation, kept because it has indexed the jars of the class path. */
     private static final AtomicReference<Optional<StandardJavaFileManager>> KEPT =
             new AtomicReference<>(Optional.empty());
 
     private static final List<String> OPTIONS =
             List.of("-g", "-XDshould-stop.ifError=FLOW", "-parameters", "-proc:none", "-implicit:class");
 
-    /** What the compiler is to do with the files. */
+    /** Work with the compiler. */
     interface Work<T> {
         T of(JavacTask task, CompiledClasses classes) throws IOException;
     }
 
-    /** Does something with the compiler. */
+    /** Creates a compiler for the sources and passes it to {@code work}. */
     <T> T with(CompilerMessages messages, Function<SourceFiles, List<JavaFileObject>> sources, Work<T> work) {
         JavaCompiler compiler = CompilerOfThisJava.get();
         StandardJavaFileManager disk =
@@ -74,7 +73,7 @@ record JavaCompilation(String name, List<Path> sourcePath, List<Path> classPath)
                 + ", since an expression or a block in it is nested too deeply. Split it into several shorter ones.");
     }
 
-    /** Two have compiled at the same time, and one of them has kept its files already. */
+    /** Closes the file manager of a concurrent compilation. */
     private static void close(StandardJavaFileManager other) {
         try {
             other.close();
@@ -84,16 +83,16 @@ record JavaCompilation(String name, List<Path> sourcePath, List<Path> classPath)
     }
 
     /**
-     * Compiles the files and prints what the compiler says.
+     * Compiles the files and prints the diagnostics.
      *
-     * @throws CompilationFailedException if they have mistakes
+     * @throws CompilationFailedException if they have errors
      */
     CompiledClasses compile(Function<SourceFiles, List<JavaFileObject>> sources) {
         CompilerMessages messages = new CompilerMessages();
         Optional<CompiledClasses> classes =
                 with(messages, sources, (task, made) -> task.call() ? Optional.of(made) : Optional.empty());
         messages.print(System.err);
-        return classes.orElseThrow(() -> new CompilationFailedException(
-                "The Java file has mistakes. Correct the line of the first error above and start again."));
+        return classes.orElseThrow(() ->
+                new CompilationFailedException("The Java file has errors. Fix the first one above and try again."));
     }
 }

@@ -22,8 +22,7 @@ import org.robonewbie.programs.completion.Proposal;
 import org.robonewbie.programs.hint.FrameworkNames;
 
 /**
- * A student's Java file, compiled in memory together with the other files of its folder that it needs. Nothing is written, so a folder
- * of exercises stays a folder of exercises.
+ * Java file of a student, compiled in memory together with the other files of its folder that it uses.
  */
 public final class JavaSource {
 
@@ -44,7 +43,7 @@ public final class JavaSource {
      * Reads a file.
      *
      * @param file the file
-     * @return its program
+     * @return the source
      * @throws CalledWronglyException if it cannot be read
      */
     public static JavaSource of(Path file) {
@@ -56,17 +55,17 @@ public final class JavaSource {
     }
 
     /**
-     * Takes a text as that of a file, whether it is saved or not.
+     * Creates a source from a text that may not have been saved.
      *
-     * @param file where it is or will be
+     * @param file its file
      * @param text the text
-     * @return its program
+     * @return the source
      */
     public static JavaSource of(Path file, String text) {
         return new JavaSource(file, text);
     }
 
-    /** {@return the full name of the class that the file is named after} */
+    /** {@return the full name of the class with the name of the file} */
     public String className() {
         return packageName.isEmpty() ? simpleName() : packageName + "." + simpleName();
     }
@@ -76,11 +75,11 @@ public final class JavaSource {
     }
 
     /**
-     * Compiles the file for loading its class repeatedly, each time with its own static fields.
+     * Compiles the file. Its class can be loaded repeatedly, each time with its own static fields.
      *
-     * @param classPath the user's folders and jars that it uses
+     * @param classPath the user's folders and jars
      * @return loads the class of the file
-     * @throws CompilationFailedException if it has errors; they have been shown
+     * @throws CompilationFailedException if it has errors, which have been printed
      */
     Supplier<Class<?>> load(List<Path> classPath) {
         requireKnownForm();
@@ -99,11 +98,11 @@ public final class JavaSource {
     /**
      * Compiles the file into a folder.
      *
-     * @param classPath the user's folders and jars that it uses
-     * @param folder where its classes are written
-     * @return whether it has been compiled; if not, {@link #check} says why
+     * @param classPath the user's folders and jars
+     * @param folder folder for the class files
+     * @return whether it has no errors, see {@link #check}
      * @throws IOException if the folder cannot be written
-     * @throws CalledWronglyException if it is too much for this compiler; the message says what to do
+     * @throws CalledWronglyException if the file exhausts the compiler; the message says what to do
      */
     public boolean compile(List<Path> classPath, Path folder) throws IOException {
         CompilerOfThisJava.require();
@@ -119,16 +118,16 @@ public final class JavaSource {
         return classes.isPresent();
     }
 
-    /** Compiles the file; empty if it has mistakes. */
+    /** Compiles the file; empty if it has errors. */
     Optional<CompiledClasses> compile(List<Path> classPath, CompilerMessages messages) {
         return with(messages, classPath, (task, classes) -> task.call() ? Optional.of(classes) : Optional.empty());
     }
 
     /**
-     * Lets the compiler read the file without making anything of it.
+     * Checks the file without generating code.
      *
-     * @param classPath the user's folders and jars that it uses
-     * @return what the compiler says
+     * @param classPath the user's folders and jars
+     * @return the diagnostics
      */
     public List<Remark> check(List<Path> classPath) {
         CompilerOfThisJava.require();
@@ -145,11 +144,11 @@ public final class JavaSource {
     }
 
     /**
-     * Proposes what could be written.
+     * Returns completion proposals.
      *
-     * @param classPath the user's folders and jars that it uses
-     * @param at index of the place
-     * @return proposals that go on with the word before the place
+     * @param classPath the user's folders and jars
+     * @param at index of the cursor
+     * @return proposals that complete the word before the cursor
      */
     public List<Proposal> complete(List<Path> classPath, int at) {
         CompilerOfThisJava.require();
@@ -165,7 +164,7 @@ public final class JavaSource {
     private static List<Proposal> proposals(JavacTask task, String begun) throws IOException {
         Iterator<? extends CompilationUnitTree> units = task.parse().iterator();
         if (!units.hasNext()) {
-            return List.of(); // the compiler has broken off
+            return List.of(); // the compiler has given up
         }
         CompilationUnitTree unit = units.next();
         task.analyze();
@@ -177,7 +176,7 @@ public final class JavaSource {
                 FrameworkNames.TYPES);
     }
 
-    /** Does something with the compiler. */
+    /** Creates a compiler for the file and passes it to {@code work}. */
     <T> T with(CompilerMessages messages, List<Path> classPath, JavaCompilation.Work<T> work) {
         return compilation(classPath).with(messages, files -> List.of(asFile()), work);
     }
@@ -186,7 +185,6 @@ public final class JavaSource {
         return new JavaCompilation(file.toString(), List.of(rootFolder()), classPath);
     }
 
-    /** The text as the compiler reads it. */
     private SimpleJavaFileObject asFile() {
         return new SimpleJavaFileObject(file.toUri(), SimpleJavaFileObject.Kind.SOURCE) {
             @Override
@@ -210,7 +208,7 @@ public final class JavaSource {
         }
     }
 
-    /** {@return the folder in which the packages of the file begin} */
+    /** {@return the root folder of the packages} */
     public Path rootFolder() {
         Path folder = Objects.requireNonNull(file.toAbsolutePath().normalize().getParent());
         Path packageFolder = Path.of(packageName.replace('.', '/'));

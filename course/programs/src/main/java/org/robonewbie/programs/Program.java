@@ -15,12 +15,12 @@ import org.robonewbie.agent.log.StudentCode;
 import org.robonewbie.agent.running.RobotsOfProcess;
 
 /**
- * A program: a class with {@code public static void main(String[] args)}, or from Java 25 on with a {@code main} that is neither public
- * nor static, with or without parameter (JEP 512).
+ * Program with a main method: {@code public static void main(String[] args)}, or from Java 25 on also one that is not public, not
+ * static or has no parameter (JEP 512).
  */
 public final class Program {
 
-    /** The first Java with the short forms. */
+    /** First version of Java with the short forms. */
     static final int JAVA_OF_SHORT_FORMS = 25;
 
     private final Class<?> type;
@@ -32,16 +32,15 @@ public final class Program {
     }
 
     /**
-     * Takes a class as a program.
+     * Creates a program from a class.
      *
-     * @param type a class
-     * @return the program; empty if the class itself declares no main method that this Java can launch
+     * @param type the class
+     * @return the program; empty if the class declares no main method that this Java can launch
      */
     public static Optional<Program> of(Class<?> type) {
         return of(type, Runtime.version().feature());
     }
 
-    /** Takes a class as a program of a version of Java. */
     static Optional<Program> of(Class<?> type, int javaVersion) {
         Optional<Method> withArguments = declared(type, String[].class);
         Optional<Method> main = javaVersion >= JAVA_OF_SHORT_FORMS
@@ -51,9 +50,9 @@ public final class Program {
     }
 
     /**
-     * Takes a class as a program that may have inherited its main method.
+     * Creates a program from a class that may inherit its main method.
      *
-     * @param type a class
+     * @param type the class
      * @return the program
      * @throws CalledWronglyException if it has no main method
      */
@@ -65,7 +64,7 @@ public final class Program {
                 .orElseThrow(() -> ProgramFinder.withoutMain(type));
     }
 
-    /** Whether a class without a main method for this Java has one with which a newer Java begins. */
+    /** Returns whether a newer version of Java could launch the class. */
     static boolean isShort(Class<?> type) {
         return of(type, JAVA_OF_SHORT_FORMS).isPresent();
     }
@@ -97,10 +96,10 @@ public final class Program {
     }
 
     /**
-     * Runs the program in this thread; what ends it is reported with its own lines only.
+     * Runs the program in this thread. The stack trace of an exception is reduced to lines of the program.
      *
      * @param options the arguments of its {@code main}
-     * @return the exit code: 0, or 1 after an exception, or if a robot could not do what the program asked it for
+     * @return the exit code: 0, or 1 after an exception or a failure of a robot
      */
     public int run(List<String> options) {
         Thread.currentThread().setContextClassLoader(type.getClassLoader());

@@ -8,25 +8,24 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedMap;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.robonewbie.agent.Agent;
 import org.robonewbie.nao.text.Spelling;
 
-/** Finds the program that the user names: an example, a class or a Java file. */
+/** Finds a program by the name of an example, a class or a Java file. */
 public final class ProgramFinder {
 
-    private final ExampleCatalogue examples;
+    private final SortedMap<String, String> examples = ExampleCatalogue.classNames();
     private final List<Path> classPath;
 
     /**
-     * Creates a finder.
+     * Creates a finder. Examples take precedence over the user's classes.
      *
-     * @param examples examples, which take precedence
      * @param classPath folders and jars with the user's own classes
      */
-    public ProgramFinder(ExampleCatalogue examples, List<Path> classPath) {
-        this.examples = examples;
+    public ProgramFinder(List<Path> classPath) {
         this.classPath = classPath;
     }
 
@@ -35,24 +34,24 @@ public final class ProgramFinder {
      *
      * @param name simple name of an example, a class or a Java file
      * @return the program
-     * @throws CalledWronglyException if there is none; its message says what there is
+     * @throws CalledWronglyException if there is none; the message lists the examples
      */
     public Program find(String name) {
         return programOf(findClass(name).get());
     }
 
     /**
-     * Finds a class to be loaded repeatedly, each time with its own static fields unless it belongs to RoboNewbie.
+     * Finds a class that can be loaded repeatedly, each time with its own static fields unless it belongs to RoboNewbie.
      *
      * @param name simple name of an example, a class or a Java file
      * @return loads the class
-     * @throws CalledWronglyException if there is none; its message says what there is
+     * @throws CalledWronglyException if there is none; the message lists the examples
      */
     public Supplier<Class<?>> findClass(String name) {
         if (name.endsWith(".java")) {
             return source(name).load(classPath);
         }
-        String className = examples.classNames().getOrDefault(name, name);
+        String className = examples.getOrDefault(name, name);
         if (ownClass(className).isEmpty()) {
             throw unknown(name);
         }
@@ -60,11 +59,11 @@ public final class ProgramFinder {
     }
 
     /**
-     * Finds a program to be run repeatedly, each time with its own static fields unless it belongs to RoboNewbie.
+     * Finds a program that can be run repeatedly, each time with its own static fields unless it belongs to RoboNewbie.
      *
      * @param name simple name of an example, a class or a Java file
      * @return loads the program
-     * @throws CalledWronglyException if there is none; its message says what there is
+     * @throws CalledWronglyException if there is none; the message lists the examples
      */
     public Supplier<Program> findRepeatedly(String name) {
         Supplier<Class<?>> types = findClass(name);
@@ -82,11 +81,11 @@ public final class ProgramFinder {
     }
 
     /**
-     * Takes a compiled class as a program, whatever examples are called.
+     * Finds a program by the name of its class only.
      *
-     * @param className its full name
+     * @param className full name of the class
      * @return the program
-     * @throws CalledWronglyException if it has no {@code main} or is not there
+     * @throws CalledWronglyException if the class does not exist or has no {@code main}
      */
     public Program ofClass(String className) {
         return programOf(ownClass(className).orElseThrow(() -> unknown(className)));
@@ -94,7 +93,7 @@ public final class ProgramFinder {
 
     /** {@return the examples, one per line} */
     public String listOfExamples() {
-        return examples.classNames().keySet().stream()
+        return examples.keySet().stream()
                 .map(name -> "  " + name)
                 .collect(Collectors.joining(System.lineSeparator(), "The examples are:" + System.lineSeparator(), ""));
     }
@@ -112,7 +111,7 @@ public final class ProgramFinder {
     }
 
     /**
-     * Creates a class loader for the user's own classes that also knows those of RoboNewbie.
+     * Creates a class loader for the user's own classes and those of RoboNewbie.
      *
      * @param classPath folders and jars
      * @return the class loader
@@ -138,8 +137,8 @@ public final class ProgramFinder {
                     + ", or write: public static void main(String[] args)");
         }
         String robot = Agent.class.isAssignableFrom(type) ? "" : """
-                 It is no robot either: write "public class %s extends Agent", with "import org.robonewbie.agent.Agent;" at the top, and
-                what the robot does in "protected void think()".""".formatted(type.getSimpleName());
+                 It is not a robot either: write "public class %s extends Agent", with "import org.robonewbie.agent.Agent;" at the top, and
+                put the behaviour of the robot into "protected void think()".""".formatted(type.getSimpleName());
         return new CalledWronglyException("""
                 %1$s cannot be run, since it has no main method.%2$s Add to it:
                   public static void main(String[] args) {
@@ -149,12 +148,11 @@ public final class ProgramFinder {
 
     private CalledWronglyException unknown(String name) {
         Path file = Path.of(name + ".java");
-        String question = Files.isRegularFile(file)
-                ? " Did you mean " + file + "?"
-                : Spelling.question(name, examples.classNames().keySet());
+        String question =
+                Files.isRegularFile(file) ? " Did you mean " + file + "?" : Spelling.question(name, examples.keySet());
         return new CalledWronglyException("""
                 There is no agent "%s".%s
                 %s
-                Your own agent runs by its file, for example: robonewbie run MyAgent.java""".formatted(name, question, listOfExamples()));
+                Run your own agent by its file, for example: robonewbie run MyAgent.java""".formatted(name, question, listOfExamples()));
     }
 }

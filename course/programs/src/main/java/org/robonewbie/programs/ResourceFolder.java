@@ -9,29 +9,29 @@ import java.nio.file.FileSystems;
 import java.nio.file.Path;
 import java.util.Map;
 
-/** Reads folders of the class path, on the disk and in jars alike. */
+/** Reader of class path folders, on disk and in jars. */
 public final class ResourceFolder {
 
     private ResourceFolder() {}
 
-    /** Reads the files of a folder. */
+    /** Receives an open folder. */
     public interface Reader {
 
         /**
          * Reads the files.
          *
-         * @param folder the folder, which can be read until this call ends
+         * @param folder the folder, which is open during this call
          * @throws IOException if a file cannot be read
          */
         void read(Path folder) throws IOException;
     }
 
     /**
-     * Opens a folder for as long as it is read.
+     * Opens a folder, passes it to the reader and closes it.
      *
-     * @param place where the class loader has found it
+     * @param place URL from the class loader
      * @param name its name on the class path, with slashes
-     * @param reader reads it
+     * @param reader receives the folder
      * @throws IOException if it cannot be read
      */
     public static void read(URL place, String name, Reader reader) throws IOException {

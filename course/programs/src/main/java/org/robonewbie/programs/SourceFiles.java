@@ -14,25 +14,25 @@ import javax.tools.StandardJavaFileManager;
 import org.robonewbie.nao.file.TextFile;
 
 /**
- * Gives a compiler the Java files of a folder as {@link TextFile} reads them, whatever the encoding of the system: those that it
- * compiles and those that it finds on its source path.
+ * File manager that decodes Java files by {@link TextFile}, independently of the system's encoding: those to compile and those on the
+ * source path.
  */
 public final class SourceFiles extends ForwardingJavaFileManager<StandardJavaFileManager> {
 
     /**
-     * Creates a view of the files.
+     * Creates a file manager.
      *
-     * @param disk the compiler's own access to files
+     * @param disk the compiler's standard file manager
      */
     public SourceFiles(StandardJavaFileManager disk) {
         super(disk);
     }
 
     /**
-     * Returns files for the compiler.
+     * Wraps files for the compiler.
      *
      * @param files Java files
-     * @return the same for a compiler
+     * @return file objects
      */
     public List<JavaFileObject> of(List<Path> files) {
         return decoded(fileManager.getJavaFileObjectsFromPaths(files));

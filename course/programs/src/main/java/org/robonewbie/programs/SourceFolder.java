@@ -10,18 +10,18 @@ import java.util.stream.Stream;
 import org.robonewbie.nao.file.SubmittedFolder;
 
 /**
- * A folder with Java sources: a Maven project, or just files. It is compiled with RoboNewbie and the jars in its folder {@code
- * lib}; nothing of it runs for that. The compiler reads the sources of this folder and no others.
+ * Folder with Java sources: a Maven project, or just files. It is compiled against RoboNewbie and the jars in its folder {@code lib},
+ * without running any of its code. The compiler reads no sources outside of the folder.
  *
  * @param folder the folder
- * @param deep whether folders in it belong to it, as in a project
+ * @param deep whether subfolders are included, as in a project
  */
 public record SourceFolder(Path folder, boolean deep) {
 
     /**
-     * Looks whether there is anything to compile.
+     * Returns whether the folder contains sources.
      *
-     * @return whether it has sources
+     * @return whether there is anything to compile
      * @throws IOException if it cannot be read
      */
     public boolean hasSources() throws IOException {
@@ -31,10 +31,10 @@ public record SourceFolder(Path folder, boolean deep) {
     /**
      * Compiles the sources.
      *
-     * @param classes the folder for the classes
-     * @return the classes that have a main method
+     * @param classes folder for the class files
+     * @return the classes with a main method
      * @throws IOException if files cannot be read or written
-     * @throws CompilationFailedException if they have mistakes; they have been shown
+     * @throws CompilationFailedException if there are errors, which have been printed
      */
     public List<String> compile(Path classes) throws IOException {
         List<Path> sources = sources();
@@ -45,9 +45,9 @@ public record SourceFolder(Path folder, boolean deep) {
     }
 
     /**
-     * Finds where a program finds its classes and files.
+     * Returns the class path of the programs.
      *
-     * @param classes the folder into which they have been compiled
+     * @param classes folder of the class files
      * @return folders and jars
      * @throws IOException if the folder cannot be read
      */

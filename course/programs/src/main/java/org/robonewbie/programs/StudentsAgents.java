@@ -6,25 +6,20 @@ import java.util.Objects;
 import java.util.function.Supplier;
 import org.robonewbie.agent.Agent;
 
-/** Creates robots from a student's program, each with its own static fields. */
-public final class StudentsAgents implements Supplier<Agent> {
-
-    private final Supplier<Class<?>> types;
-
-    private StudentsAgents(Supplier<Class<?>> types) {
-        this.types = types;
-    }
+/**
+ * Factory of robots with a student's program, each with its own static fields.
+ *
+ * @param types loads the class, each time with another class loader
+ */
+public record StudentsAgents(Supplier<Class<?>> types) implements Supplier<Agent> {
 
     /**
-     * Takes a class of a student.
+     * Checks the class.
      *
-     * @param types loads the class, each time with a class loader of its own
-     * @return makes a robot for each trial
-     * @throws CalledWronglyException if no robot can be made with it; its message says why
+     * @throws CalledWronglyException if it is not an agent that can be created; the message says why
      */
-    public static StudentsAgents of(Supplier<Class<?>> types) {
+    public StudentsAgents {
         constructor(types.get());
-        return new StudentsAgents(types);
     }
 
     @Override
@@ -40,8 +35,8 @@ public final class StudentsAgents implements Supplier<Agent> {
 
     private static Constructor<? extends Agent> constructor(Class<?> type) {
         if (!Agent.class.isAssignableFrom(type)) {
-            throw new CalledWronglyException("An exercise wants a class that extends Agent; " + type.getSimpleName()
-                    + " does not. \"robonewbie grade EXERCISE --start\" writes one to begin with.");
+            throw new CalledWronglyException("An exercise needs a class that extends Agent; " + type.getSimpleName()
+                    + " does not. \"robonewbie grade EXERCISE --start\" writes a template.");
         }
         try {
             Constructor<? extends Agent> constructor =
@@ -49,7 +44,7 @@ public final class StudentsAgents implements Supplier<Agent> {
             constructor.setAccessible(true);
             return Objects.requireNonNull(constructor);
         } catch (NoSuchMethodException none) {
-            throw new CalledWronglyException("No robot can be made with " + type.getSimpleName()
+            throw new CalledWronglyException("No robot can be created from " + type.getSimpleName()
                     + ": it needs a constructor without parameters.");
         }
     }

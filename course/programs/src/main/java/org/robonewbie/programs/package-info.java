@@ -1,7 +1,7 @@
 /**
- * Finds, compiles and starts the programs that students write. Read {@link org.robonewbie.programs.ProgramFinder} first.
+ * Programs of students: finding, compiling and starting them. Start with {@link org.robonewbie.programs.ProgramFinder}.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.programs;

@@ -69,7 +69,7 @@ class ProgramFinderTest {
         assertThatThrownBy(() -> finder().find("Nobody"))
                 .isInstanceOf(CalledWronglyException.class)
                 .hasMessageContaining("There is no agent \"Nobody\".")
-                .hasMessageContaining("Your own agent runs by its file, for example: robonewbie run MyAgent.java");
+                .hasMessageContaining("Run your own agent by its file, for example: robonewbie run MyAgent.java");
         assertThatThrownBy(() -> finder().ofClass("Nobody")).isInstanceOf(CalledWronglyException.class);
     }
 
@@ -88,7 +88,7 @@ class ProgramFinderTest {
     void examplesAreThoseOnTheClassPath() {
         ExampleSources sources = new ExampleSources();
 
-        assertThat(ExampleCatalogue.load().classNames()).isEqualTo(Map.of());
+        assertThat(ExampleCatalogue.classNames()).isEqualTo(Map.of());
         assertThat(sources.names()).isEmpty();
         assertThat(sources.text("Agent_Wave")).isEmpty();
     }
@@ -106,7 +106,7 @@ class ProgramFinderTest {
     }
 
     private ProgramFinder finder() {
-        return new ProgramFinder(ExampleCatalogue.load(), List.of(folder));
+        return new ProgramFinder(List.of(folder));
     }
 
     private Path write(String name, String text) throws IOException {

@@ -29,25 +29,25 @@ class StudentsAgentsTest {
 
     @Test
     void eachRobotIsANewOne() {
-        StudentsAgents agents = StudentsAgents.of(() -> Idle.class);
+        StudentsAgents agents = new StudentsAgents(() -> Idle.class);
 
         assertThat(agents.get()).isInstanceOf(Idle.class).isNotSameAs(agents.get());
     }
 
     @Test
     void classThatMakesNoRobotIsRefused() {
-        assertThatThrownBy(() -> StudentsAgents.of(() -> String.class))
+        assertThatThrownBy(() -> new StudentsAgents(() -> String.class))
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessageStartingWith("An exercise wants a class that extends Agent; String does not.");
-        assertThatThrownBy(() -> StudentsAgents.of(() -> Numbered.class))
+                .hasMessageStartingWith("An exercise needs a class that extends Agent; String does not.");
+        assertThatThrownBy(() -> new StudentsAgents(() -> Numbered.class))
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessage("No robot can be made with Numbered: it needs a constructor without parameters.");
+                .hasMessage("No robot can be created from Numbered: it needs a constructor without parameters.");
     }
 
     @Test
     void failureOfTheConstructorIsNamed() {
-        assertThatThrownBy(StudentsAgents.of(() -> Failing.class)::get)
+        assertThatThrownBy(new StudentsAgents(() -> Failing.class)::get)
                 .hasMessage("its constructor threw java.lang.IllegalStateException: no battery");
-        assertThatThrownBy(StudentsAgents.of(() -> Unfinished.class)::get).hasMessage("it cannot be created");
+        assertThatThrownBy(new StudentsAgents(() -> Unfinished.class)::get).hasMessage("it cannot be created");
     }
 }

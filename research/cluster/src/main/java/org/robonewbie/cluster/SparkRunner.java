@@ -20,8 +20,8 @@ import scala.runtime.AbstractFunction2;
 import scala.runtime.BoxedUnit;
 
 /**
- * Runs jobs on a Spark cluster, found by the system property {@code spark.master}. Jobs go out in small slices; a slice whose computer is
- * lost is run again elsewhere. The results of a slice come back as soon as it is done.
+ * Runner of jobs on the Spark cluster that the system property {@code spark.master} names. Jobs are distributed in small slices. A slice is
+ * run again if its worker fails, and its results are received as soon as it is done.
  */
 public final class SparkRunner implements BatchRunner {
 
@@ -30,7 +30,7 @@ public final class SparkRunner implements BatchRunner {
 
     private @Nullable JavaSparkContext context;
 
-    /** Creates the runner; Spark starts with the first batch and ends with {@link #close}. */
+    /** Creates a runner. Spark starts with the first batch and stops with {@link #close}. */
     public SparkRunner() {}
 
     @Override
@@ -65,7 +65,7 @@ public final class SparkRunner implements BatchRunner {
         return all.inOrder();
     }
 
-    /** Spark throws checked exceptions without declaring them, and wraps what the receiver of results has thrown. */
+    /** Unwraps an exception of a job or of the receiver; Spark throws checked exceptions without declaring them. */
     private static RuntimeException unchecked(Exception failed) throws IOException {
         Throwable cause = failed.getCause();
         if (cause instanceof UncheckedIOException unwritable && unwritable.getCause() != null) {
@@ -73,7 +73,7 @@ public final class SparkRunner implements BatchRunner {
         }
         return cause instanceof JobFailedException job
                 ? job
-                : new IllegalStateException("Spark has given up: " + failed.getMessage(), failed);
+                : new IllegalStateException("The Spark job failed: " + failed.getMessage(), failed);
     }
 
     private JavaSparkContext context() {
@@ -98,7 +98,7 @@ public final class SparkRunner implements BatchRunner {
         }
     }
 
-    /** A job that has thrown an exception; Spark would try it again. */
+    /** Failure of a job, thrown by the driver so that Spark does not retry the job. */
     private static final class JobFailedException extends IllegalStateException {
 
         private static final long serialVersionUID = 1;
@@ -108,10 +108,10 @@ public final class SparkRunner implements BatchRunner {
         }
     }
 
-    /** The result of a job, or why there is none. */
+    /** The result of a job, or the reason of its failure. */
     private record Outcome<R>(int index, @Nullable R result, String failure) implements Serializable {}
 
-    /** The work of one computer. */
+    /** Runs the jobs of a slice on a worker. */
     private static final class Slice<P, R> extends AbstractFunction1<Iterator<Tuple2<Integer, P>>, List<Outcome<R>>>
             implements Serializable {
 
@@ -138,7 +138,7 @@ public final class SparkRunner implements BatchRunner {
         }
     }
 
-    /** Receives one slice after the other. */
+    /** Receives the results of slices on the driver, one slice at a time. */
     private static final class Results<P, R> extends AbstractFunction2<Object, List<Outcome<R>>, BoxedUnit> {
 
         private final List<P> parameters;

@@ -1,5 +1,5 @@
 /**
- * Experiments on Apache Spark. Read {@link org.robonewbie.cluster.SparkRunner} first, then docs/cluster.md.
+ * Runner of batches on Apache Spark. Read {@link org.robonewbie.cluster.SparkRunner} first, then docs/cluster.md.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

@@ -3,7 +3,7 @@
  * {@link org.robonewbie.trial.batch.Journal} stores each result as it arrives so that an interrupted run resumes, and
  * {@link org.robonewbie.trial.batch.BatchProgress} shows how far it is.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.trial.batch;

@@ -4,6 +4,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.robonewbie.competition.contest.Table;
 import org.robonewbie.competition.team.TeamEntry;
+import org.robonewbie.nao.text.Html;
 
 /**
  * Certificate of a team for one sheet of A4 in landscape; place, date and signature are added by hand.

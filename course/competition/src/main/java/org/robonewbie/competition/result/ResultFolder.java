@@ -14,13 +14,13 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.competition.contest.Results;
 import org.robonewbie.competition.contest.TrialResult;
-import org.robonewbie.competition.team.Fingerprint;
 import org.robonewbie.competition.trial.TrialFiles;
 import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.file.FolderLock;
 import org.robonewbie.nao.file.RegularFile;
 import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.programs.Fingerprint;
 
 /**
  * Result folder of a contest. Each finished trial is a separate file that is written atomically, so an interrupted contest can

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.robonewbie.competition.contest.Table;
 import org.robonewbie.competition.team.TeamEntry;
+import org.robonewbie.nao.text.Html;
 
 /** HTML page of the table, for display and print. */
 final class TablePage {

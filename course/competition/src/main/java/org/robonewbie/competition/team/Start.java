@@ -7,16 +7,15 @@ import org.robonewbie.competition.contest.Role;
 import org.robonewbie.competition.contest.StartPlace;
 
 /**
- * What a program receives when it is started.
+ * Start arguments of a program.
  *
  * @param port TCP port of the simulator on this computer
  * @param team name of its team
  * @param role its role
- * @param places where its robots start; several only if one process runs all players
+ * @param places start positions of its robots; several only if one process runs all players
  */
 public record Start(int port, String team, Role role, List<StartPlace> places) {
 
-    /** The computer on which the simulator runs. */
     static final String HOST = "127.0.0.1";
 
     /** Makes the list unmodifiable. */
@@ -24,12 +23,11 @@ public record Start(int port, String team, Role role, List<StartPlace> places) {
         places = List.copyOf(places);
     }
 
-    /** The same with another port. */
     Start withPort(int other) {
         return new Start(other, team, role, places);
     }
 
-    /** Writes the options that all agents of RoboNewbie understand. */
+    /** Returns the arguments in the format of RoboNewbie's agents. */
     List<String> options(boolean together) {
         List<String> basic = List.of("--host", HOST, "--port", String.valueOf(port), "--team", team);
         List<String> own = together
@@ -42,7 +40,7 @@ public record Start(int port, String team, Role role, List<StartPlace> places) {
         return together ? concat(own, basic) : concat(basic, own);
     }
 
-    /** Fills in the places of a command; without any place for the port the options are put behind it. */
+    /** Replaces the placeholders of a command. Without a placeholder for the port the options are appended. */
     List<String> fill(List<String> words, boolean together) {
         boolean open = words.stream().anyMatch(word -> word.contains("{port}"));
         return open ? words.stream().map(this::fill).toList() : concat(words, options(together));

@@ -5,11 +5,11 @@ import java.util.Optional;
 import org.robonewbie.competition.contest.Role;
 
 /**
- * A team as it has been entered.
+ * Entry of a team.
  *
- * @param name letters of ASCII, digits and underscores, at most 20; the title has the letters of the team's language
+ * @param name at most 20 ASCII letters, digits and underscores; the title may contain any letters
  * @param program its program: a folder, a jar, a Java file, the name of a class, or a command
- * @param settings what else is said of it, by the words of {@link TeamList}
+ * @param settings its settings, by their names in {@link TeamList}
  */
 public record TeamEntry(String name, String program, Map<String, String> settings) {
 
@@ -23,22 +23,22 @@ public record TeamEntry(String name, String program, Map<String, String> setting
         return settings.getOrDefault(TeamList.TITLE, name);
     }
 
-    /** {@return the team's members as written, empty if there are none} */
+    /** {@return the team's members as written; empty if there are none} */
     public String members() {
         return settings.getOrDefault(TeamList.MEMBERS, "");
     }
 
-    /** {@return the team's own seed; empty if it plays under the same conditions as the others} */
+    /** {@return the team's own seed; empty if it uses that of the contest} */
     public Optional<Long> seed() {
         return Optional.ofNullable(settings.get(TeamList.SEED)).map(Long::valueOf);
     }
 
-    /** Whether one process runs all players. */
+    /** Returns whether one process runs all players. */
     boolean isTogether() {
         return settings.getOrDefault(TeamList.TOGETHER, "no").equals("yes");
     }
 
-    /** The class that it wants for a role, or for all if it has none for this one. */
+    /** Returns the main class for a role, or the one for all roles. */
     Optional<String> mainClass(Role role) {
         return Optional.ofNullable(settings.get(role.key()))
                 .or(() -> Optional.ofNullable(settings.get(Role.MAIN.key())));

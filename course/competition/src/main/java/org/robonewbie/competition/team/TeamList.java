@@ -17,7 +17,7 @@ import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.programs.CalledWronglyException;
 
 /**
- * Reads which teams take part, from a file or the command line: one team per line, in the order in which they stand there.
+ * Parser for lists of teams, from a file or the command line, with one team per line.
  *
  * <pre>
  * # name = program
@@ -27,12 +27,12 @@ import org.robonewbie.programs.CalledWronglyException;
  * Green = python3 green.py --port {port}
  * </pre>
  *
- * <p>A line without a name is a program, whose name is that of its file or its first word.
+ * <p>A line without a name is a program. The team is named after its file or its first word.
  */
 public final class TeamList {
 
-    /** As many teams may take part. */
-    public static final int MOST_TEAMS = 10;
+    /** Maximum number of teams. */
+    public static final int MAX_TEAMS = 10;
 
     static final String TITLE = "title";
     static final String MEMBERS = "members";
@@ -43,10 +43,10 @@ public final class TeamList {
     private static final Set<String> SETTINGS =
             Set.of(TITLE, MEMBERS, SEED, TOGETHER, FOLDER, "main", "attacker", "goalkeeper");
 
-    /** A command may contain an option with a value; any other {@code =} belongs to a name. */
+    /** A line without a name. A command may contain an option with a value; any other {@code =} separates a name. */
     private static final Pattern COMMAND = Pattern.compile("[^=]*|[^\\s=-][^\\s=]*(\\s[^=]*)?\\s-[^\\s=]*=.*");
 
-    /** What people write about a team and not for programs: any sign may stand in it. */
+    /** Settings that are printed only, so that any character is allowed. */
     private static final Set<String> FREE_TEXTS = Set.of(TITLE, MEMBERS);
 
     private final Map<TeamName, String> programs = new LinkedHashMap<>();
@@ -59,7 +59,7 @@ public final class TeamList {
      *
      * @param file the file
      * @return its teams
-     * @throws CalledWronglyException if it cannot be read or has a mistake; the message says what to do
+     * @throws CalledWronglyException if it cannot be read or parsed; the message says what to do
      */
     public static List<TeamEntry> read(Path file) {
         TeamList list = new TeamList();
@@ -76,11 +76,11 @@ public final class TeamList {
     }
 
     /**
-     * Reads teams.
+     * Parses teams.
      *
-     * @param lines {@code NAME = PROGRAM}, {@code NAME.SETTING = VALUE}, or only a program, which then names the team too
+     * @param lines {@code NAME = PROGRAM}, {@code NAME.SETTING = VALUE}, or a program alone, after which the team is named
      * @return the teams in their order
-     * @throws CalledWronglyException if there is a mistake; the message says what to do
+     * @throws CalledWronglyException if there is an error; the message says what to do
      */
     public static List<TeamEntry> parse(List<String> lines) {
         TeamList list = new TeamList();
@@ -153,24 +153,24 @@ public final class TeamList {
     private void addSetting(String name, String setting, String value) {
         if (!SETTINGS.contains(setting)) {
             throw new CalledWronglyException("\"" + name + "." + setting + "\" is unknown."
-                    + Spelling.question(setting, SETTINGS) + " After the name of a team may stand: "
+                    + Spelling.question(setting, SETTINGS) + " The settings of a team are: "
                     + String.join(", ", SETTINGS.stream().sorted().toList()) + ".");
         }
         if (setting.equals(SEED) && !value.matches("-?\\d{1,18}")) {
             throw new CalledWronglyException(
-                    name + ".seed = " + value + " is no whole number. Write for example: " + name + ".seed = 7");
+                    name + ".seed = " + value + " is not an integer. Write for example: " + name + ".seed = 7");
         }
         if (setting.equals(TOGETHER) && !Set.of("yes", "no").contains(value.toLowerCase(Locale.ROOT))) {
-            throw new CalledWronglyException(name + ".together = " + value + " is not clear. Write yes or no.");
+            throw new CalledWronglyException(name + ".together = " + value + " is invalid. Write yes or no.");
         }
         Map<String, String> own = settings.computeIfAbsent(name, team -> new TreeMap<>());
         if (own.put(setting, value) != null) {
             throw new CalledWronglyException(
-                    "\"" + name + "." + setting + "\" stands twice. Delete one of the two lines.");
+                    "\"" + name + "." + setting + "\" is given twice. Delete one of the two lines.");
         }
     }
 
-    /** The name of a team, after its folder, file or class. */
+    /** Returns an unused name, based on the folder, file or class. */
     private TeamName freeName(String program) {
         String last = program.split("\\s", -1)[0].replaceFirst("[/\\\\]+$", "").replaceFirst("^.*[/\\\\]", "");
         TeamName name = TeamName.near(last.replaceFirst("\\.(jar|java)$", "").replaceAll("^.*\\.", ""));
@@ -187,14 +187,14 @@ public final class TeamList {
                 .toList();
         for (String name : settings.keySet()) {
             if (!names.contains(name)) {
-                throw new CalledWronglyException("Something is said of team " + name
-                        + ", but no line says what its program is." + Spelling.question(name, names)
+                throw new CalledWronglyException("There are settings of team " + name
+                        + ", but no line for its program." + Spelling.question(name, names)
                         + " Write for example: " + name + " = teams/" + name);
             }
         }
-        if (programs.size() > MOST_TEAMS) {
-            throw new CalledWronglyException("A competition has at most " + MOST_TEAMS + " teams, and these are "
-                    + programs.size() + ". Hold two groups, each with a folder of results of its own.");
+        if (programs.size() > MAX_TEAMS) {
+            throw new CalledWronglyException("A competition can have " + MAX_TEAMS + " teams, and there are "
+                    + programs.size() + ". Split them into two competitions, each with its own folder of results.");
         }
         List<TeamEntry> teams = new ArrayList<>();
         programs.forEach((name, program) -> teams.add(entry(name, program)));

@@ -7,11 +7,11 @@ import org.robonewbie.nao.text.ConfusableCharacter;
 import org.robonewbie.programs.CalledWronglyException;
 
 /**
- * The name of a team: letters of any language, digits and underscores. In SimSpark's messages, in names of files and in options
- * of programs it is written in ASCII, since league agents and monitors know no other letters.
+ * Name of a team: letters of any language, digits and underscores. SimSpark's messages, file names and options of programs use a
+ * transliteration, since league agents and monitors support only ASCII.
  *
- * @param written as people wrote it, such as {@code Röt}
- * @param ascii such as {@code Roet}
+ * @param written the original, such as {@code Röt}
+ * @param ascii the transliteration, such as {@code Roet}
  */
 record TeamName(String written, String ascii) {
 
@@ -23,7 +23,7 @@ record TeamName(String written, String ascii) {
     private static final Pattern OF_WINDOWS =
             Pattern.compile("con|prn|aux|nul|com[0-9]|lpt[0-9]", Pattern.CASE_INSENSITIVE);
 
-    /** Letters that do not consist of a letter of ASCII and an accent, in pairs with what is written for them. */
+    /** Transliterations, in pairs, of letters that are not an ASCII letter with an accent. */
     private static final String[] SPELLINGS = ("ä ae ö oe ü ue ß ss æ ae œ oe ø o đ d ð d ł l þ th ı i ħ h"
                     + " а a б b в v г g д d е e ё e ж zh з z и i й y к k л l м m н n о o п p р r с s т t у u ф f х kh ц ts"
                     + " ч ch ш sh щ shch ъ _ ы y ь _ э e ю yu я ya і i ї yi є ye ґ g"
@@ -31,10 +31,10 @@ record TeamName(String written, String ascii) {
             .split(" ", -1);
 
     /**
-     * Takes a name.
+     * Parses a name.
      *
-     * @param name what was written
-     * @throws CalledWronglyException if it cannot be the name of a team; the message proposes another one
+     * @param name the original
+     * @throws CalledWronglyException if it is not a valid name of a team; the message suggests one
      */
     static TeamName of(String name) {
         String written = Normalizer.normalize(name, Normalizer.Form.NFC);
@@ -46,14 +46,14 @@ record TeamName(String written, String ascii) {
                 || !POSSIBLE.matcher(written).matches()
                 || OF_WINDOWS.matcher(written).matches()) {
             String proposal = near(written).written();
-            throw new CalledWronglyException("\"" + name + "\" cannot be the name of a team. Take up to " + MAX_LETTERS
+            throw new CalledWronglyException("\"" + name + "\" cannot be the name of a team. Use up to " + MAX_LETTERS
                     + " letters, digits and underscores, such as " + proposal + "; " + proposal
                     + ".title is for a longer one.");
         }
         return new TeamName(written, shortened(inAscii(written), MAX_LETTERS));
     }
 
-    /** The possible name that is nearest to any text. */
+    /** Derives a valid name from any text. */
     static TeamName near(String text) {
         String possible = text.replaceAll("[^\\p{L}\\p{M}\\p{N}_]+", "_");
         String stripped = possible.replaceAll("^_+|_+$", "");
@@ -61,12 +61,12 @@ record TeamName(String written, String ascii) {
         return of(OF_WINDOWS.matcher(name).matches() ? "Team_" + name : name);
     }
 
-    /** The name with a number behind it. */
+    /** Returns the name with a number appended. */
     TeamName numbered(int number) {
         return of(shortened(written, MAX_LETTERS - LETTERS_OF_NUMBER) + "_" + number);
     }
 
-    /** Whether two teams with these names would be one for messages and files, some of which do not know capitals. */
+    /** Returns whether the names are equal in messages or in file names, some of which ignore case. */
     boolean collidesWith(TeamName other) {
         return ascii.equalsIgnoreCase(other.ascii);
     }

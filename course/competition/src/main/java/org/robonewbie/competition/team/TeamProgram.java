@@ -22,48 +22,58 @@ import org.robonewbie.programs.process.ProgramOutput;
 import org.robonewbie.programs.process.Sandbox;
 import org.robonewbie.programs.process.SandboxPolicy;
 
-/** A program that is ready to be started. */
+/** Program of a team that is ready to be started. */
 public sealed interface TeamProgram {
 
-    /** {@return a checksum of the program; while it stays the same, earlier results of the team are valid} */
+    /** {@return the checksum of the program; results of another checksum are not reused} */
     String fingerprint();
 
-    /** {@return the files of the team, of which each trial gets a copy to work in} */
-    Optional<Path> folder();
+    /** {@return the files of the team, which each trial copies into its working directory} */
+    default Optional<Path> folder() {
+        return Optional.empty();
+    }
 
-    /** {@return where its files are, which no other team may see} */
-    List<Path> places();
+    /** {@return its files and folders, which are hidden from the other teams} */
+    default List<Path> places() {
+        return List.of();
+    }
 
-    /** {@return whether one process brings all players} */
-    boolean together();
+    /** {@return whether one process runs all players} */
+    default boolean together() {
+        return false;
+    }
 
     /** {@return the class path of the program, without RoboNewbie} */
-    List<Path> classPath();
+    default List<Path> classPath() {
+        return List.of();
+    }
 
     /**
-     * Returns what starts it, for {@link ProgramMain}.
+     * Returns the arguments of {@link ProgramMain}.
      *
-     * @param start what it receives
-     * @return the words
+     * @param start start arguments of the program
+     * @return the arguments
      */
     List<String> words(Start start);
 
     /**
-     * Returns what it must be able to read beside its classes and its folder.
+     * Returns what it reads in addition to the system and its folder.
      *
-     * @param hidden what it must not see
+     * @param hidden files and folders that it must not see
      * @return files and folders
      */
-    List<Path> readable(Collection<Path> hidden);
+    default List<Path> readable(Collection<Path> hidden) {
+        return List.of();
+    }
 
     /**
      * Starts the program in a separate process.
      *
-     * @param start what it receives
+     * @param start start arguments of the program
      * @param limits its limits
-     * @param surroundings what encloses it
-     * @param work working folder, made now
-     * @param log file for what it prints
+     * @param surroundings its sandbox
+     * @param work its working directory, which is created
+     * @param log file for its output
      * @return the running program
      * @throws IOException if it cannot be started
      */
@@ -76,14 +86,13 @@ public sealed interface TeamProgram {
             TeamFolder.of(folder().get(), List.of()).copyTo(work);
         }
         ClassPath classes = ClassPath.ofThisProgram().with(classPath());
-        List<String> options = new ArrayList<>(JavaCommand.withMemory(limits.memoryMegabytes()));
-        options.add(JavaCommand.QUICK_START);
-        options.add("-Djava.awt.headless=true");
-        options.add("-Djava.io.tmpdir=" + (isEnclosed ? "/tmp" : work.toAbsolutePath()));
-        List<String> command = JavaCommand.of(
-                options,
+        List<String> command = JavaCommand.ofProgram(
+                limits.memoryMegabytes(),
+                List.of(
+                        JavaCommand.QUICK_START,
+                        "-Djava.awt.headless=true",
+                        "-Djava.io.tmpdir=" + (isEnclosed ? "/tmp" : work.toAbsolutePath())),
                 classes,
-                ProgramMain.class.getName(),
                 words(isEnclosed ? start.withPort(Sandbox.PORT) : start));
         return ChildProcess.start(
                 isEnclosed ? surroundings.enclose(command, this, classes) : command,
@@ -94,11 +103,11 @@ public sealed interface TeamProgram {
     }
 
     /**
-     * What encloses the process of a program: a sandbox with a door, or nothing.
+     * Sandbox of a program with a socket to the simulator.
      *
-     * @param sandbox the sandbox, which may be missing
-     * @param door the file of the socket at which the simulator waits for the team; empty without sandbox
-     * @param hidden what no process in the sandbox sees: the programs of others, the results
+     * @param sandbox the sandbox, which may be absent
+     * @param door the socket of the simulator for this team; empty without a sandbox
+     * @param hidden files and folders that the program must not see: other programs and the results
      */
     record Surroundings(Sandbox sandbox, Optional<Path> door, Collection<Path> hidden) {
 
@@ -113,11 +122,11 @@ public sealed interface TeamProgram {
     /**
      * A program in Java.
      *
-     * @param classPath where its classes and files are
-     * @param mainClasses the class to start for each role
-     * @param folder the files of the team, of which each trial gets a copy to work in
-     * @param submitted what the team handed in, from which they have been copied
-     * @param together whether one process brings all players
+     * @param classPath its classes and resources
+     * @param mainClasses the main class for each role
+     * @param folder the files of the team, which each trial copies into its working directory
+     * @param submitted the submission from which they have been copied
+     * @param together whether one process runs all players
      * @param fingerprint checksum of the program
      */
     record OfJava(
@@ -129,7 +138,7 @@ public sealed interface TeamProgram {
             String fingerprint)
             implements TeamProgram {
 
-        /** Makes list and map unmodifiable. */
+        /** Copies the collections. */
         public OfJava {
             classPath = List.copyOf(classPath);
             mainClasses = Map.copyOf(mainClasses);
@@ -140,7 +149,7 @@ public sealed interface TeamProgram {
             List<String> words =
                     new ArrayList<>(List.of(ProgramMain.CLASS, mainClasses.getOrDefault(start.role(), "")));
             words.addAll(start.options(together));
-            words.add("--no-browser"); // and not headless: the limits decide about endless loops, not the agent
+            words.add("--no-browser"); // not --headless, by which the agent itself would end endless loops
             return words;
         }
 
@@ -162,10 +171,10 @@ public sealed interface TeamProgram {
     /**
      * A program in any language.
      *
-     * @param words program and arguments, with places such as {@code {port}} to be filled in
-     * @param folder the files of the team, of which each trial gets a copy to work in
-     * @param submitted the folder that the team handed in, from which they have been copied
-     * @param together whether one process brings all players
+     * @param words program and arguments, with placeholders such as {@code {port}}
+     * @param folder the files of the team, which each trial copies into its working directory
+     * @param submitted the submission from which they have been copied
+     * @param together whether one process runs all players
      * @param fingerprint checksum of the program
      */
     record OfCommand(
@@ -186,11 +195,6 @@ public sealed interface TeamProgram {
         }
 
         @Override
-        public List<Path> classPath() {
-            return List.of();
-        }
-
-        @Override
         public List<String> words(Start start) {
             return Stream.concat(Stream.of(ProgramMain.COMMAND), start.fill(words, together).stream())
                     .toList();
@@ -201,7 +205,7 @@ public sealed interface TeamProgram {
             return files().stream().map(file -> besides(file, hidden)).toList();
         }
 
-        /** A script may need its neighbours; but not if these are other teams, or the whole home of a user. */
+        /** Returns the folder of a script, or the script alone if the folder contains other teams or is the user's home. */
         private static Path besides(Path file, Collection<Path> hidden) {
             Path folder = Objects.requireNonNullElse(file.getParent(), file);
             boolean foreign = hidden.stream().anyMatch(other -> other.startsWith(folder))
@@ -209,7 +213,7 @@ public sealed interface TeamProgram {
             return Files.isDirectory(file) || foreign ? file : folder;
         }
 
-        /** The files that its words name. */
+        /** Returns the files among the arguments. */
         private List<Path> files() {
             return words.stream()
                     .filter(word -> word.startsWith("/"))
@@ -220,42 +224,17 @@ public sealed interface TeamProgram {
     }
 
     /**
-     * A program that cannot play.
+     * A program that cannot be started.
      *
-     * @param ending how all of its trials end
-     * @param complaint what the compiler says, or which file was refused
+     * @param ending the ending of all its trials
+     * @param complaint the errors of the compiler, or the rejected file
      * @param fingerprint checksum of the program
      */
     record Broken(Ending ending, String complaint, String fingerprint) implements TeamProgram {
 
         @Override
-        public Optional<Path> folder() {
-            return Optional.empty();
-        }
-
-        @Override
-        public List<Path> places() {
-            return List.of();
-        }
-
-        @Override
-        public boolean together() {
-            return false;
-        }
-
-        @Override
-        public List<Path> classPath() {
-            return List.of();
-        }
-
-        @Override
         public List<String> words(Start start) {
             throw new IllegalStateException(complaint);
-        }
-
-        @Override
-        public List<Path> readable(Collection<Path> hidden) {
-            return List.of();
         }
     }
 }

@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.jar.Attributes;
 import java.util.jar.JarFile;
 import java.util.stream.Stream;
@@ -23,40 +24,33 @@ import org.robonewbie.nao.file.SubmittedFolder;
 import org.robonewbie.nao.file.TemporaryFolder;
 import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.programs.CalledWronglyException;
+import org.robonewbie.programs.Fingerprint;
 import org.robonewbie.programs.SourceFolder;
 import org.robonewbie.programs.process.CompilerProcess;
 import org.robonewbie.programs.process.Sandbox;
 
-/** Finds the programs of teams, and prepares them. */
-public final class TeamPrograms {
+/**
+ * Finds and prepares the programs of teams.
+ *
+ * @param folder base of relative paths
+ * @param buildFolder folder for copies of the teams' files and for compiled classes
+ * @param examples class names by short name
+ * @param sandbox sandbox of the compiler
+ */
+public record TeamPrograms(Path folder, Path buildFolder, Map<String, String> examples, Sandbox sandbox) {
 
-    private static final int MOST_NOTES = 5;
+    private static final int MAX_NOTES = 5;
 
-    private final Path folder;
-    private final Path buildFolder;
-    private final Map<String, String> examples;
-    private final Sandbox sandbox;
-
-    /**
-     * Creates a finder.
-     *
-     * @param folder where relative paths begin
-     * @param buildFolder where copies of the teams' files and compiled classes may be put
-     * @param examples classes that are known by a short name
-     * @param sandbox where the compiler runs, if there is a sandbox
-     */
-    public TeamPrograms(Path folder, Path buildFolder, Map<String, String> examples, Sandbox sandbox) {
-        this.folder = folder;
-        this.buildFolder = TeamFolder.absolute(buildFolder);
-        this.examples = examples;
-        this.sandbox = sandbox;
+    /** Makes the build folder absolute. */
+    public TeamPrograms {
+        buildFolder = TeamFolder.absolute(buildFolder);
     }
 
     /**
-     * Finds the folders that teams have handed in.
+     * Returns the folders of the teams.
      *
      * @param teams the teams
-     * @return the absolute paths of those that have one
+     * @return absolute paths of those programs that are folders
      */
     public List<Path> folders(List<TeamEntry> teams) {
         return teams.stream()
@@ -69,8 +63,8 @@ public final class TeamPrograms {
      * Prepares a team's program.
      *
      * @param team the team
-     * @param foreign folders that do not belong to it even if they lie in its own: the results, those of other teams
-     * @return the program, which may have mistakes or be refused
+     * @param foreign folders to ignore inside of its folder: the results, those of other teams
+     * @return the program, which may be {@link TeamProgram.Broken}
      * @throws IOException if files cannot be written
      * @throws CalledWronglyException if there is no such program; the message says what to write
      */
@@ -117,7 +111,7 @@ public final class TeamPrograms {
         return compiled(team, sources, submitted.root(), new Fingerprint());
     }
 
-    /** A single file is compiled together with the other files of its folder; folders beside it do not matter. */
+    /** Compiles a single file together with the other files of its folder, without subfolders. */
     private TeamProgram ofFile(TeamEntry team, Path file, Collection<Path> foreign) throws IOException {
         Path own = Objects.requireNonNull(file.getParent());
         String main = Objects.requireNonNull(file.getFileName()).toString().replaceFirst("\\.java$", "");
@@ -128,7 +122,7 @@ public final class TeamPrograms {
         return compiled(named, sources, own, new Fingerprint().add(main));
     }
 
-    /** Copies what a team has handed in, so that compiler, fingerprint and trials see the same files and no others. */
+    /** Copies a submission, so that compiler, fingerprint and trials use the same files. */
     private Path copy(TeamEntry team, SubmittedFolder submitted) throws IOException {
         Path copy = buildFolder.resolve(team.name()).resolve("program");
         TemporaryFolder.delete(copy);
@@ -138,7 +132,10 @@ public final class TeamPrograms {
 
     private TeamProgram compiled(TeamEntry team, SourceFolder sources, Path submitted, Fingerprint fingerprint)
             throws IOException {
-        String text = fingerprint.add(sources.folder()).add(settingsOf(team)).text();
+        String text = fingerprint
+                .add(TeamFolder.of(sources.folder(), List.of()))
+                .add(settingsOf(team))
+                .text();
         Path classes = buildFolder.resolve(team.name()).resolve("classes");
         CompilerProcess.Answer answer = new CompilerProcess(sandbox).compile(sources, classes);
         if (!answer.isCorrect()) {
@@ -147,7 +144,7 @@ public final class TeamPrograms {
                     Ending.NOT_COMPILED, complaint.replace(sources.folder().toString(), submitted.toString()), text);
         }
         answer.lines().stream()
-                .limit(MOST_NOTES)
+                .limit(MAX_NOTES)
                 .map(note -> note.replace(sources.folder().toString(), submitted.toString()))
                 .forEach(System.err::println);
         return new TeamProgram.OfJava(
@@ -160,7 +157,10 @@ public final class TeamPrograms {
     }
 
     private TeamProgram ofJar(TeamEntry team, Path jar) throws IOException {
-        String fingerprint = new Fingerprint().add(jar).add(settingsOf(team)).text();
+        String fingerprint = new Fingerprint()
+                .add(TeamFolder.of(jar, List.of()))
+                .add(settingsOf(team))
+                .text();
         String manifestMain;
         try (JarFile file = new JarFile(jar.toFile())) {
             manifestMain = Optional.ofNullable(file.getManifest())
@@ -169,15 +169,9 @@ public final class TeamPrograms {
         }
         if (manifestMain.isEmpty() && team.mainClass(Role.MAIN).isEmpty()) {
             throw new CalledWronglyException("Team " + team.name() + ": the jar " + jar
-                    + " does not say which class to start. Write: " + team.name() + ".main = my.team.MyAgent");
+                    + " does not name its main class. Write: " + team.name() + ".main = my.team.MyAgent");
         }
-        return new TeamProgram.OfJava(
-                List.of(jar),
-                forAllRoles(team, manifestMain),
-                Optional.empty(),
-                Optional.empty(),
-                team.isTogether(),
-                fingerprint);
+        return ofClasses(team, List.of(jar), manifestMain, fingerprint);
     }
 
     private TeamProgram ofClass(TeamEntry team, String className) throws IOException {
@@ -188,13 +182,16 @@ public final class TeamPrograms {
                 fingerprint.add(bytes);
             }
         }
+        return ofClasses(team, List.of(), className, fingerprint.text());
+    }
+
+    private TeamProgram ofClasses(TeamEntry team, List<Path> classPath, String mainClass, String fingerprint) {
+        Map<Role, String> mainClasses = forEachRole(role -> {
+            String name = team.mainClass(role).orElse(mainClass);
+            return examples.getOrDefault(name, name);
+        });
         return new TeamProgram.OfJava(
-                List.of(),
-                forAllRoles(team, className),
-                Optional.empty(),
-                Optional.empty(),
-                team.isTogether(),
-                fingerprint.text());
+                classPath, mainClasses, Optional.empty(), Optional.empty(), team.isTogether(), fingerprint);
     }
 
     private TeamProgram ofCommand(TeamEntry team, Collection<Path> foreign) throws IOException {
@@ -205,14 +202,14 @@ public final class TeamPrograms {
                 Optional.ofNullable(team.settings().get(TeamList.FOLDER)).map(this::existingFolder);
         if (!canBeStarted(words.get(0), own)) {
             throw new CalledWronglyException("Team " + team.name() + ": \"" + words.get(0)
-                    + "\" is no program that can be started, and \"" + team.program()
-                    + "\" no folder or file. Is the line written as NAME = PROGRAM?");
+                    + "\" is not an executable program, and \"" + team.program()
+                    + "\" is not a folder or file. Is the line written as NAME = PROGRAM?");
         }
         Fingerprint fingerprint = new Fingerprint().add(team.program()).add(settingsOf(team));
         Optional<Path> copy = Optional.empty();
         if (own.isPresent()) {
             copy = Optional.of(copy(team, TeamFolder.of(own.get(), foreign)));
-            fingerprint.add(copy.get());
+            fingerprint.add(TeamFolder.of(copy.get(), List.of()));
         }
         for (String word : words) {
             Optional<Path> file = existing(word).filter(Files::isRegularFile);
@@ -223,22 +220,21 @@ public final class TeamPrograms {
         return new TeamProgram.OfCommand(words, copy, own, team.isTogether(), fingerprint.text());
     }
 
-    /** A link may lead to an interpreter, or stay in its folder; the script of another team is refused. */
+    /** Adds a script. A link may point to its own folder or to the system, but not to the script of another team. */
     private static void addScript(Path real, Path file, Fingerprint fingerprint) throws IOException {
         Path own = Objects.requireNonNull(file.getParent()).toRealPath();
         boolean isOwn = real.startsWith(own) || Sandbox.isOfTheSystem(real);
         if (Files.size(real) < 1_000_000) {
-            fingerprint.add(isOwn ? real : file);
+            fingerprint.add(TeamFolder.of(isOwn ? real : file, List.of()));
         }
     }
 
-    private Map<Role, String> forAllRoles(TeamEntry team, String usual) {
-        Map<Role, String> chosen = new EnumMap<>(Role.class);
+    private static Map<Role, String> forEachRole(Function<Role, String> mainClass) {
+        Map<Role, String> mainClasses = new EnumMap<>(Role.class);
         for (Role role : Role.values()) {
-            String name = team.mainClass(role).orElse(usual);
-            chosen.put(role, examples.getOrDefault(name, name));
+            mainClasses.put(role, mainClass.apply(role));
         }
-        return chosen;
+        return mainClasses;
     }
 
     private Path existingFolder(String name) {
@@ -247,7 +243,7 @@ public final class TeamPrograms {
                 .orElseThrow(() -> new CalledWronglyException("There is no folder " + folder.resolve(name) + "."));
     }
 
-    /** Whether the first word of a command is a program: in the team's own folder, at its place, or in the system's path. */
+    /** Returns whether a command is executable: in the team's folder, relative to the base folder, or in the system's path. */
     private boolean canBeStarted(String word, Optional<Path> own) {
         Stream<Path> places = word.contains("/") || word.contains(File.separator)
                 ? Stream.concat(own.stream(), Stream.of(folder))
@@ -257,7 +253,7 @@ public final class TeamPrograms {
                 .anyMatch(file -> Files.isRegularFile(file) && Files.isExecutable(file));
     }
 
-    /** Looks for a file; a path of Windows is understood on other systems too. */
+    /** Returns a file if it exists. Windows separators are supported on all systems. */
     private Optional<Path> existing(String name) {
         try {
             return Stream.of(name, name.replace('\\', '/'))
@@ -285,17 +281,11 @@ public final class TeamPrograms {
                 .toString();
     }
 
-    /** Chooses a class for each role: the one that the team has named, else the only one that can be started. */
+    /** Chooses a class for each role: the one that the team has named, else the only one with a main method. */
     private static Map<Role, String> choose(TeamEntry team, List<String> candidates) {
-        Map<Role, String> chosen = new EnumMap<>(Role.class);
-        for (Role role : Role.values()) {
-            chosen.put(
-                    role,
-                    team.mainClass(role)
-                            .map(name -> existing(team, name, candidates))
-                            .orElseGet(() -> single(team, candidates)));
-        }
-        return chosen;
+        return forEachRole(role -> team.mainClass(role)
+                .map(name -> existing(team, name, candidates))
+                .orElseGet(() -> single(team, candidates)));
     }
 
     private static String existing(TeamEntry team, String name, List<String> candidates) {
@@ -315,8 +305,8 @@ public final class TeamPrograms {
                         ? "Team " + team.name() + " (" + team.program()
                                 + ") has no class with a main method. Add to its agent:"
                                 + " public static void main(String[] args) { new MyAgent().run(args); }"
-                        : "Team " + team.name() + " has several classes that can be started: " + list(candidates)
-                                + ". Say which one: " + team.name() + ".main = " + candidates.get(0));
+                        : "Team " + team.name() + " has several classes with a main method: " + list(candidates)
+                                + ". Choose one: " + team.name() + ".main = " + candidates.get(0));
     }
 
     private static String list(List<String> names) {

@@ -50,7 +50,7 @@ final class RemoteAgents implements AutoCloseable {
                 .file(team)
                 .<SocketAddress>map(UnixDomainSocketAddress::of)
                 .orElse(new InetSocketAddress(InetAddress.getByAddress(new byte[] {127, 0, 0, 1}), 0));
-        return GuestDoor.open(address, 0, client -> admission.isAllowed(team, port(), client));
+        return GuestDoor.open(address, client -> admission.isAllowed(team, port(), client));
     }
 
     private int port() {

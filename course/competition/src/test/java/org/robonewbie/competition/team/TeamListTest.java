@@ -58,8 +58,8 @@ class TeamListTest {
         assertThatThrownBy(() -> TeamList.parse(eleven))
                 .isInstanceOf(CalledWronglyException.class)
                 .hasMessage(
-                        "A competition has at most 10 teams, and these are 11. Hold two groups, each with a folder of"
-                                + " results of its own.");
+                        "A competition can have 10 teams, and there are 11. Split them into two competitions, each with its own"
+                                + " folder of results.");
     }
 
     @ParameterizedTest
@@ -69,10 +69,10 @@ class TeamListTest {
                 "a-b=x; \"a-b\" cannot be the name of a team",
                 "A=; Team A has no program",
                 "A=x,a=y; Two teams are called a",
-                "A=x,A.color=red; \"A.color\" is unknown. Did you mean folder? After the name of a team may stand: attacker, folder,",
-                "A=x,A.seed=many; A.seed = many is no whole number",
-                "A=x,A.together=perhaps; A.together = perhaps is not clear. Write yes or no.",
-                "B.seed=3; Something is said of team B, but no line says what its program is."
+                "A=x,A.color=red; \"A.color\" is unknown. Did you mean folder? The settings of a team are: attacker, folder,",
+                "A=x,A.seed=many; A.seed = many is not an integer",
+                "A=x,A.together=perhaps; A.together = perhaps is invalid. Write yes or no.",
+                "B.seed=3; There are settings of team B, but no line for its program."
             })
     void mistakeIsToldWithWhatToWrite(String lines, String message) {
         assertThatThrownBy(() -> TeamList.parse(List.of(lines.split(",", -1))))
@@ -147,9 +147,9 @@ class TeamListTest {
             value = {
                 "Röt=x,Roet=y; The teams Röt and Roet are both called Roet in messages and files.",
                 "Röt=x,RÖT=y; Two teams are called RÖT.",
-                "A=x,A.seed=1,A.seed=2; \"A.seed\" stands twice.",
+                "A=x,A.seed=1,A.seed=2; \"A.seed\" is given twice.",
                 "A=x,A.titel=T; \"A.titel\" is unknown. Did you mean title?",
-                "Red=x,Rde.seed=1; Something is said of team Rde, but no line says what its program is. Did you mean Red?",
+                "Red=x,Rde.seed=1; There are settings of team Rde, but no line for its program. Did you mean Red?",
                 "Red\u00A0= x; In \"Red\u00A0= x\" character 4 is a no-break space (U+00A0): type an ordinary space.",
                 "R\u0435d = x; In \"R\u0435d = x\" character 2 is the Cyrillic letter \u0435 (U+0435): type e.",
                 "Red = teams/red\u200B; In \"Red = teams/red\u200B\" character 16 is an invisible character (U+200B): delete it.",

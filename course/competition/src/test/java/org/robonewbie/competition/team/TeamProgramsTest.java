@@ -97,9 +97,8 @@ class TeamProgramsTest {
                 .containsEntry(Role.ATTACKER, "Striker")
                 .containsEntry(Role.GOALKEEPER, "Keeper");
         assertThatThrownBy(() -> find("Red=red"))
-                .hasMessage(
-                        "Team Red has several classes that can be started: Keeper, Striker. Say which one: Red.main ="
-                                + " Keeper");
+                .hasMessage("Team Red has several classes with a main method: Keeper, Striker. Choose one: Red.main ="
+                        + " Keeper");
         assertThatThrownBy(() -> find("Red=red", "Red.main=Star"))
                 .hasMessage("Team Red has no class Star with a main method. It has: Keeper, Striker.");
     }
@@ -286,7 +285,7 @@ class TeamProgramsTest {
 
         assertThatThrownBy(() -> find(line))
                 .isInstanceOf(CalledWronglyException.class)
-                .hasMessageContaining("is no program that can be started")
+                .hasMessageContaining("is not an executable program")
                 .hasMessageContaining("NAME = PROGRAM");
     }
 

@@ -65,7 +65,7 @@ class ChallengePlayerTest {
     @CsvSource(delimiter = '|', textBlock = """
             FallsAsleep | 60  | 0.5 | SILENT      | its program did not respond and was removed.
             HasNoRobot  | 0.5 | 60  | NOT_STARTED | no robot joined. The program did not create a robot.
-            Leaves      | 60  | 60  | STOPPED     | end of the trial. The program has ended in the middle of the trial.
+            Leaves      | 60  | 60  | STOPPED     | end of the trial. The program has ended during the trial.
             """)
     void lostTrialTellsWhy(String program, double startSeconds, double silentSeconds, Ending ending, String reason)
             throws Exception {
@@ -85,7 +85,7 @@ class ChallengePlayerTest {
         TrialResult result = play(Crashes.class, LIMITS, folder.resolve("work"));
 
         assertThat(result.of("Red").ending()).isEqualTo(Ending.STOPPED);
-        assertThat(log()).contains("in the middle of the trial. Its exit code is 1.");
+        assertThat(log()).contains("during the trial. Its exit code is 1.");
         assertThat(result.inWords()).isEqualTo("Red: its program exited before the end of the trial (exit code 1)");
         assertThat(contest.table(List.of("Red"), id -> Optional.of(result)).rows())
                 .singleElement()

@@ -8,10 +8,13 @@ import com.sun.source.util.TreePathScanner;
 import com.sun.source.util.Trees;
 import java.util.HashMap;
 import java.util.Map;
+import javax.lang.model.element.Element;
+import javax.lang.model.element.ExecutableElement;
+import javax.lang.model.element.TypeElement;
 import org.jspecify.annotations.Nullable;
 
 /** Tree scanner that collects the documentation comments of classes and members. */
-final class CommentCollector extends TreePathScanner<@Nullable Void, String> {
+public final class CommentCollector extends TreePathScanner<@Nullable Void, String> {
 
     private final Map<String, String> comments = new HashMap<>();
     private final Trees trees;
@@ -20,8 +23,14 @@ final class CommentCollector extends TreePathScanner<@Nullable Void, String> {
         this.trees = trees;
     }
 
-    /** {@return plain texts by key, see {@link ApiDocumentation#key}} */
-    static Map<String, String> read(CompilationUnitTree unit, Trees trees) {
+    /**
+     * Returns the documentation comments of a source file.
+     *
+     * @param unit the file
+     * @param trees the compiler that has parsed it
+     * @return plain texts by key, such as {@code Robot.setJointSpeed/2}
+     */
+    public static Map<String, String> read(CompilationUnitTree unit, Trees trees) {
         CommentCollector collector = new CommentCollector(trees);
         collector.scan(unit, "");
         return collector.comments;
@@ -50,5 +59,15 @@ final class CommentCollector extends TreePathScanner<@Nullable Void, String> {
         if (comment != null) {
             comments.put(key, PlainJavadoc.of(comment));
         }
+    }
+
+    /** Returns the key of a class or member within its source file. */
+    static String key(Element element) {
+        Element enclosing = element.getEnclosingElement();
+        String owner = element instanceof TypeElement || enclosing == null ? "" : enclosing.getSimpleName() + ".";
+        String count = element instanceof ExecutableElement method
+                ? "/" + method.getParameters().size()
+                : "";
+        return owner + element.getSimpleName() + count;
     }
 }

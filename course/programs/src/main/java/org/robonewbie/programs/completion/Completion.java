@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.function.BinaryOperator;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 import javax.lang.model.element.Element;
@@ -55,7 +56,7 @@ public final class Completion {
      * @param compiler the compiler, which has analysed the program with a {@link PartialWord}
      * @param unit the file that contains the cursor
      * @param begun the part of the identifier before the cursor
-     * @param documentation documentation of classes outside the program
+     * @param documentation finds the documentation of a member outside the program by class name and key, see {@link CommentCollector}
      * @param typeNames full names of classes that are proposed where a type is expected
      * @return the proposals, the most likely ones first
      */
@@ -63,7 +64,7 @@ public final class Completion {
             Compiler compiler,
             CompilationUnitTree unit,
             String begun,
-            ApiDocumentation documentation,
+            BinaryOperator<String> documentation,
             Collection<String> typeNames) {
         Completion completion = new Completion(compiler);
         Optional.ofNullable(new Finder().scan(unit, null)).ifPresent(place -> completion.collect(place, typeNames));

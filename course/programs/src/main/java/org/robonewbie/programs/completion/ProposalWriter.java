@@ -1,5 +1,6 @@
 package org.robonewbie.programs.completion;
 
+import java.util.function.BinaryOperator;
 import java.util.stream.Collectors;
 import javax.lang.model.element.Element;
 import javax.lang.model.element.ExecutableElement;
@@ -12,9 +13,9 @@ import javax.lang.model.util.Elements;
 final class ProposalWriter {
 
     private final Elements elements;
-    private final ApiDocumentation documentation;
+    private final BinaryOperator<String> documentation;
 
-    ProposalWriter(Elements elements, ApiDocumentation documentation) {
+    ProposalWriter(Elements elements, BinaryOperator<String> documentation) {
         this.elements = elements;
         this.documentation = documentation;
     }
@@ -61,7 +62,7 @@ final class ProposalWriter {
         }
         Element owner = element instanceof TypeElement ? element : element.getEnclosingElement();
         return owner instanceof TypeElement type
-                ? documentation.of(elements.getBinaryName(type).toString(), ApiDocumentation.key(element))
+                ? documentation.apply(elements.getBinaryName(type).toString(), CommentCollector.key(element))
                 : "";
     }
 }

@@ -1,6 +1,6 @@
 package org.robonewbie.programs.process;
 
-/** A program of another process has not come, has left, or gives no answer; the message is for students. */
+/** Thrown when a program of another process has not joined, has left or does not answer. The message is meant for students. */
 public final class AbsentProgramException extends RuntimeException {
 
     private static final long serialVersionUID = 1;
@@ -18,7 +18,7 @@ public final class AbsentProgramException extends RuntimeException {
      * Creates the exception.
      *
      * @param message what happened, as a sentence
-     * @param cause how it was noticed
+     * @param cause the I/O failure
      */
     public AbsentProgramException(String message, Throwable cause) {
         super(message, cause);

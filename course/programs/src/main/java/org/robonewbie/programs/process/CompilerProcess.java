@@ -12,22 +12,20 @@ import org.robonewbie.programs.ClassPath;
 import org.robonewbie.programs.SourceFolder;
 
 /**
- * Compiles programs in processes of their own, in a sandbox where there is one: there the compiler sees the files of the program and no
- * others, so it can show no line of them.
+ * Compiler in a child process. In a sandbox it can read only the files of the program, so its messages cannot quote any other file.
  *
- * @param sandbox where the compiler runs, if there is a sandbox
+ * @param sandbox the sandbox of the compiler
  */
 public record CompilerProcess(Sandbox sandbox) {
 
     private static final long SECONDS = 120;
-    private static final int MAX_LINES = 10_000;
 
     /**
-     * What the compiler has said.
+     * Result of a compilation.
      *
-     * @param isCorrect whether there are classes now
-     * @param classes those that can be started
-     * @param lines notes, or complaints
+     * @param isCorrect whether there are no errors
+     * @param classes the classes with a main method
+     * @param lines the diagnostics
      */
     public record Answer(boolean isCorrect, List<String> classes, List<String> lines) {}
 
@@ -35,22 +33,15 @@ public record CompilerProcess(Sandbox sandbox) {
      * Compiles sources.
      *
      * @param sources the sources
-     * @param classes folder for the classes, which is emptied before
-     * @return what the compiler has said
+     * @param classes folder for the class files, which is emptied first
+     * @return the result
      * @throws IOException if the folder cannot be written
      */
     public Answer compile(SourceFolder sources, Path classes) throws IOException {
         TemporaryFolder.delete(classes);
         Files.createDirectories(classes);
         List<String> startable = new ArrayList<>();
-        List<String> lines = new ArrayList<>();
-        ProgramOutput output = ProgramOutput.of(
-                line -> {
-                    if (lines.size() < MAX_LINES) {
-                        lines.add(line);
-                    }
-                },
-                startable::add);
+        ProgramOutput output = ProgramOutput.of(line -> {}, startable::add);
         Optional<String> trouble;
         boolean isCorrect;
         try (ChildProcess process =
@@ -59,8 +50,8 @@ public record CompilerProcess(Sandbox sandbox) {
             trouble = trouble(process);
             isCorrect = trouble.isEmpty() && process.exitCode().orElse(1) == 0;
         }
-        startable.removeIf(String::isEmpty); // the mark of the end
-        return new Answer(isCorrect, startable, trouble.map(List::of).orElse(lines));
+        startable.removeIf(String::isEmpty); // end of the output
+        return new Answer(isCorrect, startable, trouble.map(List::of).orElse(output.lines()));
     }
 
     private static Optional<String> trouble(ChildProcess process) {
@@ -70,17 +61,15 @@ public record CompilerProcess(Sandbox sandbox) {
         OptionalInt code = process.exitCode();
         return code.isPresent() && code.getAsInt() <= 1
                 ? Optional.empty()
-                : Optional.of("The compiler did not come to its end within " + SECONDS + " s.");
+                : Optional.of("The compiler did not finish within " + SECONDS + " s.");
     }
 
     private List<String> command(SourceFolder sources, Path classes) {
         ClassPath classPath = ClassPath.ofThisProgram();
-        List<String> options = new ArrayList<>(JavaCommand.withMemory(JavaCommand.MEGABYTES));
-        options.add(JavaCommand.QUICK_START);
-        List<String> words = JavaCommand.of(
-                options,
+        List<String> words = JavaCommand.ofProgram(
+                JavaCommand.MEGABYTES,
+                List.of(JavaCommand.QUICK_START),
                 classPath,
-                ProgramMain.class.getName(),
                 List.of(
                         ProgramMain.COMPILE,
                         sources.folder().toString(),

@@ -1,31 +1,31 @@
 package org.robonewbie.programs.process;
 
 /**
- * Why a robot of a {@link RobotProcess} has gone.
+ * Reason why a robot of a {@link RobotProcess} has left.
  *
- * @param cause what has happened
- * @param text what was thrown, the place of an endless loop, what makes the program slow, or the exit code; empty if there is no such
+ * @param cause the cause
+ * @param text the exception, the line of an endless loop, the reason for slowness or the exit code, depending on the cause; may be empty
  * @param advice what to do, if that depends on the program; else empty
  */
 public record Departure(Cause cause, String text, String advice) {
 
-    /** What has happened. */
+    /** The cause. */
     public enum Cause {
         /** The trial was over. */
         NONE,
-        /** A step has failed, and the program went on. */
+        /** A step failed and the program continued. */
         FAILED_STEP,
-        /** The program has thrown something. */
+        /** The program threw an exception. */
         THROWN,
-        /** A step has not come to its end. */
+        /** A step did not return. */
         ENDLESS,
-        /** Its steps sleep or wait for too long. */
+        /** The steps sleep or wait for too long. */
         IDLE,
-        /** The process has ended. */
+        /** The process ended. */
         EXIT,
-        /** The process has taken all memory. */
+        /** The process exhausted its memory. */
         MEMORY,
-        /** The process has started too many processes, or has used too much processor time. */
+        /** The process started too many processes or used too much processor time. */
         EXCESS
     }
 

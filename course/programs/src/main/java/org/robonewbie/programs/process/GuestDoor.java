@@ -18,11 +18,11 @@ import java.util.function.Predicate;
 import org.robonewbie.trial.Controller;
 
 /**
- * Admits agents of other processes to a trial: a port of this computer that speaks to them as a simulator does, so any agent
- * can join, whatever its language.
+ * Entrance for agents of other processes to a trial: a port of this computer with the protocol of the simulator, so that agents in any
+ * language can join.
  *
  * <pre>{@code
- * try (GuestDoor door = GuestDoor.open(0, 10)) {
+ * try (GuestDoor door = GuestDoor.open(0)) {
  *     Trial trial = Trial.served(scene, 1, door.await(() -> true));
  * }
  * }</pre>
@@ -33,17 +33,11 @@ public final class GuestDoor implements AutoCloseable {
 
     private final ServerSocketChannel channel;
     private final Selector selector;
-    private final double patienceSeconds;
     private final Predicate<InetSocketAddress> welcome;
 
-    private GuestDoor(
-            ServerSocketChannel channel,
-            Selector selector,
-            double patienceSeconds,
-            Predicate<InetSocketAddress> welcome) {
+    private GuestDoor(ServerSocketChannel channel, Selector selector, Predicate<InetSocketAddress> welcome) {
         this.channel = channel;
         this.selector = selector;
-        this.patienceSeconds = patienceSeconds;
         this.welcome = welcome;
     }
 
@@ -51,26 +45,23 @@ public final class GuestDoor implements AutoCloseable {
      * Opens the door on 127.0.0.1.
      *
      * @param port its TCP port, 0 for any free one
-     * @param patienceSeconds how long an agent may think about one message; 0 for as long as it likes, for debuggers
      * @return the open door
      * @throws IOException if the port is in use
      */
-    public static GuestDoor open(int port, double patienceSeconds) throws IOException {
+    public static GuestDoor open(int port) throws IOException {
         InetAddress here = InetAddress.getByAddress(new byte[] {127, 0, 0, 1});
-        return open(new InetSocketAddress(here, port), patienceSeconds, guest -> true);
+        return open(new InetSocketAddress(here, port), guest -> true);
     }
 
     /**
-     * Opens a door that not everybody may use.
+     * Opens a door with access control.
      *
-     * @param address a TCP port, or the file of a Unix domain socket, which is made
-     * @param patienceSeconds how long an agent at a TCP port may think about one message; 0 for as long as it likes
-     * @param welcome decides, from the other end's address, who may come in through a TCP port
+     * @param address a TCP port, or the file of a Unix domain socket, which is created
+     * @param welcome decides by its address whether a client of a TCP port is accepted
      * @return the open door
      * @throws IOException if the port is in use
      */
-    public static GuestDoor open(SocketAddress address, double patienceSeconds, Predicate<InetSocketAddress> welcome)
-            throws IOException {
+    public static GuestDoor open(SocketAddress address, Predicate<InetSocketAddress> welcome) throws IOException {
         boolean file = address instanceof UnixDomainSocketAddress;
         ServerSocketChannel channel =
                 file ? ServerSocketChannel.open(StandardProtocolFamily.UNIX) : ServerSocketChannel.open();
@@ -79,14 +70,14 @@ public final class GuestDoor implements AutoCloseable {
             channel.configureBlocking(false);
             Selector selector = Selector.open();
             channel.register(selector, SelectionKey.OP_ACCEPT);
-            return new GuestDoor(channel, selector, patienceSeconds, welcome);
+            return new GuestDoor(channel, selector, welcome);
         } catch (IOException inUse) {
             channel.close();
             throw inUse;
         }
     }
 
-    /** {@return the TCP port for agents; 0 for a door that is a file} */
+    /** {@return the TCP port for agents; 0 for a Unix domain socket} */
     public int port() {
         try {
             return channel.getLocalAddress() instanceof InetSocketAddress internet ? internet.getPort() : 0;
@@ -98,9 +89,9 @@ public final class GuestDoor implements AutoCloseable {
     /**
      * Waits for the next agent.
      *
-     * @param expected asked again and again whether an agent may still come
+     * @param expected polled for whether an agent may still join
      * @return the agent
-     * @throws AbsentProgramException if it does not come any more
+     * @throws AbsentProgramException if none is expected any more
      */
     public Controller await(BooleanSupplier expected) {
         Optional<Controller> guest = Optional.empty();
@@ -110,7 +101,7 @@ public final class GuestDoor implements AutoCloseable {
         return guest.orElseThrow(() -> new AbsentProgramException("The program ended before it asked for a robot."));
     }
 
-    /** Waits a moment for an agent. */
+    /** Waits for an agent for a short time. */
     private Optional<Controller> look() {
         try {
             selector.select(LOOK_MILLISECONDS);
@@ -123,7 +114,7 @@ public final class GuestDoor implements AutoCloseable {
                 guest.close();
                 return Optional.empty();
             }
-            return Optional.of(GuestController.welcome(guest, patienceSeconds));
+            return Optional.of(GuestController.welcome(guest));
         } catch (ClosedSelectorException | ClosedChannelException closed) {
             return Optional.empty();
         } catch (IOException broken) {
@@ -131,7 +122,7 @@ public final class GuestDoor implements AutoCloseable {
         }
     }
 
-    /** Admits no more agents; those inside may stay. */
+    /** Closes the entrance. Agents that have joined stay connected. */
     @Override
     public void close() {
         try {

@@ -7,13 +7,13 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.robonewbie.programs.ClassPath;
 
-/** The command lines of Java processes: this Java, into which no other process can load code. */
+/** Command lines of Java processes. They use this JVM, and other processes cannot attach to them. */
 public final class JavaCommand {
 
     /** Default memory of a program, in megabytes. */
     public static final int MEGABYTES = 512;
 
-    /** Option for programs that compute little: Java need not spend time on making them fast. */
+    /** Option for programs with little computation: a faster start without the optimising compiler. */
     public static final String QUICK_START = "-XX:TieredStopAtLevel=1";
 
     private static final String ARCHIVE = "-XX:SharedArchiveFile=";
@@ -25,7 +25,7 @@ public final class JavaCommand {
     /**
      * Returns the command line of a command of RoboNewbie.
      *
-     * @param arguments command and what follows it
+     * @param arguments the command and its arguments
      * @return program and arguments
      */
     public static List<String> ofCommand(List<String> arguments) {
@@ -33,21 +33,27 @@ public final class JavaCommand {
     }
 
     /**
-     * Returns the options that limit the memory of a Java process.
+     * Returns the command line of {@link ProgramMain}.
      *
-     * @param megabytes its heap
-     * @return the options
+     * @param megabytes maximum heap in megabytes
+     * @param options other options of the JVM
+     * @param classPath the class path
+     * @param arguments the arguments of {@link ProgramMain}
+     * @return program and arguments
      */
-    public static List<String> withMemory(int megabytes) {
-        return List.of("-Xmx" + megabytes + "m", "-XX:+ExitOnOutOfMemoryError");
+    public static List<String> ofProgram(
+            int megabytes, List<String> options, ClassPath classPath, List<String> arguments) {
+        List<String> all = new ArrayList<>(List.of("-Xmx" + megabytes + "m", "-XX:+ExitOnOutOfMemoryError"));
+        all.addAll(options);
+        return of(all, classPath, ProgramMain.class.getName(), arguments);
     }
 
     /**
      * Returns a command line.
      *
-     * @param options options of this Java
-     * @param classPath where the classes are
-     * @param mainClass name of the class that starts
+     * @param options options of the JVM
+     * @param classPath the class path
+     * @param mainClass name of the main class
      * @param arguments its arguments
      * @return program and arguments
      */
@@ -64,7 +70,7 @@ public final class JavaCommand {
     }
 
     /**
-     * Returns what a process must be able to read.
+     * Returns the files that a process reads.
      *
      * @param classPath its class path
      * @return files and folders
@@ -74,7 +80,7 @@ public final class JavaCommand {
                 .toList();
     }
 
-    /** The archive of prepared classes with which this process was started, if it was: the other one starts as quickly. */
+    /** Returns the CDS archive of this process, which also speeds up the start of a child. */
     private static Stream<String> startArchive() {
         return ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
                 .filter(option -> option.startsWith(ARCHIVE))

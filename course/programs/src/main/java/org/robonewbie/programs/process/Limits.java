@@ -1,22 +1,22 @@
 package org.robonewbie.programs.process;
 
 /**
- * What a program may use.
+ * Resource limits of a program.
  *
- * @param memoryMegabytes memory for its data; a Java program gets this much heap
+ * @param memoryMegabytes memory for its data, which is the heap of a Java program
  * @param processorSeconds processor time of all its processes
- * @param silentSeconds seconds for which it may keep the world waiting: while its robot is alone on the pitch, those in which
- *     it calculates or sleeps, else real ones
- * @param startSeconds seconds that it may need to bring its robots, counted in the same way
- * @param realSeconds real seconds that a trial of two teams may take, and that a program may sleep on its turns in another one
+ * @param silentSeconds longest delay of an answer in seconds: computing and sleeping time if its robots are alone on the pitch, else
+ *     elapsed time
+ * @param startSeconds time to connect its robots in seconds, measured in the same way
+ * @param realSeconds elapsed time of a trial of two teams, and total sleeping time in other trials, in seconds
  */
 public record Limits(
         int memoryMegabytes, double processorSeconds, double silentSeconds, double startSeconds, double realSeconds) {
 
-    /** The limits of a trial of a contest, if no others are wanted. */
+    /** Default limits of a trial in a contest. */
     public static final Limits DEFAULT = new Limits(JavaCommand.MEGABYTES, 300, 20, 60, 900);
 
-    /** No limit but memory and the number of processes: others watch the time. */
+    /** Limits on memory and the number of processes, without time limits. */
     static final Limits UNTIMED = new Limits(
             JavaCommand.MEGABYTES,
             Double.POSITIVE_INFINITY,
@@ -24,13 +24,13 @@ public record Limits(
             Double.POSITIVE_INFINITY,
             Double.POSITIVE_INFINITY);
 
-    /** No limits: a program that its own author runs. */
+    /** No limits, for a program run by its author. */
     public static final Limits NONE = new Limits(Integer.MAX_VALUE, 0, 0, 0, 0);
 
-    /** What a Java program needs in addition to its data, and what may be shared with other programs. */
+    /** Memory of a JVM in addition to the heap, including shared pages. */
     private static final int BESIDE_MEGABYTES = 512;
 
-    /** The memory that all processes of a program may take. */
+    /** Returns the limit on the resident memory of all processes. */
     long residentBytes() {
         return (memoryMegabytes + BESIDE_MEGABYTES) * 1_000_000L;
     }

@@ -1,6 +1,7 @@
 package org.robonewbie.programs.process;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -8,7 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** What Linux tells about processes and their connections; other systems do not tell it. */
+/** Facts about processes and their connections from Linux's {@code /proc}. */
 final class LinuxProcess {
 
     private static final int PAGE_BYTES = 4096;
@@ -19,21 +20,23 @@ final class LinuxProcess {
 
     private LinuxProcess() {}
 
-    /** Memory that a process takes; 0 where it is not known. */
+    /** Returns the resident memory of a process in bytes; 0 if unknown. */
     static long residentBytes(long pid) {
         String text = read(Path.of("/proc", String.valueOf(pid), "statm"));
         return text.isEmpty() ? 0 : Long.parseLong(text.split(" ", -1)[1]) * PAGE_BYTES;
     }
 
-    /** Whether a thread of a process runs, or waits for nothing but a processor or the disk; false where it is not known. */
+    /** Returns whether a thread of a process is runnable or waits for the disk; false if unknown. */
     static boolean isAtWork(long pid) {
-        return threads(pid).stream().map(thread -> read(thread.resolve("stat"))).anyMatch(stat -> {
-            int state = stat.lastIndexOf(')') + 2; // behind a name that may have anything in it
-            return state < stat.length() && "RD".indexOf(stat.charAt(state)) >= 0;
-        });
+        return entries(PROCESSES.resolve(pid + "/task")).stream()
+                .map(thread -> read(thread.resolve("stat")))
+                .anyMatch(stat -> {
+                    int state = stat.lastIndexOf(')') + 2; // after the name, which may contain any character
+                    return state < stat.length() && "RD".indexOf(stat.charAt(state)) >= 0;
+                });
     }
 
-    /** Whether this system tells whose a connection is. */
+    /** Returns whether the system reports the owners of connections. */
     static boolean hasConnections() {
         return Files.isReadable(CONNECTIONS.get(0)) && Files.isDirectory(PROCESSES.resolve("self/fd"));
     }
@@ -43,7 +46,7 @@ final class LinuxProcess {
      *
      * @param ownPort port of this end
      * @param otherPort port of the other end
-     * @return the socket as processes hold it, such as {@code socket:[4711]}; empty if there is none
+     * @return the target of its file descriptors, such as {@code socket:[4711]}; empty if there is none
      */
     static Optional<String> socket(int ownPort, int otherPort) {
         String own = String.format(":%04X", ownPort);
@@ -56,34 +59,26 @@ final class LinuxProcess {
                 .findFirst();
     }
 
-    /** Whether a process holds a socket. */
+    /** Returns whether a process holds a socket. */
     static boolean holds(long pid, String socket) {
-        try (Stream<Path> files = Files.list(PROCESSES.resolve(pid + "/fd"))) {
-            return files.anyMatch(file -> target(file).equals(socket));
-        } catch (IOException gone) {
-            return false;
-        }
+        return entries(PROCESSES.resolve(pid + "/fd")).stream()
+                .anyMatch(file -> target(file).equals(socket));
     }
 
     /**
-     * Finds processes by what they have inherited, also those that have left their parents.
+     * Finds processes by their inherited environment or working directory, including daemons.
      *
-     * @param mark what stands in the environment of each
-     * @param folder where they work, or in a folder of it; empty if others may work there, too
-     * @return their numbers
+     * @param mark text in the environment
+     * @param folder working directory or a parent of it; empty if other programs may use it too
+     * @return process identifiers
      */
     static List<Long> marked(String mark, Optional<Path> folder) {
-        try (Stream<Path> processes = Files.list(PROCESSES)) {
-            return processes
-                    .filter(process -> String.valueOf(process.getFileName()).matches("\\d+"))
-                    .filter(process ->
-                            folder.filter(own -> worksIn(process, own)).isPresent()
-                                    || read(process.resolve("environ")).contains(mark))
-                    .map(process -> Long.valueOf(String.valueOf(process.getFileName())))
-                    .toList();
-        } catch (IOException otherSystem) {
-            return List.of();
-        }
+        return entries(PROCESSES).stream()
+                .filter(process -> String.valueOf(process.getFileName()).matches("\\d+"))
+                .filter(process -> folder.filter(own -> worksIn(process, own)).isPresent()
+                        || read(process.resolve("environ")).contains(mark))
+                .map(process -> Long.valueOf(String.valueOf(process.getFileName())))
+                .toList();
     }
 
     private static boolean worksIn(Path process, Path folder) {
@@ -99,10 +94,11 @@ final class LinuxProcess {
         }
     }
 
-    private static List<Path> threads(long pid) {
-        try (Stream<Path> threads = Files.list(Path.of("/proc", String.valueOf(pid), "task"))) {
-            return threads.toList();
-        } catch (IOException gone) {
+    /** The entries of a folder; none if it does not exist. */
+    private static List<Path> entries(Path folder) {
+        try (Stream<Path> entries = Files.list(folder)) {
+            return entries.toList();
+        } catch (IOException | UncheckedIOException gone) {
             return List.of();
         }
     }

@@ -11,15 +11,15 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 
 /**
- * A process of a program that is not trusted, with all that it has started. On Linux processes that have left their parents are found
- * by a mark in their environment, or by the folder in which they work.
+ * Process of an untrusted program with all its descendants. On Linux, daemons are found by a mark in their environment or by their
+ * working directory.
  */
 public final class ProcessTree implements AutoCloseable {
 
     private static final String MARK = "ROBONEWBIE_PROGRAM";
     private static final long SECONDS_TO_END = 3;
 
-    /** A process that is killed may have started another one in the moment before. */
+    /** A killed process may have forked just before. */
     private static final int ROUNDS = 3;
 
     private final Process process;
@@ -36,8 +36,8 @@ public final class ProcessTree implements AutoCloseable {
     /**
      * Starts a process.
      *
-     * @param builder its command and surroundings
-     * @param workFolder a folder in which only this program works; empty if others may work where it does
+     * @param builder command and environment
+     * @param workFolder working directory of this program alone; empty if it is shared
      * @return the running process
      * @throws IOException if it cannot be started
      */
@@ -52,17 +52,17 @@ public final class ProcessTree implements AutoCloseable {
         return process;
     }
 
-    /** {@return whether this system tells whose a connection is, so that {@link #holds} can be believed} */
+    /** {@return whether the system reports the owners of connections, so that {@link #holds} is reliable} */
     public static boolean hasConnections() {
         return LinuxProcess.hasConnections();
     }
 
     /**
-     * Looks whether one end of a connection belongs to the program.
+     * Checks whether one end of a connection belongs to the program.
      *
      * @param ownPort TCP port of this end
      * @param otherPort TCP port of the other end
-     * @return whether one of the processes holds it; false where the system does not tell
+     * @return whether one of the processes holds it; false if the system does not report that
      */
     public synchronized boolean holds(int ownPort, int otherPort) {
         Optional<String> socket = LinuxProcess.socket(ownPort, otherPort);
@@ -77,7 +77,7 @@ public final class ProcessTree implements AutoCloseable {
         return seen.stream().anyMatch(handle -> LinuxProcess.holds(handle.pid(), socket));
     }
 
-    /** All processes that have been seen, running or not. */
+    /** Returns all processes that have been found, running or not. */
     synchronized Set<ProcessHandle> look(boolean alsoRunaways) {
         findChildren();
         if (alsoRunaways) {
@@ -96,7 +96,7 @@ public final class ProcessTree implements AutoCloseable {
                 .forEach(seen::add);
     }
 
-    /** Ends all processes. */
+    /** Kills all processes. */
     @Override
     public synchronized void close() {
         findChildren();

@@ -15,48 +15,47 @@ import org.robonewbie.nao.file.SubmittedFolder;
 import org.robonewbie.programs.CalledWronglyException;
 import org.robonewbie.programs.ClassPath;
 import org.robonewbie.programs.CompilationFailedException;
-import org.robonewbie.programs.ExampleCatalogue;
 import org.robonewbie.programs.Program;
 import org.robonewbie.programs.ProgramFinder;
 import org.robonewbie.programs.SourceFolder;
 import org.robonewbie.programs.StudentsAgents;
 
-/** The first class in the process of a program: it prepares its surroundings, then starts what the first argument says. */
+/** Main class of child processes. Prepares the environment and performs the task that the first argument selects. */
 public final class ProgramMain {
 
-    /** Starts a class; its name and arguments follow. */
+    /** Runs a class. Further arguments: its name and its arguments. */
     public static final String CLASS = "class";
 
-    /** Starts a command, which follows. */
+    /** Runs a command. Further arguments: the command. */
     public static final String COMMAND = "command";
 
-    /** Brings robots for a {@link RobotProcess}; program and class path follow. */
+    /** Provides robots for a {@link RobotProcess}. Further arguments: program and class path. */
     static final String ROBOTS = "robots";
 
     /** Waits for the call of a {@link WaitingProcess}. */
     static final String CALL = "call";
 
-    /** Runs a program for each call of a {@link WorkerPool}; program and class path follow. */
+    /** Runs a program for each call of a {@link WorkerPool}. Further arguments: program and class path. */
     static final String REPEAT = "repeat";
 
-    /** Compiles for a {@link CompilerProcess}; the folder of the sources, whether it is deep, and that of the classes follow. */
+    /** Compiles for a {@link CompilerProcess}. Further arguments: source folder, whether to include subfolders, class folder. */
     static final String COMPILE = "compile";
 
-    private static final String GIVEN_TEAM = "org.robonewbie.team.";
+    private static final String EXAMPLE_TEAM = "org.robonewbie.team.";
 
     private ProgramMain() {}
 
     /**
-     * Starts a program.
+     * Performs a task.
      *
-     * @param arguments one of the words above, and what follows it
+     * @param arguments one of the words above and its further arguments
      * @throws IOException if files cannot be read or written
-     * @throws InterruptedException never in practice
+     * @throws InterruptedException if this thread is interrupted
      * @throws ClassNotFoundException if there is no such class
      */
     public static void main(String[] arguments) throws IOException, InterruptedException, ClassNotFoundException {
         ParentProcess parent = ParentProcess.take();
-        moveIn();
+        prepare();
         List<String> words = List.of(arguments).subList(1, arguments.length);
         try {
             switch (arguments[0]) {
@@ -80,10 +79,10 @@ public final class ProgramMain {
     }
 
     /**
-     * In a sandbox, brings the program's files into the empty home and opens the port that leads to the simulator. A program that is
-     * graded has many simulators, and its files stay where they are.
+     * In a sandbox, copies the program's files into the empty home and opens the port of the simulator. For grading, which uses a
+     * simulator for each trial, the files are linked.
      */
-    private static void moveIn() throws IOException {
+    private static void prepare() throws IOException {
         if (Files.isDirectory(Sandbox.DOOR)) {
             try (Stream<Path> files = Files.list(Sandbox.FILES)) {
                 for (Path file : files.toList()) {
@@ -128,21 +127,21 @@ public final class ProgramMain {
     }
 
     private static ProgramFinder finder(String classPath) {
-        return new ProgramFinder(ExampleCatalogue.load(), ClassPath.read(classPath));
+        return new ProgramFinder(ClassPath.read(classPath));
     }
 
     private static Supplier<Agent> agents(ProgramFinder finder, String program) {
         Supplier<Class<?>> types = finder.findClass(program);
-        refuseTheGivenTeam(types.get());
-        return StudentsAgents.of(types);
+        rejectExampleTeam(types.get());
+        return new StudentsAgents(types);
     }
 
-    /** The example team would solve exercises in which students try ideas of their own. */
-    private static void refuseTheGivenTeam(Class<?> program) {
+    /** The example team would solve exercises that are about the students' own ideas. */
+    private static void rejectExampleTeam(Class<?> program) {
         for (Class<?> type = program; type != null; type = type.getSuperclass()) {
-            if (type.getName().startsWith(GIVEN_TEAM)) {
-                throw new CalledWronglyException(program.getSimpleName() + " plays as " + type.getSimpleName()
-                        + " does, which is given and earns no points. Write \"extends Agent\", and your own think().");
+            if (type.getName().startsWith(EXAMPLE_TEAM)) {
+                throw new CalledWronglyException(program.getSimpleName() + " extends " + type.getSimpleName()
+                        + " of the example team, which earns no points. Write \"extends Agent\" and your own think().");
             }
         }
     }

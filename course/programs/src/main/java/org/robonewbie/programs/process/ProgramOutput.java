@@ -8,6 +8,8 @@ import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 
@@ -24,12 +26,14 @@ public final class ProgramOutput {
     private static final int MAX_LINE_BYTES = 1000;
     private static final int MAX_ANSWER_BYTES = 10_000;
     private static final int MAX_END_CHARACTERS = 4000;
+    private static final int MAX_LINES = 1000;
     private static final String LACK_OF_MEMORY = "Terminating due to java.lang.OutOfMemoryError";
 
     private final OutputStream file;
     private final Consumer<String> lines;
     private final Consumer<String> answers;
     private final ByteArrayOutputStream line = new ByteArrayOutputStream();
+    private final List<String> first = new ArrayList<>();
     private final StringBuilder end = new StringBuilder();
     private Thread reader = new Thread();
     private boolean isAnswer;
@@ -134,6 +138,9 @@ public final class ProgramOutput {
             return;
         }
         lackOfMemory |= text.contains(LACK_OF_MEMORY);
+        if (first.size() < MAX_LINES) {
+            first.add(text);
+        }
         end.append(text).append('\n');
         end.delete(0, Math.max(0, end.length() - MAX_END_CHARACTERS));
         lines.accept(text);
@@ -143,6 +150,11 @@ public final class ProgramOutput {
     private static String decoded(byte[] bytes) {
         String text = new String(bytes, StandardCharsets.UTF_8);
         return text.indexOf('\uFFFD') < 0 ? text : new String(bytes, Charset.defaultCharset());
+    }
+
+    /** {@return the first lines of the output, without answers} */
+    public synchronized List<String> lines() {
+        return List.copyOf(first);
     }
 
     /** {@return the last characters of the output} */

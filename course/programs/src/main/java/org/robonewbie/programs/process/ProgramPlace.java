@@ -4,13 +4,13 @@ import java.util.Arrays;
 import java.util.Optional;
 import org.robonewbie.agent.log.StudentCode;
 
-/** Where in its own code a program is that is being judged. */
+/** Current line of a program in its own code. */
 public final class ProgramPlace {
 
     private static final String TRIALS = "org.robonewbie.trial.";
 
-    /** The class of a judge that tries a program in its own process. */
-    private static final String JUDGE = "org.robonewbie.exercises.GradedTrial";
+    /** The grader that runs a program in its own process. */
+    private static final String JUDGE = "org.robonewbie.exercises.Grader";
 
     private ProgramPlace() {}
 
@@ -18,7 +18,7 @@ public final class ProgramPlace {
      * Finds the program's line in a stack trace.
      *
      * @param trace innermost call first
-     * @return such as {@code WalkToBall.java:31}; empty if only framework and judge are at work
+     * @return such as {@code WalkToBall.java:31}; empty if no code of the program is active
      */
     public static Optional<String> in(StackTraceElement[] trace) {
         return StudentCode.place(Arrays.stream(trace)
@@ -27,16 +27,16 @@ public final class ProgramPlace {
     }
 
     /**
-     * Describes what a program has thrown.
+     * Describes an exception.
      *
-     * @param mistake what it has thrown
-     * @return the mistake, and the program's line if it is known
+     * @param mistake the exception
+     * @return the exception, and the program's line if it is known
      */
     public static String of(Throwable mistake) {
         return mistake + in(mistake.getStackTrace()).map(line -> " in " + line).orElse("");
     }
 
-    /** Whatever these classes call for a program is the program's own doing; what they do themselves is not. */
+    /** Returns whether a frame belongs to the framework that calls the program. */
     private static boolean isFramework(String className) {
         return className.startsWith(TRIALS) || className.equals(JUDGE);
     }

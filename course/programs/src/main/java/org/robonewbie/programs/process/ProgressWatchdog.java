@@ -7,8 +7,8 @@ import java.util.Set;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * Watches from another thread whether a program that works in one thread makes progress. What counts is the processor time that it uses
- * and the time that it sleeps: neither a debugger nor a busy computer makes it late.
+ * Watchdog for the progress of a program in another thread. Time counts only while the program computes or sleeps, so neither a debugger
+ * nor a busy computer triggers it.
  *
  * <pre>{@code
  * watchdog.begin();                        // in the program's thread
@@ -19,14 +19,14 @@ import java.util.concurrent.atomic.AtomicLong;
  */
 public final class ProgressWatchdog {
 
-    /** How often {@link #tick} wants to be called, in milliseconds. */
+    /** Interval of {@link #tick} in milliseconds. */
     public static final int TICK_MILLISECONDS = 20;
 
     private static final ThreadMXBean CLOCKS = ManagementFactory.getThreadMXBean();
     private static final double NANOSECONDS_PER_SECOND = 1e9;
     private static final double TICK_SECONDS = TICK_MILLISECONDS / 1000.0;
 
-    /** How long a step may last, in seconds. */
+    /** Longest duration of a step in seconds. */
     public static final int SECONDS = 4;
 
     private static final Set<Thread.State> WAITING = Set.of(Thread.State.WAITING, Thread.State.TIMED_WAITING);
@@ -38,29 +38,24 @@ public final class ProgressWatchdog {
     private double workedBefore;
     private int ticksAsleep;
 
-    /** Begins in the program's thread, which is the present one. */
+    /** Starts the watchdog for the current thread. */
     public void begin() {
         begun = CLOCKS.getCurrentThreadCpuTime();
         thread = Optional.of(Thread.currentThread());
         progress.set(1);
     }
 
-    /** Notes that the program has done its part of a cycle. */
+    /** Records that the program has completed a step. */
     public void progress() {
         progress.incrementAndGet();
     }
 
-    /** Ends; from now on there is nothing to wait for. */
+    /** Stops the watchdog. */
     public void end() {
         thread = Optional.empty();
     }
 
-    /** {@return whether the program's thread has begun} */
-    public boolean hasBegun() {
-        return progress.get() > 0;
-    }
-
-    /** Looks, every 20 ms and always in the same thread, what the program does. */
+    /** Samples the program. Call every 20 ms from the same thread. */
     public void tick() {
         if (progress.get() != progressBefore) {
             progressBefore = progress.get();
@@ -71,23 +66,23 @@ public final class ProgressWatchdog {
         }
     }
 
-    /** {@return whether it has lasted too long} */
+    /** {@return whether the current step has lasted too long} */
     public boolean isExhausted() {
         return processorSeconds() - workedBefore + ticksAsleep * TICK_SECONDS >= SECONDS;
     }
 
-    /** {@return where the program is at the moment; empty if it is not at work} */
+    /** {@return the current line of the program; empty if its code is not active} */
     public Optional<String> place() {
         return thread.flatMap(runner -> ProgramPlace.in(runner.getStackTrace()));
     }
 
-    /** How long a processor has worked for the program; 0 if none works for it now. */
+    /** Returns the processor time since {@link #begin}; 0 after {@link #end}. */
     private double processorSeconds() {
         return thread.map(runner -> (CLOCKS.getThreadCpuTime(runner.getId()) - begun) / NANOSECONDS_PER_SECOND)
                 .orElse(0.0);
     }
 
-    /** Whether the program sleeps, or waits for something that never happens. */
+    /** Returns whether the program's own code sleeps or waits. */
     private boolean isWaiting() {
         return thread.filter(runner -> WAITING.contains(runner.getState()))
                 .flatMap(runner -> ProgramPlace.in(runner.getStackTrace()))

@@ -11,7 +11,7 @@ import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
 import java.nio.file.Path;
 
-/** Lets programs behind a fence, which has no network, find the simulator at a TCP port: what comes there goes through a file. */
+/** Relay from a TCP port to a Unix domain socket, by which programs in a sandbox without network reach the simulator. */
 final class Relay {
 
     private static final int CHUNK_BYTES = 1 << 16;
@@ -27,9 +27,9 @@ final class Relay {
     /**
      * Opens a port of 127.0.0.1.
      *
-     * @param number its number, 0 for any free one
-     * @param door the socket to which all connections lead
-     * @return the number of the port
+     * @param number the port number, 0 for any free one
+     * @param door the target of all connections
+     * @return the port number
      */
     static int open(int number, Path door) throws IOException {
         ServerSocketChannel port = ServerSocketChannel.open();
@@ -44,7 +44,7 @@ final class Relay {
                 connect(program);
             }
         } catch (IOException closed) {
-            // The program ends with its last connection.
+            // The process ends with its last connection.
         }
     }
 
@@ -61,7 +61,7 @@ final class Relay {
         }
     }
 
-    /** Passes on what comes until one end is closed, then closes both. */
+    /** Forwards data until one end is closed, then closes both. */
     private static void pump(SocketChannel from, SocketChannel to) {
         try (from;
                 to) {
@@ -74,7 +74,7 @@ final class Relay {
                 chunk.clear();
             }
         } catch (IOException closed) {
-            // So is the other end now.
+            // The other end is closed now too.
         }
     }
 

@@ -2,6 +2,7 @@ package org.robonewbie.programs.process;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import java.util.List;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.Timer;
@@ -16,18 +17,19 @@ import org.robonewbie.agent.running.Slowness;
 import org.robonewbie.agent.running.Watchdog;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.programs.process.Departure.Cause;
+import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
 
-/** The other side of a {@link RobotProcess}: runs a robot with the student's program for each call, and answers why it has gone. */
+/** Child side of a {@link RobotProcess}: runs a robot with the student's program for each call and reports why it has left. */
 final class RobotHost {
 
-    /** Answers that the program can be started. */
+    /** Reports that the program has been loaded. */
     static final String READY = "ready";
 
-    /** Begins the answer that says what makes the program slow. */
+    /** Prefix of the answer that reports why the program is slow. */
     static final String SLOW = "slow ";
 
     private static final String HERE = "127.0.0.1";
@@ -43,9 +45,9 @@ final class RobotHost {
     }
 
     /**
-     * A robot that is wanted.
+     * Request for a robot.
      *
-     * @param id its number, with which answers begin
+     * @param id identifier, with which answers begin
      * @param door TCP port of the trial, or name of its socket in the sandbox
      */
     record Call(int id, String door, String team, int number, TeamSide side) {
@@ -109,8 +111,8 @@ final class RobotHost {
                 play(connection);
             } catch (VirtualMachineError exhausted) {
                 throw exhausted;
-            } catch (IOException judgeIsGone) {
-                // Then the reason does not matter.
+            } catch (IOException disconnected) {
+                // The reason does not matter then.
             } catch (RuntimeException | Error mistake) {
                 leave(new Departure(Cause.THROWN, ProgramPlace.of(mistake), ""));
             } finally {
@@ -145,7 +147,11 @@ final class RobotHost {
             connection.send(answer);
             while (connection.receive(message)) {
                 answer.clear();
-                driver.respond(reader.read(message)).forEach(writer::write);
+                List<EffectorCommand> commands = driver.respond(reader.read(message));
+                commands.forEach(writer::write);
+                if (commands.isEmpty()) {
+                    writer.synchronise(); // a robot that has left the game stands still
+                }
                 if (driver.hasFailed()) {
                     departure = new Departure(Cause.FAILED_STEP, "", "");
                 }
@@ -154,7 +160,7 @@ final class RobotHost {
             }
         }
 
-        /** A program that sleeps in its cycles would take minutes for a trial; one that computes too much may be right all the same. */
+        /** Ends a program that sleeps in its cycles, since a trial would take minutes. Slow computation is only reported. */
         private void noteSlowness(Slowness slowness) {
             String place = " at " + slowness.cause().place();
             Departure idle =
@@ -165,7 +171,7 @@ final class RobotHost {
             }
         }
 
-        /** Answers once, and before the connection ends, whatever the program is doing. */
+        /** Reports the reason once, before the connection is closed. */
         private synchronized void leave(Departure why) {
             if (!gone) {
                 gone = true;

@@ -36,7 +36,7 @@ import org.robonewbie.trial.SensorReadings;
  * commands and the reasons for their departure.
  *
  * <pre>{@code
- * try (RobotProcess program = RobotProcess.start(request, sandbox, System.out::println);
+ * try (RobotProcess program = new RobotProcess(request, sandbox, System.out::println);
  *         RobotProcess.Entrance entrance = program.entrance()) {
  *     Trial trial = Trial.served(scene, 1, entrance.get());
  * }
@@ -50,28 +50,12 @@ public final class RobotProcess implements AutoCloseable {
     private static final double SECONDS_TO_LEAVE = 3;
     private static final double SECONDS_TO_END = 0.5;
 
-    private final ChildProcess process;
-    private final Optional<TemporaryFolder> sockets;
-    private final Map<Integer, CompletableFuture<Departure>> robots;
-    private final State state;
+    private final Map<Integer, CompletableFuture<Departure>> robots = new ConcurrentHashMap<>();
     private final AtomicInteger calls = new AtomicInteger();
-
-    private RobotProcess(
-            ChildProcess process,
-            Optional<TemporaryFolder> sockets,
-            Map<Integer, CompletableFuture<Departure>> robots,
-            State state) {
-        this.process = process;
-        this.sockets = sockets;
-        this.robots = robots;
-        this.state = state;
-    }
-
-    /** State that the process has reported. */
-    private static final class State {
-        private volatile boolean ready;
-        private volatile Optional<Departure> slowness = Optional.empty();
-    }
+    private final Optional<TemporaryFolder> sockets;
+    private final ChildProcess process;
+    private volatile boolean ready;
+    private volatile Optional<Departure> slowness = Optional.empty();
 
     /**
      * The program to start.
@@ -115,44 +99,37 @@ public final class RobotProcess implements AutoCloseable {
     /**
      * Starts a program.
      *
-     * @param request what is started
-     * @param sandbox where it runs, if there is a sandbox
+     * @param request the program
+     * @param sandbox the sandbox
      * @param lines receives each line that the process prints, those of the program with a {@link #MARK}
-     * @return the running process
      * @throws IOException if it cannot be started
      */
-    public static RobotProcess start(Request request, Sandbox sandbox, Consumer<String> lines) throws IOException {
-        List<String> command = JavaCommand.of(
-                JavaCommand.withMemory(JavaCommand.MEGABYTES),
+    public RobotProcess(Request request, Sandbox sandbox, Consumer<String> lines) throws IOException {
+        List<String> command = JavaCommand.ofProgram(
+                JavaCommand.MEGABYTES,
+                List.of(),
                 ClassPath.ofThisProgram(),
-                ProgramMain.class.getName(),
                 List.of(ProgramMain.ROBOTS, request.program(), new ClassPath(request.classPath()).text()));
-        Optional<TemporaryFolder> sockets =
-                sandbox.isUp() ? Optional.of(TemporaryFolder.create("doors")) : Optional.empty();
-        State state = new State();
-        Map<Integer, CompletableFuture<Departure>> robots = new ConcurrentHashMap<>();
-        ProgramOutput output = ProgramOutput.of(
-                line -> lines.accept((state.ready ? MARK : "") + line), answer -> hear(answer, state, robots));
-        ChildProcess process = ChildProcess.start(
+        sockets = sandbox.isUp() ? Optional.of(TemporaryFolder.create("doors")) : Optional.empty();
+        process = ChildProcess.start(
                 sockets.isPresent()
                         ? sandbox.enclose(command, request.policy(sockets.get().path()))
                         : command,
                 request.folder(),
                 request.isAlone(),
-                output,
+                ProgramOutput.of(line -> lines.accept((ready ? MARK : "") + line), this::receive),
                 Limits.UNTIMED);
-        return new RobotProcess(process, sockets, robots, state);
     }
 
     /** Parses an answer. Forged ones can affect only the robots of the program itself. */
-    private static void hear(String answer, State state, Map<Integer, CompletableFuture<Departure>> robots) {
+    private void receive(String answer) {
         try {
             if (answer.isEmpty()) {
                 robots.values().forEach(robot -> robot.cancel(false));
             } else if (answer.equals(RobotHost.READY)) {
-                state.ready = true;
+                ready = true;
             } else if (answer.startsWith(RobotHost.SLOW)) {
-                state.slowness = Optional.of(Departure.read(answer.substring(RobotHost.SLOW.length())));
+                slowness = Optional.of(Departure.read(answer.substring(RobotHost.SLOW.length())));
             } else {
                 int id = Integer.parseInt(answer.substring(0, answer.indexOf(' ')));
                 Departure why = Departure.read(answer.substring(answer.indexOf(' ') + 1));
@@ -165,12 +142,17 @@ public final class RobotProcess implements AutoCloseable {
 
     /** {@return whether the program could be compiled and loaded} */
     public boolean isReady() {
-        return state.ready;
+        return ready;
     }
 
     /** {@return what makes the program slow, if anything does} */
     public Optional<Departure> slowness() {
-        return state.slowness;
+        return slowness;
+    }
+
+    /** {@return the first lines of the output, such as those of the compiler} */
+    public List<String> lines() {
+        return process.output().lines();
     }
 
     /** {@return the last output of the process} */
@@ -217,7 +199,7 @@ public final class RobotProcess implements AutoCloseable {
 
         private Entrance(SocketAddress address, String name) throws IOException {
             this.name = name;
-            this.door = GuestDoor.open(address, 0, this::isWelcome);
+            this.door = GuestDoor.open(address, this::isWelcome);
         }
 
         private boolean isWelcome(InetSocketAddress guest) {
@@ -248,7 +230,7 @@ public final class RobotProcess implements AutoCloseable {
          * @return the reason; empty if it is the end of the trial, or if the program was never ready
          */
         public Optional<Departure> departure() {
-            return (state.ready ? own : List.<CompletableFuture<Departure>>of())
+            return (ready ? own : List.<CompletableFuture<Departure>>of())
                     .stream()
                             .flatMap(robot -> departure(robot).stream())
                             .filter(why -> why.cause() != Cause.NONE)

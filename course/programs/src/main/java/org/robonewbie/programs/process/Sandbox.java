@@ -15,22 +15,21 @@ import java.util.stream.Stream;
 import org.robonewbie.nao.file.TemporaryFiles;
 
 /**
- * A sandbox by <a href="https://github.com/containers/bubblewrap">bubblewrap</a>, where Linux has it: programs see a
- * read-only system, their own files, an empty home and temporary folder, no other process, and no network but a door that leads to
- * their port of the simulator.
+ * Sandbox by <a href="https://github.com/containers/bubblewrap">bubblewrap</a> (Linux). Programs see a read-only system, their own
+ * files, an empty home, an empty temporary folder and no other processes. The only connection is a socket to the simulator.
  */
 public final class Sandbox {
 
-    /** The port of the simulator in the sandbox; it leads through the door. */
+    /** TCP port of the simulator in the sandbox, relayed through the socket. */
     public static final int PORT = 3100;
 
-    /** Where programs work in the sandbox. */
+    /** Working directory in the sandbox. */
     static final Path HOME = Path.of("/home/robot");
 
-    /** Where the files of the program are in the sandbox. */
+    /** The files of the program in the sandbox. */
     static final Path FILES = Path.of("/team");
 
-    /** The file of the door in the sandbox, or a folder of doors. */
+    /** The socket in the sandbox, or a folder of sockets. */
     static final Path DOOR = Path.of("/run/robonewbie/door");
 
     private static final String BUBBLEWRAP = "bwrap";
@@ -39,7 +38,7 @@ public final class Sandbox {
     private static final String TEMPORARY_BYTES = Long.toString(64L << 20);
     private static final String SHARED_BYTES = Long.toString(32L << 20);
 
-    /** Opens the filter of system calls, the first argument, and becomes the command that follows. */
+    /** Shell script that opens the system call filter, its first argument, and executes the other arguments. */
     private static final String WITH_FILTER = "exec 9<\"$1\"; shift; exec \"$@\"";
 
     private static final List<String> SYSTEM =
@@ -65,7 +64,7 @@ public final class Sandbox {
     /** {@return the sandbox, if this computer has one} */
     public static Sandbox find() {
         if (!System.getProperty("os.name").equals("Linux")) {
-            return none("fences exist on Linux only");
+            return none("bubblewrap is available on Linux only");
         }
         Sandbox sandbox;
         try {
@@ -78,14 +77,14 @@ public final class Sandbox {
             Process process =
                     new ProcessBuilder(trial).redirectErrorStream(true).start();
             process.getOutputStream().close();
-            String told = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-            boolean stands = process.waitFor(MAX_SECONDS, TimeUnit.SECONDS) && process.exitValue() == 0;
-            return stands ? sandbox : none("bubblewrap does not work here: " + told.strip());
+            String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+            boolean works = process.waitFor(MAX_SECONDS, TimeUnit.SECONDS) && process.exitValue() == 0;
+            return works ? sandbox : none("bubblewrap does not work here: " + output.strip());
         } catch (IOException missing) {
             return none("bubblewrap is not installed");
         } catch (InterruptedException stopped) {
             Thread.currentThread().interrupt();
-            return none("bubblewrap has not been tried");
+            return none("the test of bubblewrap was interrupted");
         }
     }
 
@@ -100,16 +99,16 @@ public final class Sandbox {
     }
 
     /**
-     * Does without a sandbox.
+     * Returns the absence of a sandbox.
      *
-     * @param reason why, as part of a sentence
+     * @param reason the reason, as part of a sentence
      * @return no sandbox
      */
     public static Sandbox none(String reason) {
         return new Sandbox(reason, Optional.empty());
     }
 
-    /** {@return whether there is one} */
+    /** {@return whether the sandbox is available} */
     public boolean isUp() {
         return absence.isEmpty();
     }
@@ -120,11 +119,11 @@ public final class Sandbox {
     }
 
     /**
-     * Puts a command into the sandbox.
+     * Wraps a command in the sandbox.
      *
-     * @param command what is to run there
-     * @param policy what it may do there
-     * @return the command with the sandbox around it
+     * @param command the command
+     * @param policy its permissions
+     * @return the wrapped command
      */
     public List<String> enclose(List<String> command, SandboxPolicy policy) {
         List<String> words = new ArrayList<>(walls());
@@ -148,7 +147,7 @@ public final class Sandbox {
         return closed(words, covers, command);
     }
 
-    /** Closes the walls when everything is within: what holds the rest together would else be a file system without limit. */
+    /** Remounts the mount points read-only last, since they are file systems without a size limit. */
     private List<String> closed(List<String> words, List<Path> covers, List<String> command) {
         List<String> all = new ArrayList<>();
         filter.ifPresent(file -> all.addAll(List.of("/bin/sh", "-c", WITH_FILTER, "sh", file.toString())));
@@ -175,7 +174,6 @@ public final class Sandbox {
         return Files.exists(real) ? List.of("--ro-bind", "/dev/null", seen.toString()) : List.of();
     }
 
-    /** What is the same for all programs. */
     private static List<String> walls() {
         List<String> words = new ArrayList<>(List.of(
                 BUBBLEWRAP,
@@ -200,12 +198,12 @@ public final class Sandbox {
         return words;
     }
 
-    /** Whether a file belongs to the system that each program sees. */
+    /** {@return whether a file belongs to the system folders that each program can read} */
     public static boolean isOfTheSystem(Path file) {
         return SYSTEM.stream().anyMatch(file::startsWith);
     }
 
-    /** Settings of the system that programs need, and no others: accounts and passwords stay outside. */
+    /** Returns the settings in {@code /etc} that programs need. Accounts and passwords are not among them. */
     private static List<String> settings() {
         List<String> all = new ArrayList<>();
         SETTINGS.forEach(name -> all.add("/etc/" + name));

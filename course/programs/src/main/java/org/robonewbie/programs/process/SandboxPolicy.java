@@ -6,12 +6,12 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What a process may do in a {@link Sandbox} beside using the system.
+ * Permissions of a process in a {@link Sandbox} in addition to the use of the system.
  *
- * @param readable what it may read, at its usual place
- * @param hidden what it must not see, even within something readable
- * @param files the program's folder, shown at {@link Sandbox#FILES}
- * @param door the socket at which the simulator listens, or a folder of such
+ * @param readable files and folders that it may read
+ * @param hidden files and folders that it must not see, even within readable ones
+ * @param files the program's folder, mounted at {@link Sandbox#FILES}
+ * @param door the socket of the simulator, or a folder of sockets
  * @param written a folder in which it may write
  */
 public record SandboxPolicy(

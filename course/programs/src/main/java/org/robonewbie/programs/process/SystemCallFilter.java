@@ -6,12 +6,12 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The system calls that programs behind the fence do without: those that take memory which belongs to no process and no file system,
- * so that no limit would count it (shared memory and message queues of System V, files in memory). Written as the kernel reads it:
- * a classic BPF program over {@code struct seccomp_data}, see {@code seccomp(2)}.
+ * Seccomp filter that denies the system calls that allocate memory outside of processes and file systems, which no limit counts: System V
+ * shared memory and message queues, and in-memory files. It is a classic BPF program over {@code struct seccomp_data}, see {@code
+ * seccomp(2)}.
  *
  * @param architecture audit number of the processor, as in {@code linux/audit.h}
- * @param calls numbers of the calls
+ * @param calls numbers of the denied system calls
  */
 record SystemCallFilter(int architecture, List<Integer> calls) {
 
@@ -36,7 +36,7 @@ record SystemCallFilter(int architecture, List<Integer> calls) {
         calls = List.copyOf(calls);
     }
 
-    /** The filter for this processor; empty if its system calls are not known. */
+    /** Returns the filter for this processor; empty if its system calls are unknown. */
     static Optional<SystemCallFilter> ofThisProcessor() {
         return switch (System.getProperty("os.arch")) {
             case "amd64", "x86_64" -> Optional.of(X86_64);
@@ -45,7 +45,7 @@ record SystemCallFilter(int architecture, List<Integer> calls) {
         };
     }
 
-    /** The filter as {@code bwrap --seccomp} reads it; programs for another processor, such as those of 32 bits, find no calls. */
+    /** Returns the format of {@code bwrap --seccomp}. Programs for another architecture, such as 32 bits, are denied all calls. */
     byte[] toBytes() {
         int length = calls.size() + 6;
         ByteBuffer program = ByteBuffer.allocate(length * INSTRUCTION_BYTES).order(ByteOrder.nativeOrder());

@@ -3,13 +3,12 @@ package org.robonewbie.programs.process;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * Whose turn it is, the program's or the world's, and how long a program has been keeping the world waiting. What a program
- * calculates counts by its own processor time, what it sleeps by the clock; so nobody is silent because the computer is busy
- * with others.
+ * Turn counter of program and world, which measures how long the world waits for the program. Computation counts by the processor time
+ * of the program and sleeping by elapsed time, so the load of the computer does not matter.
  */
 final class Turns {
 
-    /** Odd while it is the program's turn; at first to ask for its robot, later to answer. */
+    /** Odd during the program's turn: first to request its robot, later to answer. */
     private final AtomicLong count = new AtomicLong(1);
 
     private long lastCount;
@@ -18,22 +17,22 @@ final class Turns {
     private double waited;
     private double slept;
 
-    /** Passes the turn on. */
+    /** Passes the turn. */
     void next() {
         count.incrementAndGet();
     }
 
-    /** Whether the program has asked for its robot. */
+    /** Returns whether the program has requested its robot. */
     boolean hasBegun() {
         return count.get() > 1;
     }
 
     /**
-     * Looks again.
+     * Takes a sample.
      *
-     * @param seconds the clock
-     * @param processorSeconds what the program has calculated so far
-     * @param atWork whether it is known to be calculating, or that it would if a processor were free
+     * @param seconds elapsed time
+     * @param processorSeconds processor time of the program
+     * @param atWork whether the program is runnable
      */
     synchronized void look(double seconds, double processorSeconds, boolean atWork) {
         long now = count.get();
@@ -47,12 +46,12 @@ final class Turns {
         lastProcessorSeconds = processorSeconds;
     }
 
-    /** How long the world has been waiting for the program's answer. */
+    /** Returns the duration of the current turn of the program. */
     synchronized double waitedSeconds() {
         return waited;
     }
 
-    /** How long the program has slept on its turns in all. */
+    /** Returns the total time that the program has slept in its turns. */
     synchronized double sleptSeconds() {
         return slept;
     }

@@ -3,7 +3,6 @@ package org.robonewbie.programs.process;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.robonewbie.programs.ClassPath;
@@ -33,12 +32,13 @@ public final class WaitingProcess implements AutoCloseable {
     }
 
     private ChildProcess start() {
-        List<String> options = new ArrayList<>(JavaCommand.withMemory(JavaCommand.MEGABYTES));
-        options.add(JavaCommand.QUICK_START);
         try {
             return ChildProcess.start(
-                    JavaCommand.of(
-                            options, ClassPath.ofThisProgram(), ProgramMain.class.getName(), List.of(ProgramMain.CALL)),
+                    JavaCommand.ofProgram(
+                            JavaCommand.MEGABYTES,
+                            List.of(JavaCommand.QUICK_START),
+                            ClassPath.ofThisProgram(),
+                            List.of(ProgramMain.CALL)),
                     folder,
                     false,
                     ProgramOutput.of(line -> {}, answer -> {}),

@@ -73,7 +73,7 @@ class ProgramMainTest {
                 }
                 """);
 
-        try (GuestDoor door = GuestDoor.open(0, 0);
+        try (GuestDoor door = GuestDoor.open(0);
                 ChildProcess process = start(ProgramMain.ROBOTS, "Exits.java", new ClassPath(List.of()).text())) {
             String ready = answers.take();
             play(door, process, 1, "First");
@@ -96,7 +96,6 @@ class ProgramMainTest {
     }
 
     private ChildProcess start(String... words) throws IOException {
-        return TestProcess.start(
-                folder, ProgramOutput.of(line -> {}, answers::add), Limits.UNTIMED, List.of(words));
+        return TestProcess.start(folder, ProgramOutput.of(line -> {}, answers::add), Limits.UNTIMED, List.of(words));
     }
 }

@@ -34,7 +34,7 @@ class RelayTest {
                 simulator.write(received.flip());
 
                 int back = program.getInputStream().read();
-                simulator.close();
+                simulator.shutdownOutput();
                 int end = program.getInputStream().read();
 
                 assertThat(back).isEqualTo(42);

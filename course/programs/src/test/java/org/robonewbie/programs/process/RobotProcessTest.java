@@ -71,6 +71,20 @@ class RobotProcessTest {
     }
 
     @Test
+    void robotThatLeavesTheGameStandsUntilTheEndOfTheTrial() throws IOException {
+        write("", "leaveGame();");
+
+        try (RobotProcess program = start(Sandbox.none("of this test"));
+                RobotProcess.Entrance entrance = program.entrance()) {
+            try (Trial trial = Trial.served(Scene.of(RobotStart.at(-1, 0)), 1, entrance.get())) {
+                trial.run(1);
+            }
+
+            assertThat(entrance.departure()).isEmpty();
+        }
+    }
+
+    @Test
     void classThatIsNoAgentIsRefused() throws IOException {
         Files.writeString(folder.resolve("Mover.java"), "public class Mover {}");
 
@@ -83,7 +97,7 @@ class RobotProcessTest {
             assertThat(program.exitCode()).isEqualTo(2);
             assertThat(program.isReady()).isFalse();
             assertThat(lines)
-                    .anyMatch(line -> line.contains("An exercise wants a class that extends Agent; Mover does not"));
+                    .anyMatch(line -> line.contains("An exercise needs a class that extends Agent; Mover does not"));
         }
     }
 
@@ -97,7 +111,7 @@ class RobotProcessTest {
 
     private RobotProcess start(Sandbox sandbox) throws IOException {
         RobotProcess.Request request = new RobotProcess.Request("Mover.java", List.of(), folder, true);
-        return RobotProcess.start(request, sandbox, lines::add);
+        return new RobotProcess(request, sandbox, lines::add);
     }
 
     private void write(String imports, String step) throws IOException {

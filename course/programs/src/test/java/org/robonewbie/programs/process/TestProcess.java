@@ -3,7 +3,6 @@ package org.robonewbie.programs.process;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import org.robonewbie.programs.ClassPath;
 
@@ -12,17 +11,11 @@ final class TestProcess {
 
     private TestProcess() {}
 
-    static ChildProcess start(Path folder, ProgramOutput output, Limits limits, List<String> words)
-            throws IOException {
-        List<String> options = new ArrayList<>(JavaCommand.withMemory(64));
-        ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
+    static ChildProcess start(Path folder, ProgramOutput output, Limits limits, List<String> words) throws IOException {
+        List<String> options = ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
                 .filter(option -> option.startsWith("-javaagent:"))
-                .forEach(options::add);
+                .toList();
         return ChildProcess.start(
-                JavaCommand.of(options, ClassPath.ofThisProgram(), ProgramMain.class.getName(), words),
-                folder,
-                true,
-                output,
-                limits);
+                JavaCommand.ofProgram(64, options, ClassPath.ofThisProgram(), words), folder, true, output, limits);
     }
 }

@@ -1,34 +1,25 @@
 package org.robonewbie.learning.dataset;
 
 /**
- * One column of a table.
+ * One column of a table. The JSON of {@code dataset.json} uses the names of these components.
  *
- * @param name such as {@code true_left_knee_pitch}
- * @param kind what its cells are
- * @param unit such as {@code degrees}; empty if there is none
- * @param meaning what it tells, in a few words
+ * @param name a name such as {@code true_left_knee_pitch}
+ * @param kind the type of the cells: {@code decimal} for {@link Double} (NaN if missing), {@code whole} for {@link Long}, {@code text}
+ *     for {@link String}
+ * @param unit a unit such as {@code degrees}; empty if there is none
+ * @param meaning a short description
  */
-public record Column(String name, Kind kind, String unit, String meaning) {
-
-    /** What the cells of a column are. */
-    public enum Kind {
-        /** {@link Double}; NaN where there is nothing to tell. */
-        DECIMAL,
-        /** {@link Long}. */
-        WHOLE,
-        /** {@link String}; empty where there is nothing to tell. */
-        TEXT
-    }
+public record Column(String name, String kind, String unit, String meaning) {
 
     static Column decimal(String name, String unit, String meaning) {
-        return new Column(name, Kind.DECIMAL, unit, meaning);
+        return new Column(name, "decimal", unit, meaning);
     }
 
     static Column whole(String name, String unit, String meaning) {
-        return new Column(name, Kind.WHOLE, unit, meaning);
+        return new Column(name, "whole", unit, meaning);
     }
 
     static Column text(String name, String meaning) {
-        return new Column(name, Kind.TEXT, "", meaning);
+        return new Column(name, "text", "", meaning);
     }
 }

@@ -11,14 +11,12 @@ import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.kinematics.SimSparkFrame;
 import org.robonewbie.protocol.perceptor.FootForce;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
-import org.robonewbie.protocol.perceptor.PolarPosition;
-import org.robonewbie.protocol.perceptor.Vision;
 import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.WorldSnapshot;
 
 /**
- * The table with a row for each robot and cycle: what it felt, what it had been commanded, and what was true. Columns and rows
- * are made side by side here, so that both have the same order.
+ * Format of the table with a row for each robot and cycle: its sensor readings, its commands, and the true state. Columns and rows are
+ * built side by side in the same order.
  */
 final class CycleTable {
 
@@ -27,7 +25,7 @@ final class CycleTable {
 
     private final boolean withMessages;
 
-    /** The rows carry the messages themselves too if they are wanted. */
+    /** Creates the format, optionally with the texts of the messages. */
     CycleTable(boolean withMessages) {
         this.withMessages = withMessages;
     }
@@ -35,34 +33,31 @@ final class CycleTable {
     List<Column> columns() {
         List<Column> all = new ArrayList<>();
         all.add(Column.whole("run", "", "number of the run, from 1"));
-        all.add(Column.whole("cycle", "", "number of the cycle since the simulator's start, each 20 ms"));
-        all.add(Column.decimal("seconds", "s", "simulated time since the simulator's start"));
-        all.add(Column.decimal("play_seconds", "s", "time of play"));
-        all.add(Column.text("play_mode", "the referee's play mode in SimSpark's spelling"));
+        all.add(Column.whole("cycle", "", "number of the 20 ms cycle since the start of the simulator"));
+        all.add(Column.decimal("seconds", "s", "simulated time since the start of the simulator"));
+        all.add(Column.decimal("play_seconds", "s", "game time"));
+        all.add(Column.text("play_mode", "the referee's play mode, as named by SimSpark"));
         all.add(Column.text("team", "the robot's team"));
         all.add(Column.whole("number", "", "the robot's number, 1 to 11"));
         addSensed(all);
-        addJoints(all, "command", "degrees/s", "speed that the motor was told last");
+        addJoints(all, "command", "degrees/s", "last commanded speed of the motor");
         addTrue(all);
         if (withMessages) {
-            all.add(Column.text("perceptors", "the message to the robot's program"));
-            all.add(Column.text("effectors", "the program's message that was carried out in this cycle"));
+            all.add(Column.text("perceptors", "the message to the agent"));
+            all.add(Column.text("effectors", "the message of the agent that took effect in this cycle"));
         }
         return List.copyOf(all);
     }
 
     private static void addSensed(List<Column> all) {
-        addJoints(all, "sensed", "degrees", "angle as the robot feels it");
-        addVector(all, "gyro", AXES, "degrees/s", "turning of the torso as the robot feels it");
-        addVector(all, "accelerometer", AXES, "m/s2", "acceleration of the torso as the robot feels it");
+        addJoints(all, "sensed", "degrees", "measured angle");
+        addVector(all, "gyro", AXES, "degrees/s", "measured angular velocity of the torso");
+        addVector(all, "accelerometer", AXES, "m/s2", "measured acceleration of the torso");
         for (String foot : List.of("left_foot", "right_foot")) {
-            addVector(all, foot + "_point", AXES, "m", "where the ground presses; empty in the air");
-            addVector(all, foot + "_force", AXES, "N", "how strongly the ground presses; empty in the air");
+            addVector(all, foot + "_point", AXES, "m", "centre of pressure; empty in the air");
+            addVector(all, foot + "_force", AXES, "N", "ground reaction force; empty in the air");
         }
         all.add(Column.whole("picture", "1 or 0", "whether the camera sent a picture in this cycle"));
-        all.add(Column.decimal("ball_distance", "m", "where the picture shows the ball; empty if it does not"));
-        all.add(Column.decimal("ball_horizontal", "degrees", "direction of the ball in the picture, left is positive"));
-        all.add(Column.decimal("ball_vertical", "degrees", "direction of the ball in the picture, up is positive"));
         SeenAndSaid.addColumns(all);
     }
 
@@ -72,8 +67,8 @@ final class CycleTable {
             all.add(Column.decimal("true_torso_q" + part, "", "rotation of the torso in the world frame, quaternion"));
         }
         all.add(Column.decimal(
-                "true_heading", "degrees", "where the torso looks, 0 to the right goal, left is positive"));
-        all.add(Column.decimal("true_tilt", "degrees", "how far the torso leans: 0 upright, 90 lying"));
+                "true_heading", "degrees", "heading of the torso; 0 towards the right goal, positive to the left"));
+        all.add(Column.decimal("true_tilt", "degrees", "tilt of the torso: 0 upright, 90 lying"));
         addJoints(all, "true", "degrees", "true angle");
         addVector(all, "true_ball", WORLD_AXES, "m", "centre of the ball in the world frame");
     }
@@ -90,7 +85,7 @@ final class CycleTable {
         }
     }
 
-    List<Object> row(int run, WorldSnapshot world, RobotSnapshot robot, HeardRobot heard) {
+    List<Object> row(int run, WorldSnapshot world, RobotSnapshot robot, RobotMessages messages) {
         List<Object> row = new ArrayList<>();
         row.add((long) run);
         row.add(world.cycle());
@@ -99,14 +94,14 @@ final class CycleTable {
         row.add(world.playMode().simSparkName());
         row.add(robot.team());
         row.add((long) robot.number());
-        putSensed(row, heard.perceived(), heard.said());
+        putSensed(row, messages.perceived(), messages.said());
         for (Joint joint : Joint.values()) {
-            row.add(heard.commandedDegreesPerSecond(joint));
+            row.add(messages.commandedDegreesPerSecond(joint));
         }
         putTrue(row, world, robot);
         if (withMessages) {
-            row.add(heard.perceptors());
-            row.add(heard.effectors());
+            row.add(messages.perceptors());
+            row.add(messages.effectors());
         }
         return row;
     }
@@ -120,10 +115,6 @@ final class CycleTable {
         putFoot(row, message.footForces().left());
         putFoot(row, message.footForces().right());
         row.add(message.vision().isPresent() ? 1L : 0L);
-        Optional<PolarPosition> ball = message.vision().flatMap(Vision::ball);
-        row.add(ball.map(PolarPosition::distanceMetres).orElse(Double.NaN));
-        row.add(ball.map(PolarPosition::horizontalDegrees).orElse(Double.NaN));
-        row.add(ball.map(PolarPosition::verticalDegrees).orElse(Double.NaN));
         SeenAndSaid.put(row, message, said);
     }
 
@@ -138,9 +129,10 @@ final class CycleTable {
 
     private static void putTrue(List<Object> row, WorldSnapshot world, RobotSnapshot robot) {
         BodyState body = robot.body();
-        Rotation turn = SimSparkFrame.linkFromBody(body.torso()).rotation();
+        Rotation rotation = SimSparkFrame.linkFromBody(body.torso()).rotation();
         put(row, body.position());
-        row.addAll(List.of(turn.w(), turn.x(), turn.y(), turn.z(), body.headingDegrees(), body.tiltDegrees()));
+        row.addAll(List.of(rotation.w(), rotation.x(), rotation.y(), rotation.z()));
+        row.addAll(List.of(body.headingDegrees(), body.tiltDegrees()));
         for (Joint joint : Joint.values()) {
             row.add(body.degrees(joint));
         }
@@ -148,12 +140,10 @@ final class CycleTable {
     }
 
     private static void put(List<Object> row, Vector3 vector) {
-        row.add(vector.x());
-        row.add(vector.y());
-        row.add(vector.z());
+        row.addAll(List.of(vector.x(), vector.y(), vector.z()));
     }
 
-    /** Times are whole hundredths; this takes away what arithmetic has added. */
+    /** Rounds to hundredths, the resolution of times, to remove errors of floating-point arithmetic. */
     private static double rounded(double seconds) {
         return Math.round(seconds * 100) / 100.0;
     }

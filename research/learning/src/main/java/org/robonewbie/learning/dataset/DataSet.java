@@ -1,7 +1,8 @@
 package org.robonewbie.learning.dataset;
 
+import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
-import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import java.io.IOException;
@@ -9,7 +10,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -19,13 +19,13 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.trial.batch.Journal;
 
 /**
- * A folder of tables about many runs: {@code cycles/run-00001.csv} and so on, {@code events/run-00001.csv} and so on,
- * {@code runs.csv}, and {@code dataset.json}, which explains them all. Each file is there completely or not at all.
+ * Folder of tables of many runs: {@code cycles/run-00001.csv}, {@code events/run-00001.csv} and so on, {@code runs.csv}, and {@code
+ * dataset.json} with their description. Files are written atomically.
  *
  * <pre>{@code
  * DataSet set = DataSet.create(folder, false, facts);
  * try (RunTables tables = set.begin(1, seed)) {
- *     simulator.control().addObserver(tables); // then let the simulation run to its end
+ *     simulator.control().addObserver(tables); // Run the simulation to its end, then:
  *     set.add(tables.finish());
  * }
  * set.finish(1);
@@ -37,8 +37,10 @@ public final class DataSet {
     private static final String EVENTS = "events";
     private static final String DESCRIPTION = "dataset.json";
 
-    /** A line for each complete run, until the table of runs is written. */
+    /** Journal with a line for each complete run, until the table of runs is written. */
     private static final String JOURNAL = "runs.txt";
+
+    private static final Gson GSON = new GsonBuilder().setPrettyPrinting().create();
 
     private final Path folder;
     private final CycleTable table;
@@ -57,19 +59,19 @@ public final class DataSet {
     }
 
     /**
-     * Creates a data set in a folder that has none yet, or goes on with one that was broken off: its complete runs are kept.
+     * Creates a data set, or resumes an interrupted one and keeps its complete runs.
      *
-     * @param folder the folder; it is created if it is missing
-     * @param withMessages whether the messages of robots and programs are kept as text too
-     * @param facts what it records about how it was made, such as versions and settings
+     * @param folder the folder, which is created if it is missing
+     * @param withMessages whether to record the messages of robots and agents as text
+     * @param facts properties of the description, such as versions and settings
      * @return the data set
      * @throws IOException if the folder cannot be written
-     * @throws IllegalArgumentException if there is a complete data set already, or one that was made in another way
+     * @throws IllegalArgumentException if the folder has a complete data set, or an incomplete one with other settings
      */
     public static DataSet create(Path folder, boolean withMessages, Map<String, String> facts) throws IOException {
         DataSet set = new DataSet(folder, withMessages, facts);
         if (Files.exists(folder.resolve(DESCRIPTION))) {
-            set.refuseAnother();
+            set.requireSameDescription();
         } else {
             Files.createDirectories(folder.resolve(CYCLES));
             Files.createDirectories(folder.resolve(EVENTS));
@@ -79,20 +81,29 @@ public final class DataSet {
         return set;
     }
 
-    private void refuseAnother() throws IOException {
+    private void requireSameDescription() throws IOException {
         JsonObject found = JsonParser.parseString(Files.readString(folder.resolve(DESCRIPTION)))
                 .getAsJsonObject();
         if (found.get("complete").getAsBoolean()) {
             throw new IllegalArgumentException(
-                    folder + " holds a complete data set already. Name another folder, or delete it first.");
+                    folder + " already contains a complete data set. Name another folder, or delete it first.");
         }
         JsonObject wanted = description(false);
-        wanted.remove("runs");
-        found.remove("runs");
+        removeVariableParts(wanted);
+        removeVariableParts(found);
         if (!found.equals(wanted)) {
-            throw new IllegalArgumentException(
-                    folder + " holds a data set that is not complete and was made in another way: "
-                            + difference(found, wanted) + ". Name another folder, or delete it first.");
+            throw new IllegalArgumentException(folder + " contains an incomplete data set with other settings: "
+                    + difference(found, wanted) + ". Name another folder, or delete it first.");
+        }
+    }
+
+    /** Removes the number of runs and the texts that explain columns. */
+    private static void removeVariableParts(JsonObject description) {
+        description.remove("runs");
+        for (JsonElement table : description.getAsJsonObject("tables").asMap().values()) {
+            for (JsonElement column : table.getAsJsonObject().getAsJsonArray("columns")) {
+                column.getAsJsonObject().remove("meaning");
+            }
         }
     }
 
@@ -102,11 +113,11 @@ public final class DataSet {
                 .findFirst()
                 .map(name -> wanted.get(name).isJsonPrimitive()
                         ? name + " is " + found.get(name) + " there and " + wanted.get(name) + " now"
-                        : "its " + name + " are others")
-                .orElse("it tells more");
+                        : "its " + name + " differ")
+                .orElse("it has more properties");
     }
 
-    /** Keeps each run whose line and tables are complete. */
+    /** Loads each run whose journal line and tables are complete. */
     private void resume() throws IOException {
         Journal opened = Journal.open(folder.resolve(JOURNAL), "");
         journal = opened;
@@ -120,9 +131,9 @@ public final class DataSet {
     }
 
     /**
-     * Looks whether a run is in the data set.
+     * Returns whether a run is complete.
      *
-     * @param run its number, from 1
+     * @param run the number of the run, from 1
      * @return whether its tables are complete
      */
     public synchronized boolean has(int run) {
@@ -133,9 +144,9 @@ public final class DataSet {
     /**
      * Begins the tables of a run.
      *
-     * @param run its number, from 1
-     * @param seed what chooses all that is random in it
-     * @return the tables, which watch the simulation
+     * @param run the number of the run, from 1
+     * @param seed the seed of the run
+     * @return the tables, an observer of the simulation
      * @throws IOException if a file cannot be written
      */
     public RunTables begin(int run, long seed) throws IOException {
@@ -145,9 +156,9 @@ public final class DataSet {
     }
 
     /**
-     * Takes in a run that has ended, with its tables or without.
+     * Adds a run that has ended, with or without tables.
      *
-     * @param result what became of it
+     * @param result the result of the run
      * @throws IOException if a file cannot be written
      */
     public synchronized void add(RunResult result) throws IOException {
@@ -160,17 +171,17 @@ public final class DataSet {
     }
 
     /**
-     * Deletes what a run has begun to write that did not come to its end.
+     * Deletes the unfinished tables of a run.
      *
-     * @param run its number, from 1
-     * @throws IOException if that fails
+     * @param run the number of the run, from 1
+     * @throws IOException if a file cannot be deleted
      */
     public void discard(int run) throws IOException {
         cycles.discard(run);
         events.discard(run);
     }
 
-    /** {@return those runs whose program failed, in their order} */
+    /** {@return the runs whose agent failed, in order} */
     public synchronized List<RunResult> failures() {
         return runs.values().stream()
                 .filter(result -> !result.failure().isEmpty())
@@ -185,7 +196,7 @@ public final class DataSet {
     /**
      * Completes the data set with the table of runs.
      *
-     * @param runsPerFile the tables of so many runs are joined into one file, at least 1
+     * @param runsPerFile the number of runs whose tables are joined into one file, at least 1
      * @throws IOException if a file cannot be written
      */
     public synchronized void finish(int runsPerFile) throws IOException {
@@ -205,7 +216,7 @@ public final class DataSet {
     }
 
     /**
-     * Leaves the data set with fewer runs than were wanted; its description says that it is not complete.
+     * Closes the data set before all runs are done. Its description marks it as incomplete.
      *
      * @throws IOException if a file cannot be written
      */
@@ -224,9 +235,7 @@ public final class DataSet {
     }
 
     private void describe(boolean complete) throws IOException {
-        AtomicFile.write(
-                folder.resolve(DESCRIPTION),
-                new GsonBuilder().setPrettyPrinting().create().toJson(description(complete)) + "\n");
+        AtomicFile.write(folder.resolve(DESCRIPTION), GSON.toJson(description(complete)) + "\n");
     }
 
     private JsonObject description(boolean complete) {
@@ -244,18 +253,9 @@ public final class DataSet {
     }
 
     private static JsonObject described(String files, List<Column> columns) {
-        JsonArray list = new JsonArray();
-        for (Column column : columns) {
-            JsonObject one = new JsonObject();
-            one.addProperty("name", column.name());
-            one.addProperty("kind", column.kind().name().toLowerCase(Locale.ROOT));
-            one.addProperty("unit", column.unit());
-            one.addProperty("meaning", column.meaning());
-            list.add(one);
-        }
         JsonObject result = new JsonObject();
         result.addProperty("files", files);
-        result.add("columns", list);
+        result.add("columns", GSON.toJsonTree(columns));
         return result;
     }
 }

@@ -17,7 +17,7 @@ import java.util.stream.Stream;
 import org.robonewbie.nao.file.AtomicFile;
 
 /**
- * The files of a folder that hold the tables of single runs ({@code run-00001.csv}) or of several ({@code run-00001-to-00010.csv}).
+ * Folder of files with the tables of single runs ({@code run-00001.csv}) or of consecutive runs ({@code run-00001-to-00010.csv}).
  *
  * @param folder the folder
  */
@@ -25,10 +25,9 @@ record RunFiles(Path folder) {
 
     private static final Pattern NAME = Pattern.compile("run-(\\d+)(?:-to-(\\d+))?\\.csv");
 
-    /** A file with the tables of some runs that follow each other. */
+    /** A file with the tables of consecutive runs. */
     private record Span(Path file, int first, int last) {}
 
-    /** Where the table of a run goes. */
     Path of(int run) {
         return folder.resolve(String.format(Locale.ROOT, "run-%05d.csv", run));
     }
@@ -37,19 +36,19 @@ record RunFiles(Path folder) {
         return folder.resolve(String.format(Locale.ROOT, "run-%05d-to-%05d.csv", first, last));
     }
 
-    /** The numbers of all runs whose tables are there. */
+    /** The numbers of all runs that have tables. */
     Set<Integer> present() throws IOException {
         return spans().stream()
                 .flatMap(span -> IntStream.rangeClosed(span.first, span.last).boxed())
                 .collect(Collectors.toCollection(TreeSet::new));
     }
 
-    /** Deletes what a program has left behind that was ended while it wrote. */
+    /** Deletes the unfinished file of an interrupted program. */
     void discard(int run) throws IOException {
         Files.deleteIfExists(AtomicFile.part(of(run)));
     }
 
-    /** Joins the tables of runs that follow each other into one file. What an earlier call has done is not done again. */
+    /** Joins the tables of consecutive runs into one file. An interrupted join can be repeated. */
     void join(int first, int last, List<Column> columns) throws IOException {
         List<Span> parts = spans().stream()
                 .filter(span -> span.first >= first && span.last <= last)
@@ -78,7 +77,7 @@ record RunFiles(Path folder) {
         }
     }
 
-    /** In the order of their runs; where two begin with the same run, the longer one comes first. */
+    /** The files in the order of their first runs, longer ones first. */
     private List<Span> spans() throws IOException {
         try (Stream<Path> files = Files.list(folder)) {
             return files.map(this::span)

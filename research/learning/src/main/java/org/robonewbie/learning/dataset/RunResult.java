@@ -9,15 +9,15 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * What became of a run: a row of the table of runs.
+ * Result of a run, a row of the table of runs.
  *
- * @param run its number, from 1
- * @param seed what chooses all that is random in it
- * @param cycles how many cycles it lasted; 0 if it has no tables, since it failed
- * @param rows how many rows its table of cycles has
- * @param scoreLeft goals of the left team
- * @param scoreRight goals of the right team
- * @param failure why the program failed, in a sentence; empty if it did not
+ * @param run the number of the run, from 1
+ * @param seed the seed of the run
+ * @param cycles the length of the run; 0 if it failed and has no tables
+ * @param rows the number of rows in its table of cycles
+ * @param scoreLeft the goals of the left team
+ * @param scoreRight the goals of the right team
+ * @param failure why the agent failed, in a sentence; empty if it did not fail
  */
 public record RunResult(int run, long seed, long cycles, long rows, int scoreLeft, int scoreRight, String failure) {
 
@@ -25,39 +25,39 @@ public record RunResult(int run, long seed, long cycles, long rows, int scoreLef
     private static final Pattern LINE = Pattern.compile(
             "(\\d{1,9}) (-?\\d{1,19}) (\\d{1,18}) (\\d{1,18}) (\\d{1,9}) (\\d{1,9}) " + COMPLETE + "(?: (.*))?");
 
-    /** Puts the sentence into one line. */
+    /** Normalises the white space of the sentence. */
     public RunResult {
         failure = failure.replaceAll("\\s+", " ").strip();
     }
 
     /**
-     * Makes the row of a run that has no tables.
+     * Creates the result of a run without tables.
      *
-     * @param run its number
-     * @param seed its seed
-     * @param why what went wrong, as a sentence
-     * @return the row
+     * @param run the number of the run
+     * @param seed the seed of the run
+     * @param failure the reason, as a sentence
+     * @return the result
      */
-    public static RunResult failed(int run, long seed, String why) {
-        return new RunResult(run, seed, 0, 0, 0, 0, why);
+    public static RunResult failed(int run, long seed, String failure) {
+        return new RunResult(run, seed, 0, 0, 0, 0, failure);
     }
 
     /**
-     * Adds that the program failed although the run has tables.
+     * Returns the result of a run with tables whose agent failed.
      *
-     * @param why what went wrong, as a sentence
-     * @return the row with it
+     * @param newFailure the reason, as a sentence
+     * @return the result
      */
-    public RunResult withFailure(String why) {
-        return new RunResult(run, seed, cycles, rows, scoreLeft, scoreRight, why);
+    public RunResult withFailure(String newFailure) {
+        return new RunResult(run, seed, cycles, rows, scoreLeft, scoreRight, newFailure);
     }
 
-    /** {@return whether the run lasted to its end and has tables} */
+    /** {@return whether the run was completed and has tables} */
     public boolean hasTables() {
         return cycles > 0;
     }
 
-    /** {@return the row as a line of text, which {@link #read} understands} */
+    /** {@return the result as a line of text for {@link #read}} */
     public String line() {
         return Stream.of(run, seed, cycles, rows, scoreLeft, scoreRight, COMPLETE, failure)
                 .map(String::valueOf)
@@ -66,10 +66,10 @@ public record RunResult(int run, long seed, long cycles, long rows, int scoreLef
     }
 
     /**
-     * Reads a line.
+     * Parses a line of text.
      *
      * @param line the text
-     * @return the row; empty if the line is not complete
+     * @return the result; empty if the line is incomplete
      */
     public static Optional<RunResult> read(String line) {
         Matcher found = LINE.matcher(line);
@@ -88,12 +88,12 @@ public record RunResult(int run, long seed, long cycles, long rows, int scoreLef
     static List<Column> columns() {
         return List.of(
                 Column.whole("run", "", "number of the run, from 1"),
-                Column.whole("seed", "", "chooses all that is random in it"),
-                Column.whole("cycles", "", "length of the run, each cycle 20 ms; 0 if it failed and has no tables"),
+                Column.whole("seed", "", "seed of the run"),
+                Column.whole("cycles", "", "length of the run in cycles of 20 ms; 0 if it failed and has no tables"),
                 Column.whole("rows", "", "rows in the table of cycles"),
-                Column.whole("score_left", "goals", "of the left team at the end"),
-                Column.whole("score_right", "goals", "of the right team at the end"),
-                Column.text("failure", "why the program failed; empty if it did not"));
+                Column.whole("score_left", "goals", "final score of the left team"),
+                Column.whole("score_right", "goals", "final score of the right team"),
+                Column.text("failure", "why the agent failed; empty if it did not fail"));
     }
 
     List<Object> row() {

@@ -13,8 +13,8 @@ import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.soccer.MatchEvent;
 
 /**
- * The tables of one run, written while it watches the simulation. To be {@link #finish finished} when the simulation has ended;
- * else nothing remains of it.
+ * Tables of one run, written while it observes the simulation. Call {@link #finish} when the simulation has ended; otherwise {@link #close}
+ * discards the tables.
  */
 public final class RunTables implements SimulationObserver, AutoCloseable {
 
@@ -23,8 +23,8 @@ public final class RunTables implements SimulationObserver, AutoCloseable {
     private final CycleTable table;
     private final TableFile cycles;
     private final TableFile events;
-    private final Map<Integer, HeardRobot> robots = new HashMap<>();
-    private final List<MatchEvent> happened = new ArrayList<>();
+    private final Map<Integer, RobotMessages> robots = new HashMap<>();
+    private final List<MatchEvent> newEvents = new ArrayList<>();
     private long lastCycle = -1;
     private long rows;
     private int scoreLeft;
@@ -42,7 +42,7 @@ public final class RunTables implements SimulationObserver, AutoCloseable {
     static List<Column> eventColumns() {
         return List.of(
                 Column.whole("run", "", "number of the run, from 1"),
-                Column.whole("cycle", "", "number of the cycle in which it happened"),
+                Column.whole("cycle", "", "number of the cycle of the event"),
                 Column.text("event", "playmode NAME, goal SIDE TEAM, or foul TYPE SIDE NUMBER"));
     }
 
@@ -53,17 +53,17 @@ public final class RunTables implements SimulationObserver, AutoCloseable {
 
     @Override
     public void messagesExchanged(AgentMessages messages) {
-        HeardRobot known = robots.get(messages.robot());
+        RobotMessages known = robots.get(messages.robot());
         if (known == null) {
-            robots.put(messages.robot(), new HeardRobot(messages));
+            robots.put(messages.robot(), new RobotMessages(messages));
         } else {
-            known.hear(messages);
+            known.update(messages);
         }
     }
 
     @Override
     public void happened(MatchEvent event) {
-        happened.add(event);
+        newEvents.add(event);
     }
 
     @Override
@@ -72,20 +72,20 @@ public final class RunTables implements SimulationObserver, AutoCloseable {
             return;
         }
         lastCycle = world.cycle();
-        happened.forEach(event -> add(events, List.of((long) run, world.cycle(), event.text())));
-        happened.clear();
+        newEvents.forEach(event -> add(events, List.of((long) run, world.cycle(), event.text())));
+        newEvents.clear();
         scoreLeft = world.scoreLeft();
         scoreRight = world.scoreRight();
         for (RobotSnapshot robot : world.robots()) {
-            HeardRobot heard = robots.get(robot.id());
-            if (robot.number() > 0 && heard != null && heard.cycle() == world.cycle()) {
-                add(cycles, table.row(run, world, robot, heard));
+            RobotMessages messages = robots.get(robot.id());
+            if (robot.number() > 0 && messages != null && messages.cycle() == world.cycle()) {
+                add(cycles, table.row(run, world, robot, messages));
                 rows++;
             }
         }
     }
 
-    /** The simulation continues without its tables if they cannot be written; {@link #finish} reports why. */
+    /** Adds a row. After a write error the simulation continues without tables, and {@link #finish} reports the error. */
     private void add(TableFile file, List<Object> row) {
         if (failure == null) {
             try {
@@ -99,8 +99,8 @@ public final class RunTables implements SimulationObserver, AutoCloseable {
     /**
      * Completes the tables.
      *
-     * @return what became of the run
-     * @throws IOException if they cannot be written
+     * @return the result of the run
+     * @throws IOException if the tables cannot be written
      */
     public RunResult finish() throws IOException {
         if (failure != null) {

@@ -1,5 +1,6 @@
 package org.robonewbie.learning.dataset;
 
+import com.google.gson.Gson;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import java.util.List;
@@ -12,19 +13,20 @@ import org.robonewbie.protocol.perceptor.PolarPosition;
 import org.robonewbie.protocol.perceptor.Vision;
 
 /**
- * Columns for what the camera shows besides the ball, and for what the robot hears and says. Landmarks have columns of their own;
- * players and words, of which there may be any number, are JSON.
+ * Columns for the ball, landmarks and players in the camera picture, and for messages that a robot receives and sends. Players and messages,
+ * whose number varies, are JSON.
  */
 final class SeenAndSaid {
+
+    private static final Gson GSON = new Gson();
+    private static final PolarPosition UNSEEN = new PolarPosition(Double.NaN, Double.NaN, Double.NaN);
 
     private SeenAndSaid() {}
 
     static void addColumns(List<Column> all) {
+        addPosition(all, "ball");
         for (Landmark landmark : Landmark.values()) {
-            String name = landmark.name().toLowerCase(Locale.ROOT);
-            all.add(Column.decimal(name + "_distance", "m", "where the picture shows it; empty if it does not"));
-            all.add(Column.decimal(name + "_horizontal", "degrees", "its direction in the picture, left is positive"));
-            all.add(Column.decimal(name + "_vertical", "degrees", "its direction in the picture, up is positive"));
+            addPosition(all, landmark.name().toLowerCase(Locale.ROOT));
         }
         all.add(
                 Column.text(
@@ -33,23 +35,29 @@ final class SeenAndSaid {
         all.add(
                 Column.text(
                         "heard",
-                        "what the robot hears as JSON: team, direction (degrees, left is positive; none for its own words) and text"));
-        all.add(Column.text("said", "what the robot's program says in this cycle"));
+                        "received messages as JSON: team, direction (degrees, positive to the left; none for the robot's own) and text"));
+        all.add(Column.text("said", "the message that the agent sends in this cycle"));
+    }
+
+    private static void addPosition(List<Column> all, String name) {
+        all.add(Column.decimal(name + "_distance", "m", "distance in the picture; empty if not visible"));
+        all.add(Column.decimal(name + "_horizontal", "degrees", "horizontal direction, positive to the left"));
+        all.add(Column.decimal(name + "_vertical", "degrees", "vertical direction, positive upwards"));
     }
 
     static void put(List<Object> row, PerceptorMessage message, String said) {
+        row.addAll(numbers(message.vision().flatMap(Vision::ball).orElse(UNSEEN)));
         for (Landmark landmark : Landmark.values()) {
-            Optional<PolarPosition> place = message.vision().flatMap(picture -> place(picture, landmark));
-            row.add(place.map(PolarPosition::distanceMetres).orElse(Double.NaN));
-            row.add(place.map(PolarPosition::horizontalDegrees).orElse(Double.NaN));
-            row.add(place.map(PolarPosition::verticalDegrees).orElse(Double.NaN));
+            row.addAll(numbers(message.vision()
+                    .flatMap(picture -> position(picture, landmark))
+                    .orElse(UNSEEN)));
         }
         row.add(message.vision().map(picture -> players(picture.players())).orElse(""));
         row.add(message.heard().isEmpty() ? "" : heard(message.heard()));
         row.add(said);
     }
 
-    private static Optional<PolarPosition> place(Vision picture, Landmark landmark) {
+    private static Optional<PolarPosition> position(Vision picture, Landmark landmark) {
         return picture.landmarks().stream()
                 .filter(seen -> seen.landmark() == landmark)
                 .map(Vision.SeenLandmark::position)
@@ -63,19 +71,16 @@ final class SeenAndSaid {
             one.addProperty("team", player.team());
             one.addProperty("number", player.number());
             player.parts()
-                    .forEach(part -> one.add(part.part().name().toLowerCase(Locale.ROOT), place(part.position())));
-            player.position().ifPresent(position -> one.add("robot", place(position)));
+                    .forEach(part -> one.add(
+                            part.part().name().toLowerCase(Locale.ROOT), GSON.toJsonTree(numbers(part.position()))));
+            player.position().ifPresent(position -> one.add("robot", GSON.toJsonTree(numbers(position))));
             all.add(one);
         }
         return all.toString();
     }
 
-    private static JsonArray place(PolarPosition position) {
-        JsonArray place = new JsonArray();
-        place.add(position.distanceMetres());
-        place.add(position.horizontalDegrees());
-        place.add(position.verticalDegrees());
-        return place;
+    private static List<Double> numbers(PolarPosition position) {
+        return List.of(position.distanceMetres(), position.horizontalDegrees(), position.verticalDegrees());
     }
 
     private static String heard(List<Heard> messages) {

@@ -14,12 +14,10 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.text.Csv;
 
 /**
- * A table that is being written: comma-separated values as in RFC 4180, in UTF-8 with lines that end with a line feed. Under its own name it
- * appears only when it is complete.
+ * Writer of a CSV table (RFC 4180, UTF-8, lines end with a line feed). The file appears under its name only when it is complete.
  */
 public final class TableFile implements AutoCloseable {
 
-    /** Extension of the names of tables. */
     static final String EXTENSION = ".csv";
 
     private final Path file;
@@ -30,8 +28,8 @@ public final class TableFile implements AutoCloseable {
     /**
      * Begins a table.
      *
-     * @param file where it appears when it is {@link #finish finished}
-     * @param columns its columns, whose names are the first line
+     * @param file the file that {@link #finish} creates
+     * @param columns the columns; their names are the first line
      * @throws IOException if the file cannot be written
      */
     TableFile(Path file, List<Column> columns) throws IOException {
@@ -45,9 +43,9 @@ public final class TableFile implements AutoCloseable {
     /**
      * Adds a row.
      *
-     * @param cells a value for each column, of the kind that the column says
-     * @throws IOException if it cannot be written
-     * @throws IllegalArgumentException if there are more or fewer cells than columns
+     * @param cells a value for each column, of the column's kind
+     * @throws IOException if the row cannot be written
+     * @throws IllegalArgumentException if the number of cells differs from the number of columns
      */
     public void add(List<Object> cells) throws IOException {
         if (cells.size() != columns.size()) {
@@ -57,7 +55,7 @@ public final class TableFile implements AutoCloseable {
         writeLine(cells);
     }
 
-    /** Appends all rows of a finished table with the same columns. */
+    /** Appends the rows of a finished table with the same columns. */
     void append(Path other) throws IOException {
         try (InputStream in = new BufferedInputStream(Files.newInputStream(other))) {
             int next = in.read();
@@ -69,7 +67,7 @@ public final class TableFile implements AutoCloseable {
     }
 
     /**
-     * Completes the table and gives it its name; an older file of that name is replaced.
+     * Completes the table and moves it into place, replacing an older file.
      *
      * @throws IOException if that fails
      */

@@ -6,49 +6,49 @@ import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.Trial;
 
 /**
- * Follow a commanded velocity, perhaps another one every 3 s. The options {@code forward}, {@code left} and {@code turn} set one for
- * the whole episode.
+ * Follow a commanded velocity, drawn again every 3 s. The options {@code forward}, {@code left} and {@code turn} set a constant
+ * command instead.
  */
 abstract class CommandedTraining extends TrainingTask {
 
     static final int CYCLES_PER_COMMAND = 150;
 
-    private Optional<WalkVelocity> fixed = Optional.empty();
-    private WalkVelocity wanted = WalkVelocity.ZERO;
+    private Optional<WalkVelocity> constant = Optional.empty();
+    private WalkVelocity command = WalkVelocity.ZERO;
     private int cycle;
 
-    /** Draws the next velocity; the one before is zero at first. */
-    abstract WalkVelocity any(RandomSource random, WalkVelocity before);
+    /** Draws the next command from the previous one, which is zero at first. */
+    abstract WalkVelocity draw(RandomSource random, WalkVelocity previous);
 
-    /** How many cycles have ended. */
+    /** The number of completed cycles. */
     final int cycle() {
         return cycle;
     }
 
     @Override
-    protected final void takeCommand(WalkVelocity command) {
-        fixed = Optional.of(command);
+    protected final void setCommand(WalkVelocity velocity) {
+        constant = Optional.of(velocity);
     }
 
     @Override
     public void begin(Trial trial) {
-        choose();
+        nextCommand();
     }
 
     @Override
     public void act(Trial trial) {
         cycle++;
         if (cycle % CYCLES_PER_COMMAND == 0) {
-            choose();
+            nextCommand();
         }
     }
 
-    private void choose() {
-        wanted = fixed.orElseGet(() -> any(random(), wanted));
+    private void nextCommand() {
+        command = constant.orElseGet(() -> draw(random(), command));
     }
 
     @Override
     protected WalkVelocity velocity() {
-        return wanted;
+        return command;
     }
 }

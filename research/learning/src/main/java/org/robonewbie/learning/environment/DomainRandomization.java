@@ -15,7 +15,8 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Options of a task. Each is a number, or a range {@code low..high} from which each episode draws.
+ * Options of a task and its domain randomization: each option is a number, or a range {@code low..high} from which each episode draws
+ * uniformly.
  *
  * <pre>{@code
  * DomainRandomization options = DomainRandomization.NONE.with("ball_x", "2.0..2.5").with("delay", "2");
@@ -23,22 +24,20 @@ import org.robonewbie.trial.WorldState;
  */
 public final class DomainRandomization {
 
-    /** The task without options. */
     static final DomainRandomization NONE = new DomainRandomization(Map.of());
 
     private static final String RANGE = "..";
     private static final double MAX = 1e6;
 
-    /** The largest speed that can be commanded, metres per second. */
+    /** Largest commanded speed, in metres per second. */
     static final double MAX_SPEED = 3;
 
-    /** The fastest turn that can be commanded, degrees per second. */
+    /** Largest commanded turning speed, in degrees per second. */
     static final double MAX_TURN = 360;
 
-    /** The largest distance that can be wanted of a kick, metres. */
+    /** Largest target distance of a kick, in metres. */
     static final double MAX_DISTANCE = 8;
 
-    /** Names of the options. */
     enum Name {
         X,
         Y,
@@ -90,7 +89,7 @@ public final class DomainRandomization {
         }
     }
 
-    /** The interval from which a number is drawn. */
+    /** Bounds of a uniform distribution. */
     record Range(double low, double high) {
 
         static Range of(Name name, String text) {
@@ -103,10 +102,10 @@ public final class DomainRandomization {
                     return range.within(name, text);
                 }
             } catch (NumberFormatException none) {
-                // refused below
+                // Rejected below.
             }
             throw new IllegalArgumentException("The option " + name.word() + "=" + text
-                    + " is neither a number nor a range with the smaller number first, such as -0.5..0.5.");
+                    + " is neither a number nor an ascending range such as -0.5..0.5.");
         }
 
         private Range within(Name name, String text) {
@@ -128,7 +127,7 @@ public final class DomainRandomization {
         this.ranges = ranges;
     }
 
-    /** Sets an option; throws an {@link IllegalArgumentException} that lists all options if there is none of this name. */
+    /** Returns a copy with an option set; an unknown name throws an {@link IllegalArgumentException} that lists all options. */
     DomainRandomization with(String word, String text) {
         Map<Name, Range> changed = new EnumMap<>(Name.class);
         changed.putAll(ranges);
@@ -138,7 +137,7 @@ public final class DomainRandomization {
     }
 
     /**
-     * Sets how many cycles an action lasts, unless an option does.
+     * Sets the number of cycles per action, unless an option sets it.
      *
      * @param cycles the number of cycles
      * @return the changed options
@@ -147,101 +146,66 @@ public final class DomainRandomization {
         return ranges.containsKey(Name.CYCLES) ? this : with(Name.CYCLES.word(), Integer.toString(cycles));
     }
 
-    /** {@return how many cycles an action lasts} */
-    public int cycles() {
-        return draw(0).cycles();
-    }
-
-    /** The range of an option; empty if it is not set. */
+    /** The range of an option; empty if the option is not set. */
     Optional<Range> range(Name name) {
         return Optional.ofNullable(ranges.get(name));
     }
 
-    /** The value of an option that is no range. */
-    double of(Name name, double usual) {
-        return range(name).map(Range::low).orElse(usual);
+    /** The value of an option that takes a single number. */
+    double of(Name name, double defaultValue) {
+        return range(name).map(Range::low).orElse(defaultValue);
     }
 
-    /** Draws the numbers of an episode, independently of the task's own random numbers. */
-    Sample draw(long seed) {
+    /**
+     * Draws the options of an episode, independently of the task's own random numbers.
+     *
+     * @param seed the seed of the episode
+     * @return options without ranges
+     */
+    public DomainRandomization draw(long seed) {
         RandomSource random = new RandomSource(~seed);
-        Map<Name, Double> numbers = new EnumMap<>(Name.class);
-        ranges.forEach((name, range) -> numbers.put(name, range.draw(random)));
-        return new Sample(numbers);
+        Map<Name, Range> drawn = new EnumMap<>(Name.class);
+        ranges.forEach((name, range) -> {
+            double value = range.draw(random);
+            drawn.put(name, new Range(value, value));
+        });
+        return new DomainRandomization(drawn);
     }
 
-    /** The numbers of one episode. */
-    static final class Sample {
+    private boolean isAnySet(Name... names) {
+        return Arrays.stream(names).anyMatch(ranges::containsKey);
+    }
 
-        private final Map<Name, Double> numbers;
-
-        private Sample(Map<Name, Double> numbers) {
-            this.numbers = numbers;
+    /** Sets friction, mass and positions of an episode. Call before {@link TrainingTask#begin}. */
+    void apply(Trial trial) {
+        trial.setGrip(of(Name.FRICTION, 1));
+        for (int i = 0; i < trial.now().robots().size(); i++) {
+            trial.robot(i).setMassFactor(of(Name.MASS, 1));
         }
-
-        private double of(Name name, double usual) {
-            return numbers.getOrDefault(name, usual);
+        WorldState now = trial.now();
+        if (isAnySet(Name.X, Name.Y, Name.HEADING)) {
+            Pose2d pose = now.place();
+            Vector3 torso = new Vector3(
+                    of(Name.X, pose.x()),
+                    of(Name.Y, pose.y()),
+                    now.robot().position().z());
+            trial.robot(0).moveUpright(torso, of(Name.HEADING, pose.degrees()) - 90);
         }
-
-        private boolean isAny(Name... names) {
-            return Arrays.stream(names).anyMatch(numbers::containsKey);
+        if (isAnySet(Name.BALL_X, Name.BALL_Y)) {
+            Vector3 ball = now.ball();
+            trial.placeBall(new Vector3(of(Name.BALL_X, ball.x()), of(Name.BALL_Y, ball.y()), 0));
         }
+    }
 
-        /** Changes ground, robot and places before the task completes the scene. */
-        void apply(Trial trial) {
-            trial.setGrip(of(Name.FRICTION, 1));
-            for (int i = 0; i < trial.now().robots().size(); i++) {
-                trial.robot(i).setMassFactor(of(Name.MASS, 1));
-            }
-            place(trial);
-        }
+    /** The commanded velocity of an episode; empty if the task draws it. */
+    Optional<WalkVelocity> command() {
+        return isAnySet(Name.FORWARD, Name.LEFT, Name.TURN)
+                ? Optional.of(new WalkVelocity(of(Name.FORWARD, 0), of(Name.LEFT, 0), of(Name.TURN, 0)))
+                : Optional.empty();
+    }
 
-        private void place(Trial trial) {
-            WorldState now = trial.now();
-            if (isAny(Name.X, Name.Y, Name.HEADING)) {
-                Pose2d usual = now.place();
-                Vector3 torso = new Vector3(
-                        of(Name.X, usual.x()),
-                        of(Name.Y, usual.y()),
-                        now.robot().position().z());
-                trial.robot(0).moveUpright(torso, of(Name.HEADING, usual.degrees()) - 90);
-            }
-            if (isAny(Name.BALL_X, Name.BALL_Y)) {
-                Vector3 usual = now.ball();
-                trial.placeBall(new Vector3(of(Name.BALL_X, usual.x()), of(Name.BALL_Y, usual.y()), 0));
-            }
-        }
-
-        /** The velocity that a robot is to follow; empty if the task decides. */
-        Optional<WalkVelocity> command() {
-            return isAny(Name.FORWARD, Name.LEFT, Name.TURN)
-                    ? Optional.of(new WalkVelocity(of(Name.FORWARD, 0), of(Name.LEFT, 0), of(Name.TURN, 0)))
-                    : Optional.empty();
-        }
-
-        /** The wanted distance of a kick, in metres; empty if the task decides. */
-        Optional<Double> distance() {
-            return Optional.ofNullable(numbers.get(Name.DISTANCE));
-        }
-
-        /** The strength of pushes, in newtons; empty if the task decides. */
-        Optional<Double> pushNewtons() {
-            return Optional.ofNullable(numbers.get(Name.PUSH));
-        }
-
-        /** Additional cycles until an action reaches the motors. */
-        int delayCycles() {
-            return (int) Math.round(of(Name.DELAY, 0));
-        }
-
-        /** How many cycles of 20 ms an action lasts. */
-        int cycles() {
-            return (int) Math.round(of(Name.CYCLES, 1));
-        }
-
-        /** Standard deviation of additional sensor noise, in the units of the readings. */
-        double noise() {
-            return of(Name.NOISE, 0);
-        }
+    /** {@return the number of cycles per action in an episode} */
+    public int cycles() {
+        return (int) Math.round(of(Name.CYCLES, 1));
     }
 }

@@ -1,6 +1,8 @@
 package org.robonewbie.learning.environment;
 
 import java.util.Optional;
+import org.robonewbie.agent.policy.Policy;
+import org.robonewbie.agent.walk.ResidualPolicy;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Vector3;
@@ -9,12 +11,13 @@ import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Follow velocities that are too fast for the walk engine by correcting it: ahead with 0.6 to 1 m/s while turning by up to
- * 30°/s, another one every 3 s. A robot that corrects nothing falls within a few seconds. Reward: 1 per metre in the
- * commanded heading; −3 for a fall.
+ * Follow velocities beyond the limits of the walk engine by correcting it: 0.6 to 1 m/s forward while turning at up to 30°/s,
+ * drawn again every 3 s. Without corrections the robot falls within a few seconds. Reward: 1 per metre along the commanded
+ * heading; −3 for a fall.
  */
-class EngineFollowTraining extends EngineTraining {
+class EngineFollowTraining extends CommandedTraining {
 
+    private static final Policy ENGINE = WalkGuide.engine(140, new WalkVelocity(1.3, 0.2, 60), 0.3);
     private static final double MIN = 0.6;
     private static final double MAX = 1;
     private static final double MAX_TURN = 30;
@@ -26,7 +29,17 @@ class EngineFollowTraining extends EngineTraining {
     private double metres;
 
     @Override
-    WalkVelocity any(RandomSource random, WalkVelocity last) {
+    public final Optional<Policy> walk() {
+        return Optional.of(ENGINE);
+    }
+
+    @Override
+    public final double rangeDegrees() {
+        return ResidualPolicy.RANGE_DEGREES;
+    }
+
+    @Override
+    WalkVelocity draw(RandomSource random, WalkVelocity previous) {
         return new WalkVelocity(random.between(MIN, MAX), 0, random.between(-MAX_TURN, MAX_TURN));
     }
 
@@ -40,12 +53,12 @@ class EngineFollowTraining extends EngineTraining {
         before = Optional.of(now.place());
     }
 
-    /** How far the robot has got on the commanded way. */
+    /** The distance along the commanded path. */
     double metres() {
         return metres;
     }
 
-    /** {@return whether the robot has got 5 m along the commanded way, on its feet} */
+    /** {@return whether the robot has covered 5 m along the commanded path without a fall} */
     @Override
     public final boolean isDone() {
         return !hasFallen() && metres() >= GOAL_METRES;

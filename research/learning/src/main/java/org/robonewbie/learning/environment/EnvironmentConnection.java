@@ -1,6 +1,6 @@
 package org.robonewbie.learning.environment;
 
-import com.google.gson.JsonArray;
+import com.google.gson.Gson;
 import com.google.gson.JsonObject;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
@@ -19,9 +19,10 @@ import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.Quantity;
 import org.robonewbie.simulator.embedded.Viewer;
 
-/** Serves one learning program: creates its environments and steps them; see docs/gym-protocol.md. */
+/** Connection to one client: creates its environments and steps them; see docs/gym-protocol.md. */
 final class EnvironmentConnection {
 
+    private static final Gson GSON = new Gson();
     private static final int MAX_MESSAGE_BYTES = 64 << 20;
     private static final int MAX_ENVIRONMENTS = 1024;
     private static final byte MAKE = 'M';
@@ -53,7 +54,7 @@ final class EnvironmentConnection {
                 answer(readMessage());
             }
         } catch (EOFException left) {
-            // The program has ended.
+            // The client has closed the connection.
         } finally {
             end();
         }
@@ -69,7 +70,7 @@ final class EnvironmentConnection {
         int length = Integer.reverseBytes(input.readInt());
         if (length < 1 || length > MAX_MESSAGE_BYTES) {
             throw new IOException("A learning program sent a message of " + length
-                    + " bytes. Do both sides have the same version of RoboNewbie?");
+                    + " bytes. Are both sides the same version of RoboNewbie?");
         }
         byte[] bytes = new byte[length];
         input.readFully(bytes);
@@ -103,7 +104,7 @@ final class EnvironmentConnection {
         int count = request.getInt();
         if (count < 1 || count > MAX_ENVIRONMENTS) {
             throw new IllegalArgumentException(
-                    count + " environments were asked for; there can be 1 to " + MAX_ENVIRONMENTS + ".");
+                    count + " environments were requested; request 1 to " + MAX_ENVIRONMENTS + ".");
         }
         List<String> lines = text(request).lines().toList();
         EnvironmentSpec spec = new EnvironmentSpec(
@@ -126,7 +127,7 @@ final class EnvironmentConnection {
     }
 
     private byte[] picture(ByteBuffer request) {
-        return EnvironmentPicture.of(environment(request).now()).toString().getBytes(StandardCharsets.UTF_8);
+        return EnvironmentPicture.of(environment(request).now()).getBytes(StandardCharsets.UTF_8);
     }
 
     private byte[] view(ByteBuffer request) throws IOException {
@@ -146,51 +147,24 @@ final class EnvironmentConnection {
     }
 
     private static JsonObject description(EnvironmentSpec spec, TrainingEnvironment environment) {
-        JsonArray observation = new JsonArray();
-        for (ObservedQuantity quantity : environment.quantities()) {
-            JsonObject entry = new JsonObject();
-            entry.addProperty("name", quantity.name());
-            entry.addProperty("unit", quantity.unit());
-            entry.addProperty("least", quantity.least());
-            entry.addProperty("greatest", quantity.greatest());
-            observation.add(entry);
-        }
-        JsonArray action = new JsonArray();
-        environment.task().outputs().stream()
+        TrainingTask task = environment.task();
+        List<String> actions = task.outputs().stream()
                 .map(Quantity::name)
-                .map(EnvironmentConnection::withoutKind)
-                .forEach(action::add);
+                .map(name -> name.substring(name.indexOf('.') + 1))
+                .toList();
         JsonObject all = new JsonObject();
         all.addProperty("task", spec.task());
         all.addProperty("reward", spec.reward());
-        all.addProperty("longestCycles", environment.task().longestCycles());
-        all.addProperty("rangeDegrees", environment.task().rangeDegrees());
-        JsonArray motion = new JsonArray();
-        environment.task().motion().map(MotionGuide::numbers).orElse(List.of()).forEach(motion::add);
-        all.add("motion", motion);
-        all.add("walk", walk(environment.task()));
-        all.add("observation", observation);
-        all.add("action", action);
-        JsonArray truth = new JsonArray();
-        PrivilegedState.NAMES.forEach(truth::add);
-        all.add("truth", truth);
-        JsonArray robots = new JsonArray();
-        environment.names().forEach(robots::add);
-        all.add("robots", robots);
+        all.addProperty("longestCycles", task.longestCycles());
+        all.addProperty("rangeDegrees", task.rangeDegrees());
+        all.add(
+                "motion",
+                GSON.toJsonTree(task.motion().map(MotionGuide::numbers).orElse(List.of())));
+        all.add("walk", GSON.toJsonTree(task.walk().map(Policy::numbers).orElse(Map.of())));
+        all.add("observation", GSON.toJsonTree(environment.quantities()));
+        all.add("action", GSON.toJsonTree(actions));
+        all.add("truth", GSON.toJsonTree(PrivilegedState.NAMES));
+        all.add("robots", GSON.toJsonTree(environment.names()));
         return all;
-    }
-
-    private static String withoutKind(String output) {
-        return output.substring(output.indexOf('.') + 1);
-    }
-
-    private static JsonObject walk(TrainingTask task) {
-        JsonObject walk = new JsonObject();
-        task.walk().map(Policy::numbers).orElse(Map.of()).forEach((name, numbers) -> {
-            JsonArray row = new JsonArray();
-            numbers.forEach(row::add);
-            walk.add(name, row);
-        });
-        return walk;
     }
 }

@@ -1,8 +1,9 @@
 package org.robonewbie.learning.environment;
 
-import com.google.gson.JsonArray;
-import com.google.gson.JsonObject;
+import com.google.gson.Gson;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyPoses;
 import org.robonewbie.nao.kinematics.BodyState;
@@ -15,35 +16,27 @@ final class EnvironmentPicture {
 
     private EnvironmentPicture() {}
 
-    /** The moment as JSON: for each robot its boxes, each with its {@linkplain BodyPoses#corners eight corners} in metres, and the centre of the ball. */
-    static JsonObject of(WorldState now) {
-        JsonArray robots = new JsonArray();
-        now.robots().forEach(robot -> robots.add(boxes(robot)));
-        JsonObject picture = new JsonObject();
-        picture.add("robots", robots);
-        picture.add("ball", point(now.ball()));
-        return picture;
+    /** Returns JSON with the {@linkplain BodyPoses#corners corners} of each robot's boxes and the centre of the ball, in metres. */
+    static String of(WorldState now) {
+        return new Gson()
+                .toJson(Map.of(
+                        "robots",
+                        now.robots().stream().map(EnvironmentPicture::boxes).toList(),
+                        "ball",
+                        point(now.ball())));
     }
 
-    private static JsonArray boxes(BodyState robot) {
+    private static List<List<double[]>> boxes(BodyState robot) {
         List<Link> links = NaoModel.of(robot.type()).links();
         BodyPoses limbs = robot.limbs();
-        JsonArray boxes = new JsonArray();
-        for (int i = 0; i < links.size(); i++) {
-            if (links.get(i).collides()) {
-                JsonArray box = new JsonArray();
-                limbs.corners(i).forEach(corner -> box.add(point(corner)));
-                boxes.add(box);
-            }
-        }
-        return boxes;
+        return IntStream.range(0, links.size())
+                .filter(i -> links.get(i).collides())
+                .mapToObj(i ->
+                        limbs.corners(i).stream().map(EnvironmentPicture::point).toList())
+                .toList();
     }
 
-    private static JsonArray point(Vector3 place) {
-        JsonArray point = new JsonArray();
-        point.add(place.x());
-        point.add(place.y());
-        point.add(place.z());
-        return point;
+    private static double[] point(Vector3 point) {
+        return new double[] {point.x(), point.y(), point.z()};
     }
 }

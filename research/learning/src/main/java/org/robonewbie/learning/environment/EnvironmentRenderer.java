@@ -6,7 +6,7 @@ import org.robonewbie.simulator.embedded.RedirectPage;
 import org.robonewbie.simulator.embedded.Viewer;
 import org.robonewbie.trial.watch.WatchedTrial;
 
-/** Shows one environment in a viewer: it runs in real time, and the viewer can pause it. */
+/** Live view of one environment, which then runs in real time and can be paused. */
 final class EnvironmentRenderer implements AutoCloseable {
 
     private final TrainingEnvironment environment;
@@ -24,8 +24,8 @@ final class EnvironmentRenderer implements AutoCloseable {
     }
 
     /**
-     * Returns two addresses, one in each line: of the page, which opens once, and of a file that opens the same page and may stand
-     * on a command line.
+     * Returns two lines: the one-time address of the page, and the address of a file that redirects to the page without showing the
+     * access code on a command line.
      */
     String addresses() throws IOException {
         URI file = RedirectPage.write(view.oneTimeAddress()).toUri();

@@ -12,9 +12,8 @@ import java.util.function.Consumer;
 import org.robonewbie.simulator.embedded.Viewer;
 
 /**
- * Offers the tasks to learning programs in other languages, through a TCP port of this computer only. Each connection has
- * environments of its own, so that several programs do not disturb each other. The messages are described in
- * docs/gym-protocol.md; {@code research/python} speaks them.
+ * TCP server on the loopback interface that offers environments to learning programs in other languages. Each connection has separate
+ * environments. docs/gym-protocol.md describes the messages; {@code research/python} is a client.
  */
 public final class EnvironmentServer implements AutoCloseable {
 
@@ -33,12 +32,12 @@ public final class EnvironmentServer implements AutoCloseable {
     }
 
     /**
-     * Opens the port on 127.0.0.1 and begins to serve.
+     * Starts a server on 127.0.0.1.
      *
-     * @param port the port, 0 for any free one
-     * @param classes where to look for tasks and measures of your own
+     * @param port the port; 0 for any free one
+     * @param classes the class loader of custom tasks and measures
      * @param viewer shows an environment on request
-     * @param console gets messages about broken connections
+     * @param console receives messages about broken connections
      * @return the server
      * @throws IOException if the port is in use
      */
@@ -63,7 +62,7 @@ public final class EnvironmentServer implements AutoCloseable {
             }
         } catch (IOException closed) {
             if (!socket.isClosed()) {
-                console.accept("No more learning programs can connect: " + closed.getMessage());
+                console.accept("The server of environments accepts no more connections: " + closed.getMessage());
             }
         }
     }
@@ -78,7 +77,7 @@ public final class EnvironmentServer implements AutoCloseable {
                             viewer)
                     .serve();
         } catch (IOException broken) {
-            console.accept("A learning program is no longer served: " + broken.getMessage());
+            console.accept("The connection to a learning program was closed: " + broken.getMessage());
         }
     }
 

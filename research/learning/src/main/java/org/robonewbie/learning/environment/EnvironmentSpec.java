@@ -10,10 +10,10 @@ import org.robonewbie.trial.measure.Catalogue;
 import org.robonewbie.trial.measure.Measures;
 
 /**
- * What an environment is made of: a task, and options for it.
+ * Specification of an environment: a task and its options.
  *
  * @param task name of a task such as {@code Walk}, or of a class that extends {@link TrainingTask}
- * @param options what is different in its episodes, each {@code NAME=VALUE}, see docs/gym-protocol.md
+ * @param options options of its episodes, each {@code NAME=VALUE}; see docs/gym-protocol.md
  */
 public record EnvironmentSpec(String task, List<String> options) {
 
@@ -46,7 +46,7 @@ public record EnvironmentSpec(String task, List<String> options) {
         options = List.copyOf(options);
     }
 
-    /** The name of the measure that is rewarded, such as {@code energy}; empty for the task's own value. */
+    /** The name of the measure that replaces the task's own reward, such as {@code energy}; empty if none does. */
     String reward() {
         return options.stream()
                 .filter(option -> option.startsWith(REWARD))
@@ -54,10 +54,10 @@ public record EnvironmentSpec(String task, List<String> options) {
     }
 
     /**
-     * Reads the options but the reward.
+     * Parses the options except the reward.
      *
-     * @return the ranges from which episodes are drawn
-     * @throws IllegalArgumentException if there is no such option, or if its value is not possible
+     * @return the options
+     * @throws IllegalArgumentException if an option does not exist or its value is invalid
      */
     public DomainRandomization randomization() {
         return options.stream()
@@ -72,22 +72,22 @@ public record EnvironmentSpec(String task, List<String> options) {
     /**
      * Creates an environment.
      *
-     * @param classes where to look for classes
-     * @return the environment in its first episode
-     * @throws IllegalArgumentException if task, reward or an option does not exist; the message lists what there is
+     * @param classes the class loader of custom tasks and measures
+     * @return the environment at the start of its first episode
+     * @throws IllegalArgumentException if the task, the reward or an option does not exist; the message lists those that do
      */
     public TrainingEnvironment create(ClassLoader classes) {
         return new TrainingEnvironment(runners(classes), randomization());
     }
 
-    /** Looks up task and reward; the result creates each episode, for each robot that learns. */
+    /** Returns a supplier that creates the runners of each episode, one for each learning robot. */
     Supplier<List<EpisodeRunner>> runners(ClassLoader classes) {
         Supplier<TrainingTask> tasks = TASKS.named(task, classes);
         Optional<Supplier<Measure>> rewards =
                 reward().isEmpty() ? Optional.empty() : Optional.of(Measures.named(reward(), classes));
         if (rewards.isPresent() && tasks.get().learners() > 1) {
             throw new IllegalArgumentException(
-                    "The reward " + reward() + " looks at one robot, but several learn in " + task + ". Leave it out.");
+                    "The reward " + reward() + " measures one robot, but several learn in " + task + ". Omit it.");
         }
         return () -> IntStream.range(0, tasks.get().learners())
                 .mapToObj(robot -> runner(tasks.get(), robot, rewards))
@@ -96,6 +96,6 @@ public record EnvironmentSpec(String task, List<String> options) {
 
     private static EpisodeRunner runner(TrainingTask task, int robot, Optional<Supplier<Measure>> rewards) {
         task.setRobot(robot);
-        return rewards.map(reward -> new EpisodeRunner(task, reward.get())).orElseGet(() -> new EpisodeRunner(task));
+        return new EpisodeRunner(task, rewards.map(Supplier::get).orElse(task));
     }
 }

@@ -5,10 +5,12 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Queue;
+import java.util.Random;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.robonewbie.agent.policy.MotionGuide;
 import org.robonewbie.agent.walk.PolicyWalk;
+import org.robonewbie.learning.environment.DomainRandomization.Name;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.JointStates;
 import org.robonewbie.nao.motion.Motors;
@@ -19,13 +21,16 @@ import org.robonewbie.trial.Measure;
 import org.robonewbie.trial.SensorReadings;
 import org.robonewbie.trial.WorldState;
 
-/** One learning robot in one episode: carries out actions, observes, and collects rewards. */
+/** One learning robot in one episode: applies actions, observes, and accumulates the reward. */
 final class EpisodeRunner implements Controller {
 
     private static final List<Joint> ALL_JOINTS = List.of(Joint.values());
 
-    /** Share by which ranges of observations are widened: joints overshoot their stops, and sensor noise comes on top. */
+    /** Relative margin of the observation ranges, for joints that overshoot their stops and for sensor noise. */
     private static final double MARGIN = 0.1;
+
+    /** Readings that the option {@code noise} affects: joint angles, gyroscope and accelerometer, which come first in an observation. */
+    private static final int NOISY_READINGS = Joint.COUNT + 6;
 
     private final TrainingTask task;
     private final Measure measure;
@@ -33,7 +38,8 @@ final class EpisodeRunner implements Controller {
     private final JointStates joints = new JointStates();
     private final Motors motors = new Motors(joints);
     private final Perception perception;
-    private SensorNoise noise = SensorNoise.NONE;
+    private Random noise = new Random(0);
+    private double noiseSigma;
     private double[] perceived = {};
     private Posture firstPosture = Posture.ZERO;
     private Optional<MotionGuide> guide = Optional.empty();
@@ -44,12 +50,7 @@ final class EpisodeRunner implements Controller {
     private double value;
     private double reward;
 
-    /** Rewards the growth of the task's own value. */
-    EpisodeRunner(TrainingTask task) {
-        this(task, task);
-    }
-
-    /** Rewards the growth of a measure, or its decrease if smaller values are better. */
+    /** Rewards increases of a measure, which may be the task itself, or decreases if smaller values are better. */
     EpisodeRunner(TrainingTask task, Measure measure) {
         this.task = task;
         this.measure = measure;
@@ -60,7 +61,6 @@ final class EpisodeRunner implements Controller {
         return task;
     }
 
-    /** Names, units and ranges of the observation. */
     List<ObservedQuantity> quantities() {
         if (task.walk().isPresent()) {
             return WalkGuide.QUANTITIES;
@@ -74,24 +74,25 @@ final class EpisodeRunner implements Controller {
                 .toList();
     }
 
-    /** Takes the first posture, the reference of actions. */
-    void stand(WorldState moment) {
-        firstPosture = moment.robots().get(task.robot()).joints();
+    /** Captures the initial posture, relative to which actions are defined. */
+    void captureFirstPosture(WorldState first) {
+        firstPosture = first.robots().get(task.robot()).joints();
         guide = task.motion().map(motion -> new MotionGuide(motion, firstPosture));
         walk = task.walk().map(policy -> new WalkGuide(new PolicyWalk(policy).style(), motors, task.learnsGait()));
     }
 
-    /** Begins the episode when the scene is complete. */
-    void begin(WorldState first, SensorReadings readings, DomainRandomization.Sample sample, long seed) {
-        noise = new SensorNoise(sample.noise(), seed + task.robot());
-        for (int i = 0; i < sample.delayCycles(); i++) {
+    /** Begins the episode. Call when the scene is complete. */
+    void begin(WorldState first, SensorReadings readings, DomainRandomization options, long seed) {
+        noise = new Random(31 * ~(seed + task.robot()) + 5);
+        noiseSigma = options.of(Name.NOISE, 0);
+        for (int i = 0; i < Math.round(options.of(Name.DELAY, 0)); i++) {
             delayed.add(new double[task.joints().size()]);
         }
         see(first, readings);
         reward = 0;
     }
 
-    /** Sets the action of the next cycle; numbers are clamped to [-1, 1]. */
+    /** Sets the action of the next cycle. Its components are clamped to [-1, 1]. */
     void act(double... newAction) {
         delayed.add(newAction);
         action = delayed.remove();
@@ -103,19 +104,22 @@ final class EpisodeRunner implements Controller {
     }
 
     /** Adds the reward of a cycle, and observes. */
-    void see(WorldState moment, SensorReadings readings) {
+    void see(WorldState now, SensorReadings readings) {
         double before = value;
-        task.see(moment);
+        task.see(now);
         if (measure != task) {
-            measure.see(moment);
+            measure.see(now);
         }
         value = measure.isLargerBetter() ? measure.value() : -measure.value();
         reward += value - before;
-        perceived = noise.added(perception.observe(readings));
+        perceived = perception.observe(readings);
+        for (int i = 0; i < NOISY_READINGS && noiseSigma > 0; i++) {
+            perceived[i] += noiseSigma * noise.nextGaussian();
+        }
         walk.ifPresent(one -> one.plan(task.velocity(), perceived));
     }
 
-    /** The present observation, clamped to the ranges of the quantities. */
+    /** The current observation, clamped to the ranges of the quantities. */
     double[] observation(List<ObservedQuantity> quantities) {
         double[] all = walk.map(WalkGuide::inputs)
                 .orElseGet(() -> Stream.of(perceived, motionProgress(), task.extras())
@@ -129,12 +133,10 @@ final class EpisodeRunner implements Controller {
         return guide.map(one -> one.progress(cycles)).orElse(new double[0]);
     }
 
-    /** The reward of the last action. */
     double reward() {
         return reward;
     }
 
-    /** Whether the task or the measure has ended the episode. */
     boolean isTerminated() {
         return task.isDecided() || measure.isDecided();
     }

@@ -10,8 +10,8 @@ import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Follow a commanded velocity, another one every 3 s. Reward per second: 1 less the error of the velocity in the last 0.4 s
- * (1 for 0.3 m/s or 90°/s, together 1.5 at most); −5 for a fall, so that a dive has no gain.
+ * Follow a commanded velocity, drawn again every 3 s. Reward per second: 1 minus the velocity error over the last 0.4 s (0.3 m/s or 90°/s
+ * count as 1, at most 1.5 in total); −5 for a fall, so that diving forward does not pay off.
  */
 class FollowTraining extends CommandedTraining {
 
@@ -21,25 +21,24 @@ class FollowTraining extends CommandedTraining {
     private static final double DEFAULT_METRES_PER_SECOND = 0.3;
     private static final double DEGREES_PER_SECOND = 90;
     private static final double FALL_PENALTY = 5;
-    private static final double DONE_PART = 0.5;
+    private static final double DONE_SHARE = 0.5;
 
     private final Deque<Pose2d> places = new ArrayDeque<>();
     private final double toleratedMetresPerSecond;
     private double totalReward;
     private double maxReward;
 
-    /** Creates the task. */
     FollowTraining() {
         this(DEFAULT_METRES_PER_SECOND);
     }
 
-    /** Creates a task with another tolerance: the error of the velocity that leaves no reward. */
+    /** Creates a task with the velocity error at which the reward is 0. */
     FollowTraining(double toleratedMetresPerSecond) {
         this.toleratedMetresPerSecond = toleratedMetresPerSecond;
     }
 
     @Override
-    WalkVelocity any(RandomSource random, WalkVelocity before) {
+    WalkVelocity draw(RandomSource random, WalkVelocity previous) {
         return new WalkVelocity(
                         random.between(-BACKWARD, MAX.forward()),
                         random.between(-MAX.left(), MAX.left()),
@@ -55,12 +54,9 @@ class FollowTraining extends CommandedTraining {
     @Override
     public List<ObservedQuantity> extraQuantities() {
         return List.of(
-                new ObservedQuantity(
-                        "command.forward", "m/s", -DomainRandomization.MAX_SPEED, DomainRandomization.MAX_SPEED),
-                new ObservedQuantity(
-                        "command.left", "m/s", -DomainRandomization.MAX_SPEED, DomainRandomization.MAX_SPEED),
-                new ObservedQuantity(
-                        "command.turn", "degrees/s", -DomainRandomization.MAX_TURN, DomainRandomization.MAX_TURN));
+                ObservedQuantity.symmetric("command.forward", "m/s", DomainRandomization.MAX_SPEED),
+                ObservedQuantity.symmetric("command.left", "m/s", DomainRandomization.MAX_SPEED),
+                ObservedQuantity.symmetric("command.turn", "degrees/s", DomainRandomization.MAX_TURN));
     }
 
     @Override
@@ -72,19 +68,17 @@ class FollowTraining extends CommandedTraining {
     protected void see(WorldState first, WorldState now) {
         places.addLast(now.place(robot()));
         if (places.size() > WINDOW) {
+            VelocityError error =
+                    VelocityError.between(places.removeFirst(), places.getLast(), WINDOW * Cycle.SECONDS, velocity());
             maxReward += Cycle.SECONDS;
-            totalReward += Cycle.SECONDS
-                    * (1
-                            - VelocityError.between(
-                                            places.removeFirst(), places.getLast(), WINDOW * Cycle.SECONDS, velocity())
-                                    .cost(toleratedMetresPerSecond, DEGREES_PER_SECOND));
+            totalReward += Cycle.SECONDS * (1 - error.cost(toleratedMetresPerSecond, DEGREES_PER_SECOND));
         }
     }
 
-    /** {@return whether the robot is on its feet and has half of the largest return: a mean error of 0.15 m/s, or of 45°/s, or a part of both} */
+    /** {@return whether the robot has not fallen and has half of the maximum return, as with a mean error of 0.15 m/s or 45°/s} */
     @Override
     public boolean isDone() {
-        return !hasFallen() && maxReward > 0 && totalReward >= DONE_PART * maxReward;
+        return !hasFallen() && maxReward > 0 && totalReward >= DONE_SHARE * maxReward;
     }
 
     @Override

@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.function.Function;
 import org.robonewbie.agent.policy.Policy;
+import org.robonewbie.agent.walk.ResidualPolicy;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.learning.environment.DomainRandomization.Name;
 import org.robonewbie.learning.environment.DomainRandomization.Range;
@@ -20,11 +21,11 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.Pushes;
 
 /**
- * Follow velocities that change every 3 s, with a learned gait and corrections of the walk engine, while the robot is pushed
- * once per second. Reward for each window of 0.4 s: 1 less the error of the velocity (1 for the tolerance or 30°/s, together
- * 1.5 at most) and a little for a torso that leans. A fall costs 4, and 1 for each window that is lost.
+ * Follow velocities that change every 3 s, with a learned gait and learned corrections of the walk engine, while the robot is pushed
+ * once per second. Reward for each window of 0.4 s: 1 minus the velocity error (the tolerance or 30°/s count as 1, at most 1.5 in total)
+ * minus a small penalty for the tilt of the torso. A fall costs 4, plus 1 for each remaining window.
  */
-final class GaitTraining extends EngineTraining {
+final class GaitTraining extends CommandedTraining {
 
     private static final double BACKWARD = 0.3;
     private static final int CYCLE_MILLIS = 20;
@@ -77,22 +78,23 @@ final class GaitTraining extends EngineTraining {
         this.maxDeceleration = maxDeceleration;
     }
 
-    /** Walks into any direction, forward with up to 0.8 m/s. */
+    /** Walks in any direction, forward at up to 0.8 m/s. */
     static GaitTraining walking() {
         WalkVelocity max = new WalkVelocity(0.8, 0.2, 90);
-        return new GaitTraining(GaitTraining::anywhere, max, 0.3, 200, 0, 0.3, LEAN_PENALTY, Double.POSITIVE_INFINITY);
+        return new GaitTraining(
+                GaitTraining::drawAnyDirection, max, 0.3, 200, 0, 0.3, LEAN_PENALTY, Double.POSITIVE_INFINITY);
     }
 
-    /** Jogs ahead with 0.66 to 1.1 m/s, straight or in bends, slower or not at all as a player needs it. Turns cost little speed. */
+    /** Jogs forward at 0.66 to 1.1 m/s, straight or in curves, and sometimes slows down or stops. Turns reduce the speed only a little. */
     static GaitTraining jogging() {
         WalkVelocity max = new WalkVelocity(1.1, 0.2, 300);
-        return new GaitTraining(GaitTraining::bends, max, 0.6, 140, 0.3, 0.5, 0.1, Double.POSITIVE_INFINITY);
+        return new GaitTraining(GaitTraining::drawCurve, max, 0.6, 140, 0.3, 0.5, 0.1, Double.POSITIVE_INFINITY);
     }
 
-    /** Runs ahead with 0.9 to 1.3 m/s, bends a little to both sides, slows down and stops gently. */
+    /** Runs forward at 0.9 to 1.3 m/s in slight curves, and sometimes slows down or stops with limited deceleration. */
     static GaitTraining running() {
         WalkVelocity max = new WalkVelocity(1.3, 0.2, 60);
-        return new GaitTraining(GaitTraining::almostStraight, max, 0.7, 140, 0.3, 0.9, LEAN_PENALTY, 0.6);
+        return new GaitTraining(GaitTraining::drawSlightCurve, max, 0.7, 140, 0.3, 0.9, LEAN_PENALTY, 0.6);
     }
 
     @Override
@@ -113,13 +115,18 @@ final class GaitTraining extends EngineTraining {
     }
 
     @Override
-    void takePolicy(Policy learned) {
+    void setPolicy(Policy learned) {
         policy = Optional.of(learned);
     }
 
     @Override
     public Optional<Policy> walk() {
         return policy.or(() -> Optional.of(WalkGuide.engine(stepMillis, max, BACKWARD)));
+    }
+
+    @Override
+    public double rangeDegrees() {
+        return ResidualPolicy.RANGE_DEGREES;
     }
 
     @Override
@@ -133,10 +140,9 @@ final class GaitTraining extends EngineTraining {
     }
 
     @Override
-    public Scene scene(RandomSource ofTheEpisode) {
-        super.scene(ofTheEpisode);
+    public Scene scene(RandomSource random) {
         int count = (int) (types.high() - types.low()) + 1;
-        int type = (int) types.low() + (int) Math.floorMod(ofTheEpisode.seed(), (long) count);
+        int type = (int) types.low() + (int) Math.floorMod(random.seed(), (long) count);
         return Scene.of(RobotStart.at(0, 0).withType(RobotType.values()[type]).after(TO_THE_STANCE))
                 .withParameters(SoccerParameters.league())
                 .withBall(0, -9);
@@ -162,18 +168,18 @@ final class GaitTraining extends EngineTraining {
     }
 
     @Override
-    WalkVelocity any(RandomSource random, WalkVelocity last) {
+    WalkVelocity draw(RandomSource random, WalkVelocity previous) {
         if (!hasBegun) {
             hasBegun = true;
             return isConstant && draws.nextDouble() < 0.5
                     ? new WalkVelocity(max.forward(), 0, 0)
                     : commands.apply(this);
         }
-        return isConstant ? last : later();
+        return isConstant ? previous : drawNext();
     }
 
-    /** Draws a stop, a velocity slower than usual, or one as at first. */
-    private WalkVelocity later() {
+    /** Draws a stop, a slow velocity, or one from the distribution of the first command. */
+    private WalkVelocity drawNext() {
         double slow = slowShare > 0 ? draws.nextDouble() : 1;
         if (slow < slowShare / 2) {
             return WalkVelocity.ZERO;
@@ -183,14 +189,14 @@ final class GaitTraining extends EngineTraining {
                 : commands.apply(this);
     }
 
-    /** Ahead, back, aside, around, nothing, or all at once within the limits. */
-    private WalkVelocity anywhere() {
+    /** Draws forward, backward, sideways, turning in place, standing, or a combination within the limits. */
+    private WalkVelocity drawAnyDirection() {
         double kind = draws.nextDouble();
         double forward = draws.nextDouble();
         double left = max.left() * (2 * draws.nextDouble() - 1);
         double turn = max.turn() * (2 * draws.nextDouble() - 1);
         if (kind < 0.35) {
-            return new WalkVelocity(ahead(forward), 0, 0);
+            return new WalkVelocity(forward(forward), 0, 0);
         } else if (kind < 0.5) {
             return new WalkVelocity(-BACKWARD * forward, 0, 0);
         } else if (kind < 0.62) {
@@ -204,22 +210,22 @@ final class GaitTraining extends EngineTraining {
         return new WalkVelocity(any, left, turn).within(max, BACKWARD);
     }
 
-    /** Ahead, in half of the cases straight, else in a bend. */
-    private WalkVelocity bends() {
-        double forward = ahead(draws.nextDouble());
+    /** Draws a forward velocity, straight in half of the cases. */
+    private WalkVelocity drawCurve() {
+        double forward = forward(draws.nextDouble());
         double kind = draws.nextDouble();
         double turn = 2 * draws.nextDouble() - 1;
         return new WalkVelocity(forward, 0, kind < 0.5 ? 0 : turn * (kind < 0.8 ? 15 : 45));
     }
 
-    /** Ahead, in three of five cases straight. */
-    private WalkVelocity almostStraight() {
-        double forward = ahead(draws.nextDouble());
+    /** Draws a forward velocity, straight in three of five cases. */
+    private WalkVelocity drawSlightCurve() {
+        double forward = forward(draws.nextDouble());
         double turn = 20 * (2 * draws.nextDouble() - 1);
         return new WalkVelocity(forward, 0, draws.nextDouble() < 0.6 ? 0 : turn);
     }
 
-    private double ahead(double share) {
+    private double forward(double share) {
         return max.forward() * (minShare + (1 - minShare) * share);
     }
 

@@ -18,8 +18,8 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Get up from the front and stay up. Reward per second: how upright the torso is times how high, 1 for a robot that stands.
- * The episode is never terminated, so getting up early and standing long has the largest return.
+ * Get up from lying on the front, and keep standing. Reward per second: uprightness of the torso times its height, 1 for a standing robot.
+ * The episode is never terminated, so getting up early has the largest return.
  */
 class GetUpTraining extends TrainingTask {
 
@@ -39,7 +39,7 @@ class GetUpTraining extends TrainingTask {
     private double totalReward;
     private boolean up;
 
-    /** The scene of a robot that has leaned forward until it fell, with postures that are changed in some way. */
+    /** Creates the scene of a robot that leans forward until it falls; an operator modifies its postures. */
     static Scene lying(UnaryOperator<Posture> change) {
         Posture leaning = change.apply(LEANING);
         Posture resting = change.apply(Stance.POSTURE);
@@ -54,8 +54,7 @@ class GetUpTraining extends TrainingTask {
     }
 
     @Override
-    public Scene scene(RandomSource ofTheEpisode) {
-        super.scene(ofTheEpisode);
+    public Scene scene(RandomSource random) {
         return LYING;
     }
 

@@ -12,9 +12,9 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.KickDistance;
 
 /**
- * Kick the ball to a wanted distance by correcting the motion {@code kick-right}: each episode wants another distance, and
- * the option {@code distance} sets one. Return: 1 less the distance from where the ball will lie to where it is wanted, as a
- * part of the wanted distance (2 at most); −1 for a fall. Only the end counts.
+ * Kick the ball to a target distance by correcting the motion {@code kick-right}. Each episode draws the distance unless the option {@code
+ * distance} sets it. Return: 1 minus the distance of the ball's resting place from the target, relative to the target distance (at most
+ * 2); −1 for a fall. Only the end of the episode counts.
  */
 final class KickToTraining extends TrainingTask {
 
@@ -26,26 +26,25 @@ final class KickToTraining extends TrainingTask {
     private static final double MAX_ERROR = 2;
     private static final double DONE_METRES = 0.5;
 
-    private double wanted;
+    private double target;
     private double error;
 
     @Override
-    public Scene scene(RandomSource ofTheEpisode) {
-        super.scene(ofTheEpisode);
+    public Scene scene(RandomSource random) {
         return SCENE;
     }
 
     @Override
     public void begin(Trial trial) {
         scatterBall(trial, SPREAD_METRES);
-        if (wanted == 0) {
-            wanted = random().between(MIN_METRES, MAX_METRES);
+        if (target == 0) {
+            target = random().between(MIN_METRES, MAX_METRES);
         }
     }
 
     @Override
-    protected void takeDistance(double metres) {
-        wanted = metres;
+    protected void setDistance(double metres) {
+        target = metres;
     }
 
     @Override
@@ -70,18 +69,18 @@ final class KickToTraining extends TrainingTask {
 
     @Override
     public double[] extras() {
-        return new double[] {wanted};
+        return new double[] {target};
     }
 
     @Override
     protected void see(WorldState first, WorldState now) {
         Vector3 rest = KickDistance.restingPlace(now);
         Vector3 goal = first.ball()
-                .plus(first.place().point(wanted, 0, 0).minus(first.place().point(0, 0, 0)));
+                .plus(first.place().point(target, 0, 0).minus(first.place().point(0, 0, 0)));
         error = Math.hypot(rest.x() - goal.x(), rest.y() - goal.y());
     }
 
-    /** {@return whether the ball will lie within half a metre of where it is wanted and the robot stays on its feet} */
+    /** {@return whether the ball comes to rest within half a metre of the target and the robot has not fallen} */
     @Override
     public boolean isDone() {
         return !hasFallen() && error < DONE_METRES;
@@ -89,6 +88,6 @@ final class KickToTraining extends TrainingTask {
 
     @Override
     public double value() {
-        return 1 - Math.min(MAX_ERROR, error / wanted) - (hasFallen() ? 1 : 0);
+        return 1 - Math.min(MAX_ERROR, error / target) - (hasFallen() ? 1 : 0);
     }
 }

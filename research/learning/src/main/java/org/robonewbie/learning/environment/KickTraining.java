@@ -8,8 +8,8 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.KickDistance;
 
 /**
- * Kick the ball in front of the right foot ahead. Reward: 1 per metre that it gets ahead, what it will still roll included;
- * −1 for a fall.
+ * Kick the ball in front of the right foot forward. Reward: 1 per metre of forward motion of the ball, including its predicted roll; −1 for a
+ * fall.
  */
 final class KickTraining extends TrainingTask {
 
@@ -21,8 +21,7 @@ final class KickTraining extends TrainingTask {
     private final KickDistance distance = new KickDistance();
 
     @Override
-    public Scene scene(RandomSource ofTheEpisode) {
-        super.scene(ofTheEpisode);
+    public Scene scene(RandomSource random) {
         return SCENE;
     }
 
@@ -51,7 +50,7 @@ final class KickTraining extends TrainingTask {
         distance.see(now);
     }
 
-    /** {@return whether the ball gets 3 m ahead and the robot stays on its feet} */
+    /** {@return whether the ball comes to rest at least 3 m ahead and the robot has not fallen} */
     @Override
     public boolean isDone() {
         return !hasFallen() && distance.value() >= GOAL_METRES;

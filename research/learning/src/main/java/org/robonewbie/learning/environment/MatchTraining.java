@@ -1,9 +1,9 @@
 package org.robonewbie.learning.environment;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import org.robonewbie.nao.PlayMode;
 import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.Vector3;
@@ -15,26 +15,26 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Two teams learn at the same time until the first goal. Reward of a team: 10 for a goal and 1 per metre that the ball gets
- * ahead, the negative for the other team. Reward of a robot besides: 0.2 per metre that it gets nearer to the ball, and −1
- * for a fall. A ball that leaves the pitch beside the goal is put back.
+ * Self-play of two teams until the first goal. Reward of a team: 10 for a goal and 1 per metre of forward motion of the ball, and the
+ * negative for the other team. Additional reward of each robot: 0.2 per metre of approach to the ball, −1 for a fall. A ball that leaves
+ * the pitch beside the goal is put back.
  */
 final class MatchTraining extends TrainingTask {
 
     private static final String[] TEAMS = {"left", "right"};
     private static final SoccerField FIELD = SoccerField.BEGINNER;
     private static final double GOAL_REWARD = 10;
-    private static final double NEARNESS_REWARD = 0.2;
+    private static final double APPROACH_REWARD = 0.2;
     private static final double SPREAD_METRES = 0.1;
     private static final double INSIDE_METRES = 0.3;
     private static final double FAR_METRES = 15;
 
-    private static final WorldState NOTHING_YET =
+    private static final WorldState EMPTY =
             new WorldState(0, List.of(), Vector3.ZERO, Vector3.ZERO, List.of(), PlayMode.PLAY_ON, 0, 0);
 
     private final Scene scene;
     private final int left;
-    private WorldState now = NOTHING_YET;
+    private WorldState now = EMPTY;
     private double value;
     private int goal;
 
@@ -56,7 +56,7 @@ final class MatchTraining extends TrainingTask {
         return new MatchTraining(Scene.of(all.toArray(RobotStart[]::new)));
     }
 
-    /** The first robot attacks from in front of the goal that the second one keeps. */
+    /** An attacker in front of the goal that the goalkeeper of the other team defends. */
     static MatchTraining keeperAgainstAttacker() {
         double goalLine = FIELD.length() / 2;
         return new MatchTraining(Scene.of(
@@ -65,7 +65,7 @@ final class MatchTraining extends TrainingTask {
                 .withBall(goalLine - 2.5, 0));
     }
 
-    /** The first robot of a team stands near the ball, the others three in a row behind it. */
+    /** The first robot of a team stands near the ball, the others behind it in rows of three. */
     private static Pose2d place(int index) {
         int row = (index + 2) / 3;
         int column = (index + 2) % 3;
@@ -80,8 +80,7 @@ final class MatchTraining extends TrainingTask {
     }
 
     @Override
-    public Scene scene(RandomSource ofTheEpisode) {
-        super.scene(ofTheEpisode);
+    public Scene scene(RandomSource random) {
         return scene;
     }
 
@@ -109,8 +108,8 @@ final class MatchTraining extends TrainingTask {
     public void act(Trial trial) {
         Vector3 ball = trial.ball().position();
         Vector3 inside = new Vector3(
-                within(ball.x(), FIELD.length() / 2 - INSIDE_METRES),
-                within(ball.y(), FIELD.width() / 2 - INSIDE_METRES),
+                clamp(ball.x(), FIELD.length() / 2 - INSIDE_METRES),
+                clamp(ball.y(), FIELD.width() / 2 - INSIDE_METRES),
                 0);
         boolean out = Math.abs(ball.x()) > FIELD.length() / 2 || Math.abs(ball.y()) > FIELD.width() / 2;
         if (out && !isGoal(ball)) {
@@ -118,15 +117,15 @@ final class MatchTraining extends TrainingTask {
         }
     }
 
-    private static double within(double number, double most) {
-        return Math.max(-most, Math.min(most, number));
+    private static double clamp(double value, double max) {
+        return Math.max(-max, Math.min(max, value));
     }
 
     private static boolean isGoal(Vector3 ball) {
         return Math.abs(ball.x()) > FIELD.length() / 2 && Math.abs(ball.y()) < FIELD.goalWidth() / 2;
     }
 
-    /** {@return 1 for the team that plays towards the right goal, −1 for the other} */
+    /** 1 for the team that attacks the right goal, −1 for the other. */
     private int side() {
         return robot() < left ? 1 : -1;
     }
@@ -146,15 +145,15 @@ final class MatchTraining extends TrainingTask {
 
     private static List<ObservedQuantity> point(String name) {
         return List.of(
-                new ObservedQuantity(name + ".forward", "m", -FAR_METRES, FAR_METRES),
-                new ObservedQuantity(name + ".left", "m", -FAR_METRES, FAR_METRES));
+                ObservedQuantity.symmetric(name + ".forward", "m", FAR_METRES),
+                ObservedQuantity.symmetric(name + ".left", "m", FAR_METRES));
     }
 
     private int ownTeam() {
         return side() > 0 ? left : learners() - left;
     }
 
-    /** Where ball, the other team's goal and the other robots are, as the robot would point at them: the truth, not what its camera sees. */
+    /** {@return the true positions of the ball, the opponents' goal and the other robots, relative to the robot} */
     @Override
     public double[] extras() {
         Pose2d own = now.place(robot());
@@ -166,27 +165,23 @@ final class MatchTraining extends TrainingTask {
                 .toArray();
     }
 
-    private List<Vector3> others(boolean ofTheTeam) {
-        List<Vector3> others = new ArrayList<>();
-        for (int i = 0; i < learners(); i++) {
-            boolean mate = i < left == robot() < left;
-            if (i != robot() && mate == ofTheTeam) {
-                others.add(now.robots().get(i).position());
-            }
-        }
-        return Collections.unmodifiableList(others);
+    private List<Vector3> others(boolean teammates) {
+        return IntStream.range(0, learners())
+                .filter(i -> i != robot() && (i < left == robot() < left) == teammates)
+                .mapToObj(i -> now.robots().get(i).position())
+                .toList();
     }
 
     @Override
-    protected void see(WorldState first, WorldState moment) {
-        now = moment;
-        if (isGoal(moment.ball())) {
-            goal = moment.ball().x() > 0 ? 1 : -1;
+    protected void see(WorldState first, WorldState current) {
+        now = current;
+        if (isGoal(now.ball())) {
+            goal = now.ball().x() > 0 ? 1 : -1;
         }
-        double ahead = moment.ball().x() - first.ball().x();
-        double nearer = first.place(robot()).distance(first.ball())
-                - moment.place(robot()).distance(moment.ball());
-        value = side() * (GOAL_REWARD * goal + ahead) + NEARNESS_REWARD * nearer - (hasFallen() ? 1 : 0);
+        double progress = now.ball().x() - first.ball().x();
+        double approach =
+                first.place(robot()).distance(first.ball()) - now.place(robot()).distance(now.ball());
+        value = side() * (GOAL_REWARD * goal + progress) + APPROACH_REWARD * approach - (hasFallen() ? 1 : 0);
     }
 
     /** {@return whether the robot's team has scored} */
@@ -195,7 +190,7 @@ final class MatchTraining extends TrainingTask {
         return goal == side();
     }
 
-    /** {@return whether there was a goal; falls end no match} */
+    /** {@return whether a goal was scored; a fall does not end the match} */
     @Override
     public boolean isDecided() {
         return goal != 0;

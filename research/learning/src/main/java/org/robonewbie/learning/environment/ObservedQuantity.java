@@ -4,36 +4,39 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * One number of an observation.
+ * One component of an observation. The JSON of docs/gym-protocol.md uses the names of these components.
  *
- * @param name such as {@code joint.LEFT_KNEE_PITCH}
- * @param unit such as {@code degrees}
- * @param least smallest value that is to be expected
- * @param greatest greatest value that is to be expected
+ * @param name a name such as {@code joint.LEFT_KNEE_PITCH}
+ * @param unit a unit such as {@code degrees}
+ * @param least lower bound of the expected values
+ * @param greatest upper bound of the expected values
  */
 public record ObservedQuantity(String name, String unit, double least, double greatest) {
 
     /**
      * Describes the three components of a vector.
      *
-     * @param name such as {@code gyro}
-     * @param unit their unit
-     * @param most largest amount of each that is to be expected
+     * @param name a name such as {@code gyro}
+     * @param unit the unit of the components
+     * @param max upper bound of their absolute values
      * @return one quantity for each axis: forward, left, up
      */
-    public static List<ObservedQuantity> vector(String name, String unit, double most) {
+    public static List<ObservedQuantity> vector(String name, String unit, double max) {
         return Stream.of("forward", "left", "up")
-                .map(axis -> new ObservedQuantity(name + "." + axis, unit, -most, most))
+                .map(axis -> symmetric(name + "." + axis, unit, max))
                 .toList();
     }
 
-    /** The same quantity with a range that is wider by a part of it at both ends. */
-    ObservedQuantity widened(double part) {
-        double room = part * (greatest - least);
-        return new ObservedQuantity(name, unit, least - room, greatest + room);
+    static ObservedQuantity symmetric(String name, String unit, double max) {
+        return new ObservedQuantity(name, unit, -max, max);
     }
 
-    /** The nearest value within the range. */
+    /** Extends the range at both ends by a share of its length. */
+    ObservedQuantity widened(double share) {
+        double margin = share * (greatest - least);
+        return new ObservedQuantity(name, unit, least - margin, greatest + margin);
+    }
+
     double clamped(double value) {
         return Math.max(least, Math.min(greatest, value));
     }

@@ -14,8 +14,8 @@ import org.robonewbie.protocol.perceptor.PolarPosition;
 import org.robonewbie.trial.SensorReadings;
 
 /**
- * What a robot perceives, as a row of numbers in the hundredths that messages carry. Axes are those of an agent: forward, left,
- * up. What the camera has seen stays until the next picture, 60 ms later.
+ * Observation vector of a robot's perceptors, with the resolution of messages (hundredths). Axes are those of an agent: forward, left, up.
+ * The last camera picture holds until the next one, 60 ms later.
  *
  * <pre>{@code
  * Perception perception = new Perception(false);
@@ -38,15 +38,15 @@ public final class Perception {
     private final double[] ball;
 
     /**
-     * Creates the perception of a robot that has not sensed anything.
+     * Creates a perception without readings.
      *
-     * @param camera whether the ball in the camera is observed, too
+     * @param camera whether to observe the ball with the camera
      */
     public Perception(boolean camera) {
         ball = new double[camera ? NUMBERS_OF_THE_BALL : 0];
     }
 
-    /** {@return names, units and ranges of what is observed; unmodifiable} */
+    /** {@return names, units and ranges of the components of an observation; unmodifiable} */
     public List<ObservedQuantity> quantities() {
         return ball.length > 0 ? WITH_CAMERA : WITHOUT_CAMERA;
     }
@@ -72,10 +72,10 @@ public final class Perception {
     }
 
     /**
-     * Observes what a robot senses, to be called once per cycle.
+     * Converts the readings of a cycle. Call once per cycle.
      *
      * @param readings the robot's readings
-     * @return one number for each of the {@link #quantities}; a new array
+     * @return a new array with a value for each of the {@link #quantities}
      */
     public double[] observe(SensorReadings readings) {
         double[] row = new double[quantities().size()];
@@ -102,17 +102,14 @@ public final class Perception {
         });
     }
 
-    /** How the torso of a robot moves that has observed this row. */
     static TorsoMotion torso(double... row) {
         return new TorsoMotion(vector(row, Joint.COUNT), vector(row, Joint.COUNT + 3));
     }
 
-    /** What its left sole feels. */
     static FootPressure leftFoot(double... row) {
         return foot(row, FIRST_OF_THE_FEET);
     }
 
-    /** What its right sole feels. */
     static FootPressure rightFoot(double... row) {
         return foot(row, FIRST_OF_THE_FEET + NUMBERS_PER_FOOT);
     }
@@ -126,9 +123,9 @@ public final class Perception {
     }
 
     private static void putFoot(double[] row, int index, Optional<FootForce> foot) {
-        foot.ifPresent(felt -> {
-            put(row, index, felt.point());
-            put(row, index + 3, felt.force());
+        foot.ifPresent(contact -> {
+            put(row, index, contact.point());
+            put(row, index + 3, contact.force());
         });
     }
 

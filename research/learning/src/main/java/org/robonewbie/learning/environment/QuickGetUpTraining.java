@@ -9,8 +9,8 @@ import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.Scene;
 
 /**
- * Get up from the front by correcting the motion {@code quick-stand-up-from-front}, and stay up, for 4 s in all, with the
- * reward of {@link GetUpTraining}. The robot has fallen with its arms anywhere, so that it lies differently in each episode.
+ * Get up from lying on the front within 4 s by correcting the motion {@code quick-stand-up-from-front}, with the reward of {@link
+ * GetUpTraining}. The robot falls with its arms in random positions, so it lies differently in each episode.
  */
 final class QuickGetUpTraining extends GetUpTraining {
 
@@ -19,19 +19,18 @@ final class QuickGetUpTraining extends GetUpTraining {
     private static final double LEG_DEGREES = 8;
 
     @Override
-    public Scene scene(RandomSource ofTheEpisode) {
-        super.scene(ofTheEpisode);
-        return lying(posture -> changed(posture, ofTheEpisode));
+    public Scene scene(RandomSource random) {
+        return lying(posture -> randomized(posture, random));
     }
 
-    private static Posture changed(Posture posture, RandomSource random) {
-        Posture changed = posture;
+    private static Posture randomized(Posture posture, RandomSource random) {
+        Posture result = posture;
         for (Joint joint : Joint.values()) {
             boolean arm = joint.name().contains("SHOULDER") || joint.name().contains("ARM");
-            double most = arm ? ARM_DEGREES : LEG_DEGREES;
-            changed = changed.with(joint, joint.clampDegrees(posture.degrees(joint) + random.between(-most, most)));
+            double max = arm ? ARM_DEGREES : LEG_DEGREES;
+            result = result.with(joint, joint.clampDegrees(posture.degrees(joint) + random.between(-max, max)));
         }
-        return changed;
+        return result;
     }
 
     @Override

@@ -13,8 +13,7 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Bring the left lower arm to a random point in front of and beside the left shoulder. Reward per cycle: minus the distance
- * in metres.
+ * Move the left lower arm to a random point in front of and beside the left shoulder. Reward per cycle: the negative distance in metres.
  */
 final class ReachTraining extends TrainingTask {
 
@@ -30,10 +29,10 @@ final class ReachTraining extends TrainingTask {
 
     @Override
     public void begin(Trial trial) {
-        double height = PortableMath.toRadians(random().between(-60, 60));
-        Vector3 aside = new Pose2d(0, 0, random().between(-22.5, 67.5))
-                .point(REACH_METRES * PortableMath.cos(height), 0, REACH_METRES * PortableMath.sin(height));
-        target = SHOULDER.plus(aside);
+        double elevation = PortableMath.toRadians(random().between(-60, 60));
+        Vector3 fromShoulder = new Pose2d(0, 0, random().between(-22.5, 67.5))
+                .point(REACH_METRES * PortableMath.cos(elevation), 0, REACH_METRES * PortableMath.sin(elevation));
+        target = SHOULDER.plus(fromShoulder);
     }
 
     @Override

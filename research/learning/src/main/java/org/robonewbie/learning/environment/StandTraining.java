@@ -5,16 +5,16 @@ import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Stay upright while pushes come from any side once per second, each time harder. Reward per cycle: 1 less the lean of the
- * torso (1 for 60°).
+ * Keep the balance under pushes from random sides, one per second and each stronger than the last. Reward per cycle: 1 minus the tilt of
+ * the torso relative to 60°.
  */
 final class StandTraining extends TrainingTask {
 
     private static final double STEP_NEWTONS = 8;
-    private static final double BORNE_SECONDS = 6;
+    private static final double GOAL_SECONDS = 6;
 
     private double totalReward;
-    private int cyclesOnItsFeet;
+    private int standingCycles;
 
     @Override
     public double pushNewtons() {
@@ -29,15 +29,15 @@ final class StandTraining extends TrainingTask {
     @Override
     protected void see(WorldState first, WorldState now) {
         if (!hasFallen()) {
-            cyclesOnItsFeet++;
+            standingCycles++;
         }
         totalReward += 1 - now.robot().tiltDegrees() / BodyState.FALLEN_DEGREES;
     }
 
-    /** {@return whether the robot has stood for 6 s, in which it was pushed with up to 40 N} */
+    /** {@return whether the robot has stood for 6 s, under pushes of up to 40 N} */
     @Override
     public boolean isDone() {
-        return cyclesOnItsFeet * Cycle.SECONDS >= BORNE_SECONDS;
+        return standingCycles * Cycle.SECONDS >= GOAL_SECONDS;
     }
 
     @Override

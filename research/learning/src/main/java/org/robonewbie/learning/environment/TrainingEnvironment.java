@@ -5,9 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.robonewbie.agent.policy.Policy;
+import org.robonewbie.learning.environment.DomainRandomization.Name;
 import org.robonewbie.trial.Controller;
-import org.robonewbie.trial.RandomSource;
-import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.TrialHook;
@@ -15,13 +14,13 @@ import org.robonewbie.trial.TrialListener;
 import org.robonewbie.trial.WorldState;
 
 /**
- * A world in which robots play episodes of a task; in most tasks it is one robot.
+ * Environment of reinforcement learning: a world in which robots, in most tasks one, play episodes of a task.
  *
  * <pre>{@code
  * environment.reset(1, Optional.empty());
  * while (!environment.isTerminated() && !environment.isTruncated()) {
  *     environment.step(network.apply(environment.observation()));
- *     total += environment.reward();
+ *     undiscountedReturn += environment.reward();
  * }
  * }</pre>
  */
@@ -44,8 +43,8 @@ public final class TrainingEnvironment implements AutoCloseable {
         this.episodes = episodes;
         runners = newRunners(Optional.empty());
         quantities = runners.get(0).quantities();
-        scene = task().scene(new RandomSource(0));
-        trial = Trial.direct(scene, 0, cast());
+        scene = task().seededScene(0);
+        trial = Trial.direct(scene, 0, controllers());
         now = trial.now();
         begin(0);
     }
@@ -54,39 +53,34 @@ public final class TrainingEnvironment implements AutoCloseable {
         List<EpisodeRunner> all = episodes.get();
         all.forEach(runner -> {
             runner.task().configure(options);
-            policy.ifPresent(runner.task()::takePolicy);
+            policy.ifPresent(runner.task()::setPolicy);
         });
         return all;
     }
 
-    /** {@return what is observed by each robot; values beyond the ranges are clamped} */
+    /** {@return the components of each robot's observation, which is clamped to their ranges} */
     public List<ObservedQuantity> quantities() {
         return quantities;
     }
 
-    /** {@return the task of the present episode, that of the first robot if there are several} */
+    /** {@return the task of the current episode, that of the first robot if there are several} */
     public TrainingTask task() {
         return runners.get(0).task();
     }
 
-    /** How many robots learn. */
+    /** The number of learning robots. */
     int robots() {
         return runners.size();
     }
 
-    /** Names of the robots that learn: their team and number. */
+    /** The names of the learning robots, such as {@code left_1}. */
     List<String> names() {
         return scene.robots().stream()
                 .limit(robots())
-                .map(TrainingEnvironment::name)
+                .map(robot -> robot.team() + "_" + robot.number())
                 .toList();
     }
 
-    private static String name(RobotStart robot) {
-        return robot.team() + "_" + robot.number();
-    }
-
-    /** Begins the episode of a seed. */
     void reset(long seed) {
         reset(seed, Optional.empty());
     }
@@ -94,83 +88,79 @@ public final class TrainingEnvironment implements AutoCloseable {
     /**
      * Begins an episode.
      *
-     * @param seed chooses the episode
-     * @param policy what will act in it; a task whose policies carry a gait walks with that gait
+     * @param seed the seed of the episode
+     * @param policy the policy that will act in it; if it contains a gait, the robot walks with that gait
      */
     public void reset(long seed, Optional<Policy> policy) {
         runners = newRunners(policy);
-        Scene next = task().scene(new RandomSource(seed));
+        Scene next = task().seededScene(seed);
         if (next.equals(scene)) {
-            trial.reset(seed, cast());
+            trial.reset(seed, controllers());
         } else {
             trial.close();
             scene = next;
-            trial = Trial.direct(scene, seed, cast());
+            trial = Trial.direct(scene, seed, controllers());
         }
         begin(seed);
     }
 
     private void begin(long seed) {
-        DomainRandomization.Sample sample = options.draw(seed);
-        cyclesPerAction = checkedCycles(sample.cycles());
+        DomainRandomization drawn = options.draw(seed);
+        TrainingTask task = task();
+        cyclesPerAction = drawn.cycles();
+        if (cyclesPerAction > 1 && task.walk().isPresent()) {
+            throw new IllegalArgumentException(
+                    "An action of this task corrects a single cycle of a walk. Omit the option cycles.");
+        }
         cycles = 0;
         WorldState first = trial.now();
-        runners.forEach(runner -> runner.stand(first));
-        sample.apply(trial);
-        TrainingTask task = task();
-        sample.command().ifPresent(task::takeCommand);
-        sample.distance().ifPresent(task::takeDistance);
+        runners.forEach(runner -> runner.captureFirstPosture(first));
+        drawn.apply(trial);
+        drawn.command().ifPresent(task::setCommand);
+        drawn.range(Name.DISTANCE).ifPresent(distance -> task.setDistance(distance.low()));
         task.begin(trial);
-        TrialHook pushes = task.pushes(sample.pushNewtons().orElse(task.pushNewtons()), seed);
+        TrialHook pushes = task.pushes(drawn.of(Name.PUSH, task.pushNewtons()), seed);
         trial.with(world -> {
             pushes.act(world);
             task.act(world);
         });
         now = trial.now();
-        runners.forEach(runner -> runner.begin(now, trial.readings(runner.task().robot()), sample, seed));
+        runners.forEach(runner -> runner.begin(now, trial.readings(runner.task().robot()), drawn, seed));
         listener.cycleEnded(trial);
     }
 
-    private int checkedCycles(int wanted) {
-        if (wanted > 1 && task().walk().isPresent()) {
-            throw new IllegalArgumentException(
-                    "In this task an action corrects one cycle of a walk. Leave out cycles.");
-        }
-        return wanted;
-    }
-
     /**
-     * Changes the episodes that begin from now on.
+     * Sets the options of the following episodes.
      *
-     * @param changed the options
+     * @param newOptions the options
      */
-    public void setOptions(DomainRandomization changed) {
-        options = changed;
+    public void setOptions(DomainRandomization newOptions) {
+        options = newOptions;
     }
 
-    /** Sets a listener for all cycles from now on. */
-    void setListener(TrialListener watching) {
-        listener = watching;
+    /** Sets the listener of the following cycles. */
+    void setListener(TrialListener newListener) {
+        listener = newListener;
         listener.cycleEnded(trial);
     }
 
-    /** The robots that learn, and others that hold still. */
-    private Controller[] cast() {
-        Controller[] cast = new Controller[scene.robots().size()];
-        Arrays.setAll(cast, i -> i < robots() ? runners.get(i) : Controller.ofSpeeds());
-        return cast;
+    /** The learning robots, and others that hold still. */
+    private Controller[] controllers() {
+        Controller[] controllers = new Controller[scene.robots().size()];
+        Arrays.setAll(controllers, i -> i < robots() ? runners.get(i) : Controller.ofSpeeds());
+        return controllers;
     }
 
     /**
-     * Lets the only robot act, for as many cycles as an action lasts, or until the episode is terminated.
+     * Applies an action of the only robot for the number of cycles per action, or until the episode is terminated.
      *
-     * @param action numbers from -1 to 1, see {@link TrainingTask}
+     * @param action values from -1 to 1; see {@link TrainingTask}
      */
     public void step(double... action) {
         act(new double[][] {action});
     }
 
-    /** Lets each robot act. */
+    /** Applies an action of each robot. */
     void act(double[]... actions) {
         runners.forEach(EpisodeRunner::beginReward);
         int run = 0;
@@ -197,12 +187,10 @@ public final class TrainingEnvironment implements AutoCloseable {
         return observation(0);
     }
 
-    /** The observation of a robot. */
     double[] observation(int robot) {
         return runners.get(robot).observation(quantities);
     }
 
-    /** The true state. */
     WorldState now() {
         return now;
     }
@@ -218,7 +206,6 @@ public final class TrainingEnvironment implements AutoCloseable {
         return reward(0);
     }
 
-    /** The reward of a robot for the last action. */
     double reward(int robot) {
         return runners.get(robot).reward();
     }
@@ -228,12 +215,12 @@ public final class TrainingEnvironment implements AutoCloseable {
         return runners.stream().anyMatch(EpisodeRunner::isTerminated);
     }
 
-    /** {@return how many cycles the episode has lasted so far} */
+    /** {@return the number of cycles of the episode so far} */
     public int cycles() {
         return cycles;
     }
 
-    /** {@return whether the time of the episode is over} */
+    /** {@return whether the episode has reached its maximum length} */
     public boolean isTruncated() {
         return cycles >= task().longestCycles();
     }

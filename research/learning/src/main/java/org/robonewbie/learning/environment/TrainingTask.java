@@ -13,6 +13,7 @@ import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.learning.environment.DomainRandomization.Name;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
+import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
@@ -27,12 +28,11 @@ import org.robonewbie.trial.measure.MeasureFromStart;
 import org.robonewbie.trial.measure.Pushes;
 
 /**
- * Something to learn for one robot of a scene, in one episode. Its value as a measure is the return so far: the reward of a step is
- * the growth of the value. An episode is terminated when the robot has fallen.
+ * Task of one robot in one episode of reinforcement learning. Its value as a measure is the return so far, so the reward of a step is
+ * the increase of the value. A fall terminates the episode.
  *
- * <p>An action has a number between -1 and 1 for each of the task's {@link #joints}: the angle to go to, as a part of {@link
- * #rangeDegrees} from the first posture. Subclasses say what is different; a task of your own needs a public constructor without
- * parameters.
+ * <p>An action has a component between -1 and 1 for each of the task's {@link #joints}: the target angle relative to the initial posture, in
+ * units of {@link #rangeDegrees}. Subclasses override what differs from the defaults; a custom task needs a public no-arg constructor.
  *
  * <pre>{@code
  * public final class Squat extends TrainingTask {
@@ -51,6 +51,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
     static final Motion TO_THE_STANCE =
             new Motion("stance", List.of(new Keyframe(600, Stance.POSTURE), new Keyframe(300, Stance.POSTURE)));
     private static final int CYCLES_BETWEEN_PUSHES = 50;
+    private static final double MAX_PUSH_NEWTONS = 40;
     private static final Scene STANDING = scene(1.5).withBall(2.5, 0);
 
     private RandomSource random = new RandomSource(0);
@@ -59,52 +60,60 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
     /** Creates a task for one episode. */
     protected TrainingTask() {}
 
-    /** Sets a scene with a robot in the stance, which faces the right goal. */
+    /** Creates a scene with a robot in the stance that faces the right goal. */
     static Scene scene(double x) {
         return Scene.of(RobotStart.at(x, 0).after(TO_THE_STANCE));
+    }
+
+    /** Seeds the task and creates its scene. */
+    final Scene seededScene(long seed) {
+        random = new RandomSource(seed);
+        return scene(random);
     }
 
     /**
      * {@inheritDoc}
      *
-     * <p>A robot stands 3 m from the goal, the ball 1 m ahead. An episode begins at once if its scene equals that of the episode
-     * before; {@link #begin} is the better place for small differences.
+     * <p>By default the robot stands 3 m in front of the goal with the ball 1 m ahead. A reset is fast if the scene equals that of the
+     * previous episode, so apply small variations in {@link #begin} instead.
      */
     @Override
-    public Scene scene(RandomSource ofTheEpisode) {
-        random = ofTheEpisode;
+    public Scene scene(RandomSource episodeRandom) {
         return STANDING;
     }
 
-    /** {@return what differs from episode to episode} */
+    /** {@return the random numbers of the episode} */
     protected final RandomSource random() {
         return random;
     }
 
     /**
-     * Moves the ball a little, so that episodes differ.
+     * Moves the ball by a random offset.
      *
      * @param trial the episode, at its beginning
-     * @param metres how far at most along each axis
+     * @param maxMetres largest offset along each axis
      */
-    protected final void scatterBall(Trial trial, double metres) {
-        Vector3 way = new Vector3(random.between(-metres, metres), random.between(-metres, metres), 0);
-        trial.placeBall(trial.ball().position().plus(way));
+    protected final void scatterBall(Trial trial, double maxMetres) {
+        Vector3 offset = new Vector3(random.between(-maxMetres, maxMetres), random.between(-maxMetres, maxMetres), 0);
+        trial.placeBall(trial.ball().position().plus(offset));
     }
 
-    /**
-     * {@return how many robots learn, 1 unless a subclass says otherwise: the first ones of the scene, each with a task object of its own}
-     */
+    /** Pushes the robot once from a random side with a random force. */
+    final void pushOnce(Trial trial) {
+        Pose2d direction = new Pose2d(0, 0, random.between(-180, 180));
+        trial.robot(0).push(direction.point(random.between(0, MAX_PUSH_NEWTONS), 0, 0));
+    }
+
+    /** {@return the number of learning robots, by default 1: the first robots of the scene, each with a separate task object} */
     public int learners() {
         return 1;
     }
 
-    /** {@return the index in the scene of the robot whose task this is} */
+    /** {@return the index of the task's robot in the scene} */
     protected final int robot() {
         return robot;
     }
 
-    /** Gives the task to another robot than the first one. */
     final void setRobot(int index) {
         robot = index;
     }
@@ -115,27 +124,26 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
     }
 
     /**
-     * {@return the motion that an action corrects while it plays: angles are counted from where it wants the joints, and all joints
-     * follow it; none unless a subclass says otherwise}
+     * {@return the motion whose postures an action corrects while it plays, moving all joints; by default none, so that an action is
+     * relative to the initial posture}
      */
     public Optional<Motion> motion() {
         return Optional.empty();
     }
 
     /**
-     * {@return the walk that an action corrects: the engine with this policy's numbers, and the action takes the place of what its
-     * network gives; none unless a subclass says otherwise}
+     * {@return the walk that an action corrects: the action takes the place of the output of this policy's network; by default none}
      */
     public Optional<Policy> walk() {
         return Optional.empty();
     }
 
-    /** {@return the velocity that the {@link #walk} is asked for now} */
+    /** {@return the velocity that is currently commanded to the {@link #walk}} */
     protected WalkVelocity velocity() {
         return WalkVelocity.ZERO;
     }
 
-    /** {@return names and units of an action, and with it of the outputs of a policy} */
+    /** {@return names and units of the components of an action, which are the outputs of a policy} */
     public final List<Quantity> outputs() {
         String unit = String.format(Locale.ROOT, "%.0f degrees", rangeDegrees());
         return walk().isPresent()
@@ -145,93 +153,90 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
                         .toList();
     }
 
-    /** {@return the joints that an action moves, those of both legs; the others stay as they are} */
+    /** {@return the joints that an action moves, by default those of both legs; the others hold still} */
     public List<Joint> joints() {
         return LEGS;
     }
 
-    /** {@return the angle by which an action of 1 differs from the first posture} */
+    /** {@return the angle by which an action of 1 differs from the initial posture} */
     public abstract double rangeDegrees();
 
-    /** {@return the number of cycles after which an episode ends, 10 s} */
+    /** {@return the number of cycles after which an episode is truncated, by default 500 (10 s)} */
     public int longestCycles() {
         return 500;
     }
 
-    /** {@return whether the robot observes the ball with its camera; without it a task is faster} */
+    /** {@return whether the robot observes the ball with its camera, by default not; a task without camera is faster} */
     public boolean hasCamera() {
         return false;
     }
 
-    /** {@return what is observed besides the perceptors} */
+    /** {@return components of the observation in addition to the perceptors, by default none} */
     public List<ObservedQuantity> extraQuantities() {
         return List.of();
     }
 
-    /** {@return the present values of the {@link #extraQuantities}} */
+    /** {@return the current values of the {@link #extraQuantities}} */
     public double[] extras() {
         return new double[0];
     }
 
-    /**
-     * {@return whether policies of this task carry the numbers of the {@link #walk}, so that they are learned with the network; false
-     * unless a subclass says otherwise}
-     */
+    /** {@return whether the parameters of the {@link #walk} are learned together with the network, by default not} */
     public boolean learnsGait() {
         return false;
     }
 
-    /** {@return errors of a commanded velocity; none unless a subclass says otherwise} */
+    /** {@return the accumulated error of a commanded velocity, by default none} */
     public VelocityError velocityError() {
         return VelocityError.NONE;
     }
 
-    /** Takes the options of a gait before the scene is set; a task without a gait refuses them. */
+    /** Sets the options of a gait before the scene is created. Tasks without a gait reject them. */
     void configure(DomainRandomization options) {
         Stream.of(Name.SPEED, Name.STEP, Name.SLOW, Name.TOLERANCE, Name.CONSTANT, Name.TYPE, Name.SECONDS)
                 .filter(name -> options.range(name).isPresent())
                 .findFirst()
                 .ifPresent(name -> {
                     throw new IllegalArgumentException("This task has no option " + name.word()
-                            + ". Leave it out, or choose the task WalkGait, JogGait or RunGait.");
+                            + ". Omit it, or choose the task WalkGait, JogGait or RunGait.");
                 });
     }
 
-    /** Takes the policy that will act, before the scene is set. */
-    void takePolicy(Policy policy) {}
+    /** Sets the policy that will act, before the scene is created. */
+    void setPolicy(Policy policy) {}
 
-    /** Pushes of an episode: once per second, each time harder. */
+    /** Creates the pushes of an episode: one per second, each stronger than the last. */
     TrialHook pushes(double newtons, long seed) {
         return newtons == 0 ? world -> {} : Pushes.growing(seed, CYCLES_BETWEEN_PUSHES, newtons);
     }
 
     /**
-     * Takes a velocity to follow in the whole episode, which the options {@code forward}, {@code left} and {@code turn} have set.
+     * Sets a constant command of the episode, from the options {@code forward}, {@code left} and {@code turn}.
      *
-     * @param command the velocity
-     * @throws IllegalArgumentException if the task follows no command, as most
+     * @param velocity the velocity
+     * @throws IllegalArgumentException if the task has no commanded velocity, as by default
      */
-    protected void takeCommand(WalkVelocity command) {
+    protected void setCommand(WalkVelocity velocity) {
         throw new IllegalArgumentException(
-                "This task follows no command. Leave out forward, left and turn, or choose the task Follow.");
+                "This task has no commanded velocity. Omit forward, left and turn, or choose the task Follow.");
     }
 
     /**
-     * Takes the distance that is wanted in the whole episode, which the option {@code distance} has set.
+     * Sets the target distance of the episode, from the option {@code distance}.
      *
      * @param metres the distance
-     * @throws IllegalArgumentException if the task wants none, as most
+     * @throws IllegalArgumentException if the task has no target distance, as by default
      */
-    protected void takeDistance(double metres) {
-        throw new IllegalArgumentException("This task wants no distance. Leave it out, or choose the task KickTo.");
+    protected void setDistance(double metres) {
+        throw new IllegalArgumentException("This task has no target distance. Omit it, or choose the task KickTo.");
     }
 
-    /** {@return by how much pushes that come once per second get harder each time, in newtons; 0 for none} */
+    /** {@return the increment of the force of pushes that occur once per second, in newtons; 0, the default, for none} */
     public double pushNewtons() {
         return 0;
     }
 
-    /** {@return whether the robot has done what the task wants; learning programs find it in {@code info["is_success"]}} */
+    /** {@return whether the robot has achieved the goal of the task; learning programs receive it as {@code info["is_success"]}} */
     public boolean isDone() {
         return !hasFallen();
     }

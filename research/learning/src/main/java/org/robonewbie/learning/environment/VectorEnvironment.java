@@ -7,10 +7,9 @@ import java.util.List;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 
-/** The environments of one connection, which step in parallel, and the bytes of their requests and answers; see docs/gym-protocol.md. */
+/** Environments of one connection, stepped in parallel, with the binary format of their steps; see docs/gym-protocol.md. */
 final class VectorEnvironment implements AutoCloseable {
 
-    /** No environment. */
     static final VectorEnvironment NONE = new VectorEnvironment(List.of());
 
     private static final byte STEP = 1;
@@ -57,37 +56,42 @@ final class VectorEnvironment implements AutoCloseable {
         environments.forEach(environment -> environment.setOptions(options));
     }
 
-    /** Steps all environments in parallel; none of them moves if an action is not a number. */
+    /** Steps all environments in parallel. If an action contains NaN, no environment is stepped. */
     byte[] act(ByteBuffer request) {
         int rows = environments.size() * robots;
         if (rows == 0 || request.remaining() != rows * requestBytes) {
-            throw new IllegalArgumentException("Orders of " + request.remaining() + " bytes for " + rows
-                    + " robots with " + actions + " actions each; " + rows * requestBytes + " bytes were expected.");
+            throw new IllegalArgumentException("The step request has " + request.remaining() + " bytes; expected "
+                    + rows * requestBytes + " for " + rows + " robots with " + actions + " actions each.");
         }
         int start = request.position();
         for (int row = 0; row < rows; row++) {
             check(request, start, row);
         }
-        byte[] bytes = new byte[rows * (answerBytes + observationBytes)];
-        ByteBuffer answers = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
-        boolean[] begun = new boolean[environments.size()];
-        IntStream.range(0, environments.size()).parallel().forEach(i -> begun[i] = act(i, request, start, answers));
-        return joined(bytes, begun);
+        List<Answer> answers = IntStream.range(0, environments.size())
+                .parallel()
+                .mapToObj(i -> act(i, request, start + i * robots * requestBytes))
+                .toList();
+        ByteBuffer all = ByteBuffer.allocate(rows * answerBytes
+                + answers.stream().mapToInt(answer -> answer.fresh.length).sum());
+        answers.forEach(answer -> all.put(answer.states));
+        answers.forEach(answer -> all.put(answer.fresh));
+        return all.array();
     }
+
+    /** The answer of one environment: the state of each robot, and the initial observations if it was reset after the step. */
+    @SuppressWarnings("ArrayRecordComponent")
+    private record Answer(byte[] states, byte[] fresh) {}
 
     private void check(ByteBuffer request, int start, int row) {
         for (int i = 0; i < actions; i++) {
             if (Float.isNaN(request.getFloat(start + row * requestBytes + BYTES_BEFORE_ACTION + i * Float.BYTES))) {
-                throw new IllegalArgumentException("An action of environment " + row / robots
-                        + " holds a number that is none (NaN). Was something divided by zero?");
+                throw new IllegalArgumentException(
+                        "An action of environment " + row / robots + " contains NaN. Was something divided by zero?");
             }
         }
     }
 
-    /** Steps one environment, and returns whether it has been reset after that. */
-    private boolean act(int index, ByteBuffer request, int start, ByteBuffer answers) {
-        int first = index * robots;
-        int offset = start + first * requestBytes;
+    private Answer act(int index, ByteBuffer request, int offset) {
         byte what = request.get(offset);
         long seed = request.getLong(offset + 1);
         TrainingEnvironment environment = environments.get(index);
@@ -97,21 +101,15 @@ final class VectorEnvironment implements AutoCloseable {
             } else if (what == STEP || what == STEP_AND_RESET) {
                 environment.act(actions(request, offset));
             }
-            boolean ends = environment.isTerminated() || environment.isTruncated();
-            for (int robot = 0; robot < robots; robot++) {
-                write(environment, robot, answers, (first + robot) * answerBytes);
-            }
-            if (what == STEP_AND_RESET && ends) {
+            byte[] states = states(environment);
+            if (what == STEP_AND_RESET && (environment.isTerminated() || environment.isTruncated())) {
                 environment.reset(seed);
-                for (int robot = 0; robot < robots; robot++) {
-                    int row = first + robot;
-                    putFloats(
-                            answers,
-                            environments.size() * robots * answerBytes + row * observationBytes,
-                            environment.observation(robot));
-                }
+                ByteBuffer fresh =
+                        ByteBuffer.allocate(robots * observationBytes).order(ByteOrder.LITTLE_ENDIAN);
+                IntStream.range(0, robots).forEach(robot -> put(fresh, environment.observation(robot)));
+                return new Answer(states, fresh.array());
             }
-            return what == STEP_AND_RESET && ends;
+            return new Answer(states, new byte[0]);
         } catch (IllegalArgumentException wrong) {
             throw wrong;
         } catch (RuntimeException mistake) {
@@ -121,7 +119,7 @@ final class VectorEnvironment implements AutoCloseable {
                                     .findFirst()
                                     .map(Object::toString)
                                     .orElse("an unknown line")
-                            + ". The other environments have gone on.",
+                            + ". The other environments were stepped.",
                     mistake);
         }
     }
@@ -136,36 +134,23 @@ final class VectorEnvironment implements AutoCloseable {
         return all;
     }
 
-    private void write(TrainingEnvironment environment, int robot, ByteBuffer answers, int at) {
-        putFloats(answers, at, environment.observation(robot));
-        int next = at + observationBytes;
-        answers.putDouble(next, environment.reward(robot));
-        for (double number : environment.privilegedState(robot)) {
-            next += Double.BYTES;
-            answers.putDouble(next, number);
-        }
-        byte state = environment.isTerminated() ? TERMINATED : environment.isTruncated() ? TRUNCATED : RUNNING;
-        answers.put(next + Double.BYTES, state);
-    }
-
-    private static void putFloats(ByteBuffer answers, int at, double... numbers) {
-        for (int i = 0; i < numbers.length; i++) {
-            answers.putFloat(at + i * Float.BYTES, (float) numbers[i]);
-        }
-    }
-
-    /** All answers, and behind them the first observations of those that have been reset. */
-    private byte[] joined(byte[] all, boolean... begun) {
-        int rows = environments.size() * robots;
-        int length = rows * answerBytes;
-        for (int i = 0; i < begun.length; i++) {
-            if (begun[i]) {
-                int bytes = robots * observationBytes;
-                System.arraycopy(all, rows * answerBytes + i * bytes, all, length, bytes);
-                length += bytes;
+    private byte[] states(TrainingEnvironment environment) {
+        ByteBuffer states = ByteBuffer.allocate(robots * answerBytes).order(ByteOrder.LITTLE_ENDIAN);
+        for (int robot = 0; robot < robots; robot++) {
+            put(states, environment.observation(robot));
+            states.putDouble(environment.reward(robot));
+            for (double number : environment.privilegedState(robot)) {
+                states.putDouble(number);
             }
+            states.put(environment.isTerminated() ? TERMINATED : environment.isTruncated() ? TRUNCATED : RUNNING);
         }
-        return Arrays.copyOf(all, length);
+        return states.array();
+    }
+
+    private static void put(ByteBuffer target, double... numbers) {
+        for (double number : numbers) {
+            target.putFloat((float) number);
+        }
     }
 
     @Override

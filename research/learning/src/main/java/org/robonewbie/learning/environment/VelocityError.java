@@ -6,20 +6,20 @@ import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * Sum of the differences between commanded and true velocity over some windows of time.
+ * Accumulated difference between the commanded and the true velocity.
  *
- * @param windows number of windows
- * @param metresPerSecond sum of the errors of the velocity
- * @param degreesPerSecond sum of the errors of the turning speed
+ * @param windows the number of time windows
+ * @param metresPerSecond the sum of the errors of the velocity
+ * @param degreesPerSecond the sum of the errors of the turning speed
  */
 public record VelocityError(int windows, double metresPerSecond, double degreesPerSecond) {
 
-    /** No window. */
+    /** The error of zero windows. */
     public static final VelocityError NONE = new VelocityError(0, 0, 0);
 
     private static final double MAX_COST = 1.5;
 
-    /** Compares the way between two places, seen from half-way between their headings, with a command. */
+    /** Compares a command with the motion between two poses, taken in the frame of their mean heading. */
     static VelocityError between(Pose2d before, Pose2d now, double seconds, WalkVelocity command) {
         double turned = Angles.wrap(now.degrees() - before.degrees());
         Pose2d middle = new Pose2d(before.x(), before.y(), before.degrees() + turned / 2);
@@ -29,16 +29,16 @@ public record VelocityError(int windows, double metresPerSecond, double degreesP
         return new VelocityError(1, error, Math.abs(turned / seconds - command.turn()));
     }
 
-    /** Cost of one window: 1 for each tolerated error, 1.5 at most. */
+    /** The cost of one window: each tolerance counts as 1, at most 1.5 in total. */
     double cost(double toleratedMetresPerSecond, double toleratedDegreesPerSecond) {
         return Math.min(
                 MAX_COST, metresPerSecond / toleratedMetresPerSecond + degreesPerSecond / toleratedDegreesPerSecond);
     }
 
     /**
-     * Adds the errors of other windows.
+     * Adds another error.
      *
-     * @param other the other windows
+     * @param other the other error
      * @return the sum
      */
     public VelocityError plus(VelocityError other) {

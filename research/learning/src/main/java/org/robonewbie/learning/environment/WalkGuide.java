@@ -18,16 +18,12 @@ import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.nao.motion.PostureFollower;
 
-/**
- * A walk that actions correct: the engine plans each cycle, and an action is what the network of a {@link ResidualPolicy} would give
- * for what is observed.
- */
+/** Walk engine under residual control: the engine plans each cycle, and an action takes the place of the output of a {@link ResidualPolicy}. */
 final class WalkGuide {
 
-    /** What is observed of a robot that walks. */
+    /** Components of the observation. */
     static final List<ObservedQuantity> QUANTITIES = ResidualPolicy.INPUTS.stream()
-            .map(input -> new ObservedQuantity(
-                    input.name(), input.unit(), -ResidualPolicy.MAX_INPUT, ResidualPolicy.MAX_INPUT))
+            .map(input -> ObservedQuantity.symmetric(input.name(), input.unit(), ResidualPolicy.MAX_INPUT))
             .toList();
 
     private static final double DEFAULT_EASING = 4;
@@ -44,15 +40,15 @@ final class WalkGuide {
     private boolean resting;
     private boolean walking;
 
-    /** Prepares a walk; at rest the joints hold as those of an agent do, or follow the stance. */
+    /** Creates a standing robot, whose joints either hold their angles at rest, as those of an agent do, or follow the stance. */
     WalkGuide(WalkStyle style, Motors motors, boolean holdsAtRest) {
-        engine = new WalkEngine(style, this::noted);
+        engine = new WalkEngine(style, this::observe);
         this.motors = motors;
         this.holdsAtRest = holdsAtRest;
         follower = new PostureFollower(motors);
     }
 
-    /** The numbers of an engine that walks with the standard gait, and a network that changes nothing. */
+    /** Returns a policy with the standard gait and a network whose outputs are zero. */
     static Policy engine(int stepMillis, WalkVelocity max, double backward) {
         double[] gait = Arrays.copyOf(WalkStyle.coordinates(), FastWalk.PARAMETERS);
         gait[FastWalk.PARAMETERS - 2] = DEFAULT_EASING;
@@ -61,27 +57,27 @@ final class WalkGuide {
         return PolicyWalk.policy("engine", List.of(), stepMillis, max, backward, gait, zero);
     }
 
-    private Posture noted(Posture posture, WalkMoment now) {
+    private Posture observe(Posture posture, WalkMoment now) {
         moment = now;
         return posture;
     }
 
-    /** Plans the next cycle by what a robot perceives that is asked for a velocity. */
-    void plan(WalkVelocity wanted, double... perceived) {
-        engine.towards(wanted);
-        engine.update(Perception.torso(perceived));
-        engine.update(Perception.leftFoot(perceived), Perception.rightFoot(perceived));
+    /** Plans the next cycle for a commanded velocity and an observation of {@link Perception}. */
+    void plan(WalkVelocity command, double... observation) {
+        engine.towards(command);
+        engine.update(Perception.torso(observation));
+        engine.update(Perception.leftFoot(observation), Perception.rightFoot(observation));
         moment = AT_REST;
         resting = engine.isStanding();
         planned = engine.next();
     }
 
-    /** What is observed before the next action: the {@link #QUANTITIES}. */
+    /** The observation before the next action, in the order of {@link #QUANTITIES}. */
     double[] inputs() {
         return ResidualPolicy.inputs(moment);
     }
 
-    /** Moves the joints by the plan and an action. */
+    /** Drives the joints to the planned posture, corrected by an action. */
     void move(double... action) {
         if (holdsAtRest && resting) {
             walking = false;

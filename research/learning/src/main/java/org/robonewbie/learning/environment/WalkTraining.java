@@ -1,20 +1,18 @@
 package org.robonewbie.learning.environment;
 
-import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.Distance;
 import org.robonewbie.trial.measure.Standing;
 
 /**
- * Walk ahead. Reward: 10 per metre along the first heading and 1 per second on the feet; −5 for a fall, so that a dive has no
- * gain. An episode begins with a light push from any side, so that no two are equal.
+ * Walk forward. Reward: 10 per metre along the initial heading and 1 per second of standing; −5 for a fall, so that diving forward does not
+ * pay off. Each episode begins with a light push from a random side.
  */
 final class WalkTraining extends TrainingTask {
 
     private static final double METRE_REWARD = 10;
     private static final double FALL_PENALTY = 5;
-    private static final double MAX_NEWTONS = 40;
     private static final double GOAL_METRES = 2;
 
     private final Distance distance = new Distance();
@@ -22,8 +20,7 @@ final class WalkTraining extends TrainingTask {
 
     @Override
     public void begin(Trial trial) {
-        Pose2d centre = new Pose2d(0, 0, random().between(-180, 180));
-        trial.robot(0).push(centre.point(random().between(0, MAX_NEWTONS), 0, 0));
+        pushOnce(trial);
     }
 
     @Override
@@ -37,7 +34,7 @@ final class WalkTraining extends TrainingTask {
         standing.see(now);
     }
 
-    /** {@return whether the robot has got 2 m ahead on its feet} */
+    /** {@return whether the robot has walked 2 m forward without a fall} */
     @Override
     public boolean isDone() {
         return !hasFallen() && distance.value() >= GOAL_METRES;

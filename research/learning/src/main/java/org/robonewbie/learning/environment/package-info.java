@@ -1,5 +1,5 @@
 /**
- * Environments of reinforcement learning: tasks, episodes of them, and the server for learning programs in other languages. Read {@link
+ * Environments for reinforcement learning, their tasks, and a server for learning programs in other languages. Read {@link
  * org.robonewbie.learning.environment.TrainingTask} first, then {@link org.robonewbie.learning.environment.EnvironmentSpec}.
  */
 @org.jspecify.annotations.NullMarked

@@ -8,11 +8,11 @@ import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.TrialHook;
 
-/** Differences between trials: joints slightly off their posture, and a push of 0.1 s against the torso each second. The seed chooses them. */
+/** Random variation of trials: joint offsets of the initial posture, and a push of 0.1 s against the torso once per second. */
 final class Disturbance implements TrialHook {
 
-    private static final int CYCLES_BETWEEN = 50;
-    private static final int CYCLES_OF_PUSH = 5;
+    private static final int CYCLES_PER_PUSH = 50;
+    private static final int PUSH_CYCLES = 5;
 
     private final Random random;
     private final double newtons;
@@ -25,7 +25,7 @@ final class Disturbance implements TrialHook {
         random.nextLong();
     }
 
-    /** Draws a posture whose joints have this standard deviation from another one. */
+    /** Adds normally distributed offsets to the joints of a posture. */
     Posture near(Posture posture, double degrees) {
         double[] angles = posture.toArray();
         for (Joint joint : Joint.values()) {
@@ -36,12 +36,12 @@ final class Disturbance implements TrialHook {
 
     @Override
     public void act(Trial trial) {
-        int phase = cycle % CYCLES_BETWEEN;
+        int phase = cycle % CYCLES_PER_PUSH;
         if (phase == 0) {
             double direction = 2 * Math.PI * random.nextDouble();
             push = new Vector3(PortableMath.cos(direction), PortableMath.sin(direction), 0).times(newtons);
         }
-        if (phase >= CYCLES_BETWEEN - CYCLES_OF_PUSH && newtons > 0) {
+        if (phase >= CYCLES_PER_PUSH - PUSH_CYCLES && newtons > 0) {
             trial.robot(0).push(push);
         }
         cycle++;

@@ -5,21 +5,21 @@ import java.util.function.Supplier;
 import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
 
-/** Random walk velocities: a new one every 0.7 s on average, often beyond what the walk can do. */
+/** Random velocity commands that change every 0.7 s on average and often exceed the limits of the walk. */
 public final class ErraticVelocities implements Supplier<WalkVelocity> {
 
-    private final WalkVelocity most;
+    private final WalkVelocity max;
     private final Random random;
     private WalkVelocity current = WalkVelocity.ZERO;
 
     /**
-     * Begins with standing.
+     * Creates commands that start with standing.
      *
-     * @param style the walk, whose largest speeds scale the velocities
-     * @param seed chooses the velocities
+     * @param style the walk whose speed limits scale the velocities
+     * @param seed the seed of the velocities
      */
     public ErraticVelocities(WalkStyle style, long seed) {
-        most = style.most();
+        max = style.most();
         random = new Random(17 * seed + 1);
         random.nextLong();
     }
@@ -36,7 +36,7 @@ public final class ErraticVelocities implements Supplier<WalkVelocity> {
         }
         double sharpness = random.nextDouble();
         return new WalkVelocity(
-                most.forward() * share(sharpness), most.left() * share(sharpness), most.turn() * share(sharpness));
+                max.forward() * share(sharpness), max.left() * share(sharpness), max.turn() * share(sharpness));
     }
 
     private double share(double sharpness) {

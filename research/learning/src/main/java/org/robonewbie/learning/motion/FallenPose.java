@@ -9,7 +9,7 @@ import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Posture;
 
-/** Poses of a robot on the ground, and trials that begin in them. */
+/** Lying pose of a robot, and trials that begin in it. */
 public enum FallenPose {
     /** Chest up. */
     ON_BACK("lying on back"),
@@ -34,13 +34,13 @@ public enum FallenPose {
         this.words = words;
     }
 
-    /** {@return the posture as motion files name it, such as {@code lying on back}} */
+    /** {@return the name of the pose in motion files, such as {@code lying on back}} */
     public String words() {
         return words;
     }
 
     /**
-     * Returns whether a robot lies this way.
+     * Returns whether a robot is in this pose.
      *
      * @param body the robot's body
      * @return whether it lies on this side
@@ -57,13 +57,12 @@ public enum FallenPose {
     }
 
     /**
-     * Makes robots fall until one lies on this side. A robot stands with its arms in random positions, is pushed over, and comes to rest
-     * while its motors hold.
+     * Pushes over robots with random postures until one of them comes to rest in this pose, while their motors hold the joints.
      *
-     * @param type how they are built
-     * @param seed chooses the fall
-     * @return a robot that lies on this side
-     * @throws IllegalStateException if no fall ends that way
+     * @param type the robot type
+     * @param seed the seed of the falls
+     * @return a trial of the robot in this pose
+     * @throws IllegalStateException if no fall ends in this pose
      */
     public MotionTrial fallen(RobotType type, long seed) {
         Random random = new Random(31 * seed + ordinal());
@@ -76,12 +75,12 @@ public enum FallenPose {
             }
             robot.close();
         }
-        throw new IllegalStateException("No fall of " + MAX_TRIES + " with seed " + seed + " ended " + this + ".");
+        throw new IllegalStateException("None of " + MAX_TRIES + " falls with seed " + seed + " ended " + words + ".");
     }
 
     private MotionTrial fall(RobotType type, Random random) {
         MotionTrial robot = MotionTrial.standing(type, WalkStyle.STANDARD);
-        robot.moveTo(anyPosture(random), 700);
+        robot.moveTo(randomPosture(random), 700);
         Vector3 push = push(random);
         for (int tries = 0; robot.body().tiltDegrees() < TILTED_DEGREES && tries < 5; tries++) {
             robot.trial().with(trial -> trial.robot(0).push(push));
@@ -103,7 +102,7 @@ public enum FallenPose {
         };
     }
 
-    private static Posture anyPosture(Random random) {
+    private static Posture randomPosture(Random random) {
         double[] degrees = Stance.POSTURE.toArray();
         for (Joint joint : Joint.values()) {
             boolean leg = joint.name().contains("HIP")

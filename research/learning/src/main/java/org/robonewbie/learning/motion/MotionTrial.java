@@ -33,8 +33,8 @@ import org.robonewbie.trial.measure.BalanceMetrics;
 import org.robonewbie.trial.measure.Turn;
 
 /**
- * A trial in which a robot plays one motion after the other, or walks, as a script says step by step. All is measured from where the
- * robot was when the trial began. A robot that begins on its feet does nothing more once it has fallen.
+ * Scripted trial in which a robot plays motions and walks, step by step. Positions are relative to the pose at the beginning of the
+ * measurement. By default the trial ends with a fall: the following steps do nothing.
  *
  * <pre>{@code
  * try (MotionTrial trial = MotionTrial.inStance(seed, 3)) {
@@ -45,10 +45,10 @@ import org.robonewbie.trial.measure.Turn;
  */
 public final class MotionTrial implements AutoCloseable {
 
-    /** A standard robot at the place where motions are tried on the beginners' pitch. */
+    /** A robot of the standard type at the default position of trials on the beginners' pitch. */
     public static final RobotStart ROBOT = RobotStart.at(-4.5, 1.5);
 
-    /** A place for the ball where it does not disturb. */
+    /** Position of a ball that is out of the way. */
     public static final Vector3 BALL_ASIDE = new Vector3(0, -3.5, 0);
 
     private static final double NOISE_DEGREES = 1;
@@ -60,7 +60,7 @@ public final class MotionTrial implements AutoCloseable {
     private static final double UPRIGHT_DEGREES = 12;
     private static final double REST_METRES_PER_SECOND = 0.05;
 
-    /** Direct trials of each robot type that are not in use: resetting one is much faster than beginning another. */
+    /** Pool of unused direct trials by robot type; resetting a trial is much faster than creating one. */
     private static final Map<RobotType, Queue<Trial>> IDLE = new ConcurrentHashMap<>();
 
     private final Trial trial;
@@ -79,7 +79,7 @@ public final class MotionTrial implements AutoCloseable {
         this.start = trial.now();
     }
 
-    /** Begins with a robot that stands with all joints at 0, without noise and without referee. */
+    /** Creates a trial of a robot that stands with all joints at 0, without noise and referee. */
     static MotionTrial standing(RobotType type, WalkStyle style) {
         ScriptedMotors robot = new ScriptedMotors(new PolicyWalk(style, WalkReflex.NONE));
         Queue<Trial> idle = IDLE.computeIfAbsent(type, key -> new ConcurrentLinkedQueue<>());
@@ -93,62 +93,62 @@ public final class MotionTrial implements AutoCloseable {
     }
 
     /**
-     * Begins with a standard robot in the stance, reached by way of a nearby posture.
+     * Creates a trial of a standard robot in the stance.
      *
-     * @param seed chooses the disturbances
-     * @param newtons strength of the pushes
-     * @return the robot on its feet
+     * @param seed the seed of the disturbances
+     * @param newtons force of the pushes
+     * @return the trial
      */
     public static MotionTrial inStance(long seed, double newtons) {
         return inStance(RobotType.TYPE_0, WalkStyle.STANDARD, seed, newtons);
     }
 
     /**
-     * Begins with a standard robot in the stance somewhere else.
+     * Creates a trial of a standard robot in the stance at a given pose.
      *
-     * @param place where it stands
-     * @param seed chooses the disturbances
-     * @param newtons strength of the pushes
-     * @return the robot on its feet
+     * @param place the pose
+     * @param seed the seed of the disturbances
+     * @param newtons force of the pushes
+     * @return the trial
      */
     public static MotionTrial inStance(Pose2d place, long seed, double newtons) {
-        MotionTrial begun = standing(RobotType.TYPE_0, WalkStyle.STANDARD);
-        begun.trial.moveRobot(0, place);
-        return begun.intoStance(seed, newtons);
+        MotionTrial robot = standing(RobotType.TYPE_0, WalkStyle.STANDARD);
+        robot.trial.moveRobot(0, place);
+        return robot.intoStance(seed, newtons);
     }
 
     /**
-     * Begins with a robot of some build in the stance.
+     * Creates a trial of a robot in the stance.
      *
-     * @param type how it is built
-     * @param style how it walks
-     * @param seed chooses the disturbances
-     * @param newtons strength of the pushes
-     * @return the robot on its feet
+     * @param type the robot type
+     * @param style the walk style
+     * @param seed the seed of the disturbances
+     * @param newtons force of the pushes
+     * @return the trial
      */
     public static MotionTrial inStance(RobotType type, WalkStyle style, long seed, double newtons) {
         return standing(type, style).intoStance(seed, newtons);
     }
 
     /**
-     * Begins on a whole simulator, with noise and a referee.
+     * Creates a trial in a complete simulator with noise and referee.
      *
-     * @param scene where the robot stands
-     * @param seed chooses the noise
-     * @param robot controls it
-     * @return the trial at its beginning
+     * @param scene the scene of the robot
+     * @param seed the seed of the noise
+     * @param robot the controlled robot
+     * @return the trial
      */
     public static MotionTrial served(Scene scene, long seed, ScriptedRobot robot) {
-        MotionTrial begun = new MotionTrial(Trial.served(scene, seed, robot.controller()), robot, Trial::close);
-        begun.begin(true);
-        return begun;
+        MotionTrial served = new MotionTrial(Trial.served(scene, seed, robot.controller()), robot, Trial::close);
+        served.begin(true);
+        return served;
     }
 
     /**
-     * Goes into the stance by way of a nearby posture, begins to measure there, and is pushed once a second from then on.
+     * Moves to the stance by way of a randomly disturbed posture, begins the measurement, and starts pushes once per second.
      *
-     * @param seed chooses the disturbances
-     * @param newtons strength of the pushes
+     * @param seed the seed of the disturbances
+     * @param newtons force of the pushes
      * @return this trial
      */
     public MotionTrial intoStance(long seed, double newtons) {
@@ -162,9 +162,9 @@ public final class MotionTrial implements AutoCloseable {
     }
 
     /**
-     * Measures from now on, as if nothing had been before.
+     * Begins a new measurement and removes all measures.
      *
-     * @param untilFall whether the robot does nothing more once it has fallen
+     * @param untilFall whether the trial ends with a fall
      */
     public void begin(boolean untilFall) {
         start = trial.now();
@@ -176,15 +176,15 @@ public final class MotionTrial implements AutoCloseable {
         endsWithFall = untilFall;
     }
 
-    /** Lets the robot go on after a fall. */
+    /** Continues the trial after a fall. */
     public void allowFalls() {
         endsWithFall = false;
     }
 
     /**
-     * Shows each cycle from now on to a measure.
+     * Adds a measure, which sees the current state and all following cycles.
      *
-     * @param measure sees the present moment first
+     * @param measure the measure
      */
     public void watch(Measure measure) {
         measure.see(trial.now());
@@ -195,7 +195,7 @@ public final class MotionTrial implements AutoCloseable {
      * Plays a motion to its end.
      *
      * @param motion the motion
-     * @return whether no fall broke it off
+     * @return whether the trial continues, without a fall that ends it
      */
     public boolean play(Motion motion) {
         if (!isOver()) {
@@ -204,16 +204,15 @@ public final class MotionTrial implements AutoCloseable {
         return runWhile(robot::isBusy);
     }
 
-    /** Moves to a posture. */
     void moveTo(Posture posture, int millis) {
         play(new Motion("move", List.of(new Keyframe(millis, posture))));
     }
 
     /**
-     * Waits with motors that hold their joints, as between two motions.
+     * Holds the joints, as between two motions.
      *
-     * @param seconds how long
-     * @return whether no fall broke it off
+     * @param seconds the duration
+     * @return whether the trial continues, without a fall that ends it
      */
     public boolean hold(double seconds) {
         double latest = trial.seconds() + seconds - Cycle.SECONDS / 2;
@@ -221,11 +220,11 @@ public final class MotionTrial implements AutoCloseable {
     }
 
     /**
-     * Walks for a while; the robot goes on walking until {@link #stopWalking}.
+     * Walks while a condition holds. The robot keeps walking afterwards until {@link #stopWalking}.
      *
-     * @param velocity asked in each cycle for where to
-     * @param condition asked in each cycle whether to go on
-     * @return whether no fall broke it off
+     * @param velocity supplies the velocity of each cycle
+     * @param condition evaluated in each cycle
+     * @return whether the trial continues, without a fall that ends it
      */
     public boolean walk(Supplier<WalkVelocity> velocity, BooleanSupplier condition) {
         return runWhile(() -> {
@@ -237,7 +236,7 @@ public final class MotionTrial implements AutoCloseable {
     /**
      * Stops walking.
      *
-     * @return whether no fall broke it off
+     * @return whether the trial continues, without a fall that ends it
      */
     public boolean stopWalking() {
         robot.walk(WalkVelocity.ZERO);
@@ -258,7 +257,7 @@ public final class MotionTrial implements AutoCloseable {
         return endsWithFall && balance.hasFallen();
     }
 
-    /** {@return whether the robot has kept on its feet and, a moment later, stands upright, at rest and in the stance} */
+    /** {@return whether the trial continues for 0.6 s and the robot then is in the stance; see {@link #isInStance}} */
     public boolean endsInStance() {
         return hold(SETTLING_SECONDS) && isInStance();
     }
@@ -275,7 +274,7 @@ public final class MotionTrial implements AutoCloseable {
                 && trial.robot(0).torsoVelocity().length() < REST_METRES_PER_SECOND;
     }
 
-    /** {@return the trial in which all this happens, to look at robot and ball or to push them} */
+    /** {@return the underlying trial, for access to robot and ball} */
     public Trial trial() {
         return trial;
     }
@@ -285,41 +284,41 @@ public final class MotionTrial implements AutoCloseable {
         return trial.robot(0).body();
     }
 
-    /** {@return seconds since the beginning} */
+    /** {@return the simulated time since the beginning of the measurement, in seconds} */
     public double seconds() {
         return trial.seconds() - start.seconds();
     }
 
-    /** {@return how steady the robot has been since the beginning} */
+    /** {@return the balance since the beginning of the measurement} */
     public BalanceMetrics balance() {
         return balance;
     }
 
-    /** {@return metres that the robot has moved along its first heading} */
+    /** {@return the displacement along the initial heading, in metres} */
     public double forward() {
         return start.place().ahead(body().position());
     }
 
-    /** {@return metres that the robot has moved to the left of its first heading} */
+    /** {@return the displacement to the left of the initial heading, in metres} */
     public double left() {
         return start.place().left(body().position());
     }
 
-    /** {@return degrees that the robot has turned, positive to the left, whole turns included} */
+    /** {@return the accumulated rotation in degrees, positive to the left, including full turns} */
     public double turnedDegrees() {
         return turn.value();
     }
 
-    /** {@return where the robot stood at first} */
+    /** {@return the pose at the beginning of the measurement} */
     public Pose2d start() {
         return start.place();
     }
 
     /**
-     * Places the ball before the robot, up to 1 cm away from its place along each axis.
+     * Places the ball at a position with a random offset of up to 1 cm along each axis.
      *
-     * @param ball its nominal place as seen from where the robot stood at first
-     * @param seed chooses how far away
+     * @param ball the nominal position relative to the initial pose
+     * @param seed the seed of the offset
      */
     public void placeBall(Translation2d ball, long seed) {
         Random random = new Random(7 * seed + 3);

@@ -18,7 +18,7 @@ import org.robonewbie.protocol.perceptor.FootForce;
 import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.SensorReadings;
 
-/** The motion player and the walk engine without an agent around them: faster, and with any walk, learned or not. */
+/** Motion player and walk engine without an agent, which is faster and allows any walk, learned or not. */
 public final class ScriptedMotors implements ScriptedRobot {
 
     private final JointStates joints = new JointStates();
@@ -31,7 +31,7 @@ public final class ScriptedMotors implements ScriptedRobot {
     /**
      * Creates a robot at rest.
      *
-     * @param walk how it walks
+     * @param walk the walk
      */
     public ScriptedMotors(PolicyWalk walk) {
         engine = new WalkEngine(walk.style(), walk.reflex());
@@ -81,8 +81,8 @@ public final class ScriptedMotors implements ScriptedRobot {
     }
 
     private static FootPressure pressure(Optional<FootForce> foot) {
-        return foot.map(felt ->
-                        new FootPressure(SimSparkFrame.toBody(felt.point()), SimSparkFrame.toBody(felt.force())))
+        return foot.map(contact ->
+                        new FootPressure(SimSparkFrame.toBody(contact.point()), SimSparkFrame.toBody(contact.force())))
                 .orElse(FootPressure.NONE);
     }
 }

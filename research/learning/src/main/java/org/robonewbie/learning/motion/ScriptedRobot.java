@@ -4,7 +4,7 @@ import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.trial.Controller;
 
-/** A robot that a {@link MotionTrial} controls. Without an order it holds its joints. */
+/** Robot that a {@link MotionTrial} controls. It holds its joints unless it moves or walks. */
 public interface ScriptedRobot {
 
     /** {@return the controller of the robot in a trial} */
@@ -18,12 +18,12 @@ public interface ScriptedRobot {
     void play(Motion motion);
 
     /**
-     * Walks from now on.
+     * Sets the walk velocity.
      *
-     * @param velocity the velocity
+     * @param velocity the velocity; zero to stop
      */
     void walk(WalkVelocity velocity);
 
-    /** {@return whether it still plays a motion or walks} */
+    /** {@return whether the robot plays a motion or walks} */
     boolean isBusy();
 }

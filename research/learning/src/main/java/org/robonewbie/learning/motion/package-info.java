@@ -1,5 +1,5 @@
 /**
- * Trials of motions and walks that are scripted step by step. Read {@link org.robonewbie.learning.motion.MotionTrial} first.
+ * Scripted trials of motions and walks. Read {@link org.robonewbie.learning.motion.MotionTrial} first.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

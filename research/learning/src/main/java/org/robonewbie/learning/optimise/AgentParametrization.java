@@ -16,43 +16,42 @@ import org.robonewbie.agent.TunableNumber;
 import org.robonewbie.agent.TunableNumbers;
 import org.robonewbie.nao.file.AtomicFile;
 
-/** The numbers that a robot's program declares by {@code number(...)}. */
+/** Parameters of an agent: the numbers that its program declares by {@code number(...)}. */
 public final class AgentParametrization implements Parametrization {
 
     private static final int DIGITS_OF_RANGE = 3;
-    private static final double COST_OF_BEYOND = 0.1;
+    private static final double OUT_OF_RANGE_COST = 0.1;
 
     private final String name;
-    private final Supplier<Agent> maker;
+    private final Supplier<Agent> factory;
     private final Objective objective;
     private final AgentScene scene;
     private final List<TunableNumber> numbers;
 
     /**
-     * Creates the parametrization of a program.
+     * Creates the parametrization of an agent.
      *
-     * @param name how the program is called on the command line
-     * @param maker makes a robot with the program, from any thread
-     * @param objective what is measured
-     * @param scene where and how long
-     * @throws IllegalArgumentException if the program declares no number
+     * @param name the name of the agent on the command line
+     * @param factory creates an agent; thread-safe
+     * @param objective the objective
+     * @param scene the scene of the trials
+     * @throws IllegalArgumentException if the agent declares no number
      */
-    public AgentParametrization(String name, Supplier<Agent> maker, Objective objective, AgentScene scene) {
-        this(name, maker, objective, scene, new AgentDriver(maker.get()).numbers());
+    public AgentParametrization(String name, Supplier<Agent> factory, Objective objective, AgentScene scene) {
+        this(name, factory, objective, scene, new AgentDriver(factory.get()).numbers());
     }
 
-    /** Creates the parametrization from known numbers, regardless of a file with numbers in this folder. */
+    /** Creates the parametrization with given numbers, regardless of a file of numbers in the current folder. */
     AgentParametrization(
-            String name, Supplier<Agent> maker, Objective objective, AgentScene scene, List<TunableNumber> numbers) {
+            String name, Supplier<Agent> factory, Objective objective, AgentScene scene, List<TunableNumber> numbers) {
         this.name = name;
-        this.maker = maker;
+        this.factory = factory;
         this.objective = objective;
         this.scene = scene;
         this.numbers = numbers;
         if (numbers.isEmpty()) {
-            throw new IllegalArgumentException(
-                    name + " declares no number that could be improved. Declare one as a field of"
-                            + " the class, for example: private final double stride = number(\"stride\", 5, 0, 10);");
+            throw new IllegalArgumentException(name + " declares no number to optimise. Declare one as a field of"
+                    + " the class, for example: private final double stride = number(\"stride\", 5, 0, 10);");
         }
     }
 
@@ -62,8 +61,8 @@ public final class AgentParametrization implements Parametrization {
     }
 
     @Override
-    public String words() {
-        return "--agent " + name + " " + scene.words();
+    public String commandLine() {
+        return "--agent " + name + " " + scene.commandLine();
     }
 
     @Override
@@ -85,22 +84,23 @@ public final class AgentParametrization implements Parametrization {
 
     @Override
     public Evaluation evaluate(double[] coordinates, long seed) {
-        Agent agent = TunableNumbers.with(values(coordinates), maker);
+        Agent agent = TunableNumbers.with(values(coordinates), factory);
         Evaluation evaluation = scene.evaluate(agent, objective, seed);
         double beyond = IntStream.range(0, numbers.size())
                 .mapToDouble(i -> beyond(i, coordinates[i]))
                 .sum();
-        return new Evaluation(evaluation.value(), evaluation.success(), evaluation.flaws() + COST_OF_BEYOND * beyond);
+        return new Evaluation(
+                evaluation.value(), evaluation.success(), evaluation.flaws() + OUT_OF_RANGE_COST * beyond);
     }
 
     @Override
     public Recipe recipe() {
-        String className = maker.get().getClass().getName();
-        List<TunableNumber> known = numbers;
-        AgentScene where = scene;
+        String className = factory.get().getClass().getName();
+        List<TunableNumber> knownNumbers = numbers;
+        AgentScene knownScene = scene;
         String label = objective.label();
         return classes -> new AgentParametrization(
-                className, () -> agent(className, classes), Objective.named(label, classes), where, known);
+                className, () -> agent(className, classes), Objective.named(label, classes), knownScene, knownNumbers);
     }
 
     private static Agent agent(String className, ClassLoader classes) {
@@ -111,9 +111,9 @@ public final class AgentParametrization implements Parametrization {
                     .newInstance();
         } catch (ReflectiveOperationException | ClassCastException wrong) {
             throw new IllegalArgumentException(
-                    "The robot's class " + className + " cannot be created where the trials run (" + wrong
-                            + "). It has to be public, with a public constructor without parameters, in a jar that goes to"
-                            + " the workers.",
+                    "The agent " + className + " cannot be created on a worker (" + wrong
+                            + "). Its class must be public, have a public constructor without parameters, and be in a jar"
+                            + " that is sent to the workers.",
                     wrong);
         }
     }
@@ -139,8 +139,8 @@ public final class AgentParametrization implements Parametrization {
                 })
                 .collect(Collectors.joining(
                         "\n",
-                        "The program takes these numbers from the file " + file() + " in the folder in which it runs."
-                                + " In its text they would be:\n",
+                        "The program reads these numbers from the file " + file() + " in its working folder."
+                                + " To change them in its source, write:\n",
                         "\n"));
     }
 
@@ -158,31 +158,36 @@ public final class AgentParametrization implements Parametrization {
         return values;
     }
 
-    /** With all coordinates 0 it is the present value; others are rounded to what can be read. */
+    /** The value for a coordinate: the current one for 0, else clamped to the range and rounded to three digits of it. */
     private double value(int index, double coordinate) {
         TunableNumber number = numbers.get(index);
         if (coordinate == 0) {
             return number.value();
         }
-        double wanted = Math.max(number.least(), Math.min(number.most(), wanted(number, coordinate)));
+        double clamped = clamp(number, unclamped(number, coordinate));
         int places = DIGITS_OF_RANGE - (int) Math.floor(Math.log10(number.most() - number.least()));
-        double rounded = BigDecimal.valueOf(wanted)
+        double rounded = BigDecimal.valueOf(clamped)
                 .setScale(places, RoundingMode.HALF_EVEN)
                 .doubleValue();
-        return Math.max(number.least(), Math.min(number.most(), rounded));
+        return clamp(number, rounded);
     }
 
+    /** The distance of a coordinate from the range of its number, in coordinates. */
     private double beyond(int index, double coordinate) {
         TunableNumber number = numbers.get(index);
-        double wanted = wanted(number, coordinate);
-        return Math.max(0, Math.max(number.least() - wanted, wanted - number.most())) / size(number);
+        double value = unclamped(number, coordinate);
+        return Math.abs(value - clamp(number, value)) / size(number);
     }
 
-    private static double wanted(TunableNumber number, double coordinate) {
+    private static double clamp(TunableNumber number, double value) {
+        return Math.max(number.least(), Math.min(number.most(), value));
+    }
+
+    private static double unclamped(TunableNumber number, double coordinate) {
         return number.value() + coordinate * size(number);
     }
 
-    /** A quarter of the range is a change that should be noticeable. */
+    /** The change of the value per coordinate: a quarter of the range, which is noticeable. */
     private static double size(TunableNumber number) {
         return (number.most() - number.least()) / 4;
     }

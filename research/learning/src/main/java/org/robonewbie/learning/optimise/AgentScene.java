@@ -14,21 +14,20 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.measure.Standing;
 
 /**
- * Where and how long a program is tried. Each seed is a scene of its own: the places of robot and ball vary a little, and so
- * does the noise.
+ * Scene of the trials of an agent. Each seed varies the positions of robot and ball, the heading and the noise.
  *
- * @param place where the robot stands, in metres from the centre
- * @param degrees its heading; 0 is towards the opponents' goal, positive is left
- * @param ball where the ball lies
- * @param spreadMetres how much the places of robot and ball vary; the robot's heading varies by 60 degrees for each metre of it
- * @param seconds how long a trial lasts at most
+ * @param place the robot's position, in metres from the centre of the field
+ * @param degrees the robot's heading; 0 is towards the opponents' goal, positive is left
+ * @param ball the position of the ball
+ * @param spreadMetres largest offset of robot and ball along each axis, 0 to 3; the heading varies by 60 degrees per metre of it
+ * @param seconds maximum length of a trial, above 0 and at most 3600
  */
 public record AgentScene(Vector3 place, double degrees, Vector3 ball, double spreadMetres, double seconds)
         implements Serializable {
 
-    private static final double DEGREES_FOR_EACH_METRE = 60;
+    private static final double DEGREES_PER_METRE = 60;
 
-    /** Checks the numbers. */
+    /** Validates the parameters. */
     public AgentScene {
         if (!(seconds > 0 && seconds <= 3600)) {
             throw new IllegalArgumentException("--seconds " + seconds + ": give a number above 0, at most 3600.");
@@ -38,8 +37,8 @@ public record AgentScene(Vector3 place, double degrees, Vector3 ball, double spr
         }
     }
 
-    /** The command line of this scene. */
-    String words() {
+    /** The options of {@code robonewbie optimise} for this scene. */
+    String commandLine() {
         return String.format(
                 Locale.ROOT,
                 "--pose %s,%s,%s --ball %s,%s --spread %s --seconds %s",
@@ -53,18 +52,18 @@ public record AgentScene(Vector3 place, double degrees, Vector3 ball, double spr
     }
 
     /**
-     * Tries a program. It succeeds if it reaches what the objective waits for, such as a goal, and else if it never falls.
+     * Runs a trial. It succeeds if the objective is a time and its event occurs, such as a goal, or, for other objectives, if the robot never falls.
      *
-     * @param agent the program, which has not done anything yet
-     * @param objective what is measured
-     * @param seed chooses the scene
-     * @return what came out
+     * @param agent a new agent
+     * @param objective the objective
+     * @param seed the seed of the scene
+     * @return the result
      */
     Evaluation evaluate(Agent agent, Objective objective, long seed) {
         Measure measure = objective.measure().get();
         Standing standing = new Standing();
         try (Trial trial = Trial.served(scene(seed), seed, Controller.ofAgent(agent))) {
-            if (objective.isTimeToReachSomething()) {
+            if (objective.isTimeToEvent()) {
                 trial.run(seconds, measure);
                 return new Evaluation(measure.value(), measure.isDecided() ? 1 : 0, 0);
             }
@@ -77,7 +76,7 @@ public record AgentScene(Vector3 place, double degrees, Vector3 ball, double spr
         Random random = new Random(11 * seed + 5);
         random.nextLong();
         Vector3 start = near(place, random);
-        double heading = degrees + spreadMetres * DEGREES_FOR_EACH_METRE * between(random);
+        double heading = degrees + spreadMetres * DEGREES_PER_METRE * between(random);
         return Scene.of(RobotStart.at(new Pose2d(start.x(), start.y(), heading)))
                 .withBall(near(ball, random));
     }

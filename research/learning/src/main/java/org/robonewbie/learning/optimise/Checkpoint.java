@@ -15,9 +15,9 @@ import org.robonewbie.learning.optimise.Generation.Score;
 import org.robonewbie.trial.batch.Journal;
 
 /**
- * The journal of an optimisation: the costs of all candidates of each generation and, after a bar, its score for display. Since the same
- * costs lead to the same candidates, a search resumes from it exactly. Behind another bar each line has a checksum of the file up to
- * there; lines without one are read too.
+ * Journal of an optimisation. Each line holds the costs of the candidates of a generation, the score of the generation for display, and a
+ * CRC-32 of the file up to that point, separated by bars; the checksum is optional. Costs determine the next candidates, so a search
+ * resumes exactly.
  */
 final class Checkpoint implements AutoCloseable {
 
@@ -31,11 +31,11 @@ final class Checkpoint implements AutoCloseable {
     private Checkpoint(Path file, String header) throws IOException {
         this.file = file;
         this.journal = Journal.open(file, header);
-        note(header + "\n");
+        updateSum(header + "\n");
         journal.lines().forEach(this::read);
     }
 
-    /** Begins a new search; an earlier checkpoint is deleted. */
+    /** Begins a new search and deletes an earlier checkpoint. */
     static Checkpoint begin(Path file, String header) throws IOException {
         Files.deleteIfExists(file);
         return new Checkpoint(file, header);
@@ -49,7 +49,7 @@ final class Checkpoint implements AutoCloseable {
     static Checkpoint resume(Path file, String header) throws IOException {
         if (!Files.exists(file)) {
             throw new IllegalArgumentException(
-                    "There is nothing to resume: " + file + " does not exist. Leave out --resume.");
+                    "There is nothing to resume: " + file + " does not exist. Omit --resume to start a new search.");
         }
         return new Checkpoint(file, header);
     }
@@ -59,21 +59,21 @@ final class Checkpoint implements AutoCloseable {
         Line line = line(text, parts);
         String checksum = checksum(line);
         if (parts.length > 2 && !parts[2].equals(checksum)) {
-            throw new IllegalArgumentException(
-                    file + " is damaged: the checksum of \"" + text + "\" does not fit. Leave out --resume.");
+            throw new IllegalArgumentException(file + " is damaged: the checksum of \"" + text
+                    + "\" does not match. Omit --resume to start again.");
         }
         generations.add(line);
     }
 
     /** Adds a line to the running checksum and returns the checksum. */
     private String checksum(Line next) {
-        note(next.toString());
+        updateSum(next.toString());
         String checksum = String.format(Locale.ROOT, "%08x", sum.getValue());
-        note(BAR + checksum + "\n");
+        updateSum(BAR + checksum + "\n");
         return checksum;
     }
 
-    private void note(String text) {
+    private void updateSum(String text) {
         sum.update(text.getBytes(StandardCharsets.UTF_8));
     }
 
@@ -98,7 +98,7 @@ final class Checkpoint implements AutoCloseable {
             return new Line(numbers(parts[0]), new Score(score[0], score[1], score[2]));
         } catch (NumberFormatException | ArrayIndexOutOfBoundsException e) {
             throw new IllegalArgumentException(
-                    file + " cannot be understood: \"" + text + "\". Leave out --resume.", e);
+                    file + " is damaged at \"" + text + "\". Omit --resume to start again.", e);
         }
     }
 
@@ -112,7 +112,6 @@ final class Checkpoint implements AutoCloseable {
         return Arrays.stream(numbers).mapToObj(Double::toString).collect(Collectors.joining(" "));
     }
 
-    /** The result of one generation. */
     @SuppressWarnings("ArrayRecordComponent")
     record Line(double[] costs, Score score) {
 

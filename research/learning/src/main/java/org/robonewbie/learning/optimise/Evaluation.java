@@ -5,29 +5,28 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * What a candidate has done in one trial, or in several.
+ * Result of a candidate in one trial, or its mean over several.
  *
- * @param value what the objective measures, in its unit
- * @param success share of the trials that ended as they should, 0 to 1
- * @param flaws what is wrong with it besides, in parts of what the candidate is worth; 0 is nothing
+ * @param value the value of the objective, in its unit
+ * @param success the share of successful trials, 0 to 1
+ * @param flaws penalty for other flaws, relative to the scale of the value; 0 for none
  */
 public record Evaluation(double value, double success, double flaws) implements Serializable {
 
-    private static final double COST_OF_FAILURE = 2;
-    private static final double WEIGHT_OF_WORST = 0.3;
+    private static final double FAILURE_COST = 2;
+    private static final double WORST_WEIGHT = 0.3;
 
     /**
-     * Judges this evaluation.
+     * Returns the cost for the search.
      *
-     * @param sign 1 if smaller values are better, -1 if larger ones are
-     * @param scale the size of usual values, greater than 0
-     * @return the cost for the search; smaller is better
+     * @param sign 1 if smaller values are better, -1 if larger values are
+     * @param scale the scale of typical values, greater than 0
+     * @return the cost; smaller is better
      */
     double cost(double sign, double scale) {
-        return sign * value / scale + COST_OF_FAILURE * (1 - success) + flaws;
+        return sign * value / scale + FAILURE_COST * (1 - success) + flaws;
     }
 
-    /** Takes several trials together. */
     static Evaluation mean(List<Evaluation> evaluations) {
         return new Evaluation(
                 evaluations.stream().mapToDouble(Evaluation::value).average().orElse(0),
@@ -35,12 +34,12 @@ public record Evaluation(double value, double success, double flaws) implements 
                 evaluations.stream().mapToDouble(Evaluation::flaws).average().orElse(0));
     }
 
-    /** Judges several trials by their mean, drawn towards the worst of them. */
+    /** Risk-averse cost of several trials: a weighted mean of their mean and their worst cost. */
     static double cost(List<Evaluation> evaluations, double sign, double scale) {
         double[] costs =
                 evaluations.stream().mapToDouble(one -> one.cost(sign, scale)).toArray();
         double mean = Arrays.stream(costs).average().orElseThrow();
         double worst = Arrays.stream(costs).max().orElseThrow();
-        return (1 - WEIGHT_OF_WORST) * mean + WEIGHT_OF_WORST * worst;
+        return (1 - WORST_WEIGHT) * mean + WORST_WEIGHT * worst;
     }
 }

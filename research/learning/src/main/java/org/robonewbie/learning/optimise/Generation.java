@@ -1,38 +1,38 @@
 package org.robonewbie.learning.optimise;
 
 /**
- * What one generation of an optimisation has reached.
+ * Result of one generation of an optimisation.
  *
- * @param number from 1
- * @param of how many there will be
- * @param score how its candidates did
- * @param distribution of the candidates of the next generation
- * @param pace how fast the search is; {@link Pace#UNKNOWN} for a generation from before an interruption
+ * @param number the number of the generation, from 1
+ * @param of the planned number of generations
+ * @param score the score of its candidates
+ * @param distribution the distribution of the next candidates
+ * @param pace the speed of the search; {@link Pace#UNKNOWN} for a generation from before an interruption
  */
 public record Generation(int number, int of, Score score, SearchDistribution distribution, Pace pace) {
 
     /**
-     * How the candidates of a generation did.
+     * Score of a generation.
      *
      * @param best the value of the best candidate, in the unit of the objective
      * @param mean the mean value of all candidates
-     * @param success share of all trials that ended as they should, 0 to 1
+     * @param success the share of successful trials, 0 to 1
      */
     public record Score(double best, double mean, double success) {}
 
     /**
-     * How fast a search is.
+     * Speed of a search.
      *
-     * @param trialsPerSecond trials in each second of the clock, 0 if unknown
-     * @param secondsLeft how long the rest will take, estimated from this run
+     * @param trialsPerSecond trials per second of real time, 0 if unknown
+     * @param secondsLeft the estimated remaining time
      */
     public record Pace(double trialsPerSecond, double secondsLeft) {
 
-        /** The pace of what was done in an earlier run. */
+        /** The pace of a generation from the checkpoint. */
         public static final Pace UNKNOWN = new Pace(0, 0);
     }
 
-    /** {@return whether this generation comes from the checkpoint, since it was tried before an interruption} */
+    /** {@return whether this generation comes from the checkpoint of an interrupted search} */
     public boolean isRemembered() {
         return pace.equals(Pace.UNKNOWN);
     }

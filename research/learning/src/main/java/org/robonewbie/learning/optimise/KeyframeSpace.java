@@ -3,6 +3,7 @@ package org.robonewbie.learning.optimise;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Mirror;
@@ -10,16 +11,16 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * The changes that can be made to a motion: each keyframe's time and the angles of its joints, the head excluded. What is
- * symmetrical remains so: a posture that is its own mirror image, and a walk whose second half is the mirror image of its
- * first. The last keyframe of any other motion does not change, since the next motion begins there.
+ * Search space of the changes to a motion: the duration of each keyframe and the angles of its joints, except those of the head. Symmetry
+ * is preserved: of a posture that is its own mirror image, and of a walk whose second half mirrors its first. In all other motions the
+ * last keyframe is fixed, since the next motion begins there.
  */
 final class KeyframeSpace {
 
     private static final double MILLIS_PER_COORDINATE = 60;
     private static final double DEGREES_PER_COORDINATE = 5;
     private static final int CYCLE_MILLIS = 20;
-    private static final int SHORTEST_MILLIS = 40;
+    private static final int MIN_MILLIS = 40;
     private static final double MARGIN_DEGREES = 0.5;
 
     private final Motion motion;
@@ -40,12 +41,11 @@ final class KeyframeSpace {
         }
     }
 
-    /** The number of coordinates. */
     int dimension() {
         return joints.size() + joints.stream().mapToInt(List::size).sum();
     }
 
-    /** The motion that belongs to coordinates; with all of them 0 it is the motion itself. */
+    /** The motion at a point of the space; the origin is the original motion. */
     Motion motion(double[] coordinates) {
         List<Keyframe> keyframes = new ArrayList<>(motion.keyframes());
         int at = 0;
@@ -72,7 +72,7 @@ final class KeyframeSpace {
         return new Motion(motion.name(), keyframes);
     }
 
-    /** Explains the numbers of the motion that belongs to coordinates. */
+    /** The parameters of the motion at a point of the space. */
     List<Parameter> numbers(double[] coordinates) {
         List<Keyframe> keyframes = motion(coordinates).keyframes();
         List<Parameter> numbers = new ArrayList<>();
@@ -91,7 +91,7 @@ final class KeyframeSpace {
 
     private static int millis(int before, double change) {
         int cycles = (int) Math.round(MILLIS_PER_COORDINATE * change / CYCLE_MILLIS);
-        return cycles == 0 ? before : Math.max(SHORTEST_MILLIS, before + cycles * CYCLE_MILLIS);
+        return cycles == 0 ? before : Math.max(MIN_MILLIS, before + cycles * CYCLE_MILLIS);
     }
 
     private static double degrees(Joint joint, double before, double change) {
@@ -107,13 +107,13 @@ final class KeyframeSpace {
 
     private static boolean isAlternating(List<Keyframe> keyframes) {
         int half = keyframes.size() / 2;
-        boolean alternating = half > 0 && keyframes.size() % 2 == 0;
-        for (int i = 0; i < half && alternating; i++) {
-            Keyframe one = keyframes.get(i);
-            Keyframe other = keyframes.get(i + half);
-            alternating = one.durationMillis() == other.durationMillis()
-                    && one.posture().mirrored().equals(other.posture());
-        }
-        return alternating;
+        return half > 0
+                && keyframes.size() % 2 == 0
+                && IntStream.range(0, half).allMatch(i -> isMirrored(keyframes.get(i), keyframes.get(i + half)));
+    }
+
+    private static boolean isMirrored(Keyframe one, Keyframe other) {
+        return one.durationMillis() == other.durationMillis()
+                && one.posture().mirrored().equals(other.posture());
     }
 }

@@ -1,17 +1,16 @@
 package org.robonewbie.learning.optimise;
 
 /**
- * The effect of a motion: where it brings robot and ball. A motion that is to cost less energy or rock less must keep this
- * effect.
+ * Effect of a motion on the position of robot and ball, which must be preserved when energy or sway are minimised.
  *
- * @param forward metres that the robot has moved forward
- * @param left metres that it has moved to the left
- * @param turnedDegrees degrees that it has turned to the left
- * @param ballForward metres that the ball has moved forward
+ * @param forward forward motion of the robot, in metres
+ * @param left motion of the robot to the left, in metres
+ * @param turnedDegrees rotation of the robot to the left, in degrees
+ * @param ballForward forward motion of the ball, in metres
  */
 record MotionEffect(double forward, double left, double turnedDegrees, double ballForward) {
 
-    /** The difference from another effect, about 1 for something quite different. */
+    /** The difference from another effect; values about 1 indicate a different motion. */
     double difference(MotionEffect other) {
         return part(forward, other.forward, 0.2)
                 + part(left, other.left, 0.2)
@@ -19,7 +18,7 @@ record MotionEffect(double forward, double left, double turnedDegrees, double ba
                 + part(ballForward, other.ballForward, 0.5);
     }
 
-    private static double part(double mine, double wanted, double usual) {
-        return Math.abs(mine - wanted) / Math.max(usual, Math.abs(wanted));
+    private static double part(double value, double reference, double minScale) {
+        return Math.abs(value - reference) / Math.max(minScale, Math.abs(reference));
     }
 }

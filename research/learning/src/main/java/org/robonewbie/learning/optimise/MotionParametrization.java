@@ -10,11 +10,11 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.MotionFiles;
 
-/** A motion whose keyframes are changed: any motion of the library or of a file. */
+/** Parameters of a motion: the durations and postures of its keyframes. */
 public final class MotionParametrization implements Parametrization {
 
     private static final double FREE_CHANGE = 3;
-    private static final double COST_OF_CHANGE = 0.05;
+    private static final double CHANGE_COST = 0.05;
 
     private final String name;
     private final MotionFile file;
@@ -25,19 +25,19 @@ public final class MotionParametrization implements Parametrization {
     /**
      * Creates the parametrization of a motion.
      *
-     * @param name what it is called on the command line
-     * @param file the motion with what its file says about it; see {@link MotionScene} for what matters
-     * @param objective what is measured
-     * @throws IllegalArgumentException if the motion has nothing to change or cannot be tried for this objective
+     * @param name the name of the motion on the command line
+     * @param file the motion and the properties of its file, from which {@link MotionScene} derives the trial
+     * @param objective the objective
+     * @throws IllegalArgumentException if the motion has no parameters or does not suit the objective
      */
     public MotionParametrization(String name, MotionFile file, Objective objective) {
         this.name = name;
         this.file = file;
         this.space = new KeyframeSpace(file.motion());
         if (space.dimension() == 0) {
-            throw new IllegalArgumentException(
-                    file.name() + " has less than two keyframes; there is nothing to improve,"
-                            + " since the last keyframe stays as it is.");
+            throw new IllegalArgumentException(file.name()
+                    + " has fewer than two keyframes. There is nothing to optimise, since the last keyframe is"
+                    + " fixed.");
         }
         this.scene = new MotionScene(file, objective);
         this.objective = objective;
@@ -63,13 +63,7 @@ public final class MotionParametrization implements Parametrization {
         return Integer.toHexString(file.text().hashCode());
     }
 
-    /**
-     * Creates a candidate.
-     *
-     * @param coordinates how far each number is changed
-     * @return the changed motion
-     */
-    public Motion motion(double[] coordinates) {
+    Motion motion(double[] coordinates) {
         return space.motion(coordinates);
     }
 
@@ -79,7 +73,7 @@ public final class MotionParametrization implements Parametrization {
         double far = Arrays.stream(coordinates)
                 .map(x -> Math.max(0, Math.abs(x) - FREE_CHANGE))
                 .sum();
-        return new Evaluation(evaluation.value(), evaluation.success(), evaluation.flaws() + COST_OF_CHANGE * far);
+        return new Evaluation(evaluation.value(), evaluation.success(), evaluation.flaws() + CHANGE_COST * far);
     }
 
     @Override
@@ -93,15 +87,16 @@ public final class MotionParametrization implements Parametrization {
 
     @Override
     public void save(double[] coordinates, Map<String, String> facts, Path target) throws IOException {
-        MotionFile changed = withoutOldNews().withKeyframes(motion(coordinates).keyframes());
+        MotionFile changed =
+                withoutMeasurements().withKeyframes(motion(coordinates).keyframes());
         for (Map.Entry<String, String> fact : facts.entrySet()) {
             changed = changed.withProperty(fact.getKey(), fact.getValue());
         }
         MotionFiles.save(changed, target);
     }
 
-    /** Leaves out facts about the original motion. */
-    private MotionFile withoutOldNews() {
+    /** The file without properties that are valid for the original motion only. */
+    private MotionFile withoutMeasurements() {
         String text = file.text()
                 .lines()
                 .filter(line -> !line.matches("//\\s*(measured|coordinates):.*"))

@@ -20,10 +20,10 @@ import org.robonewbie.trial.measure.BalanceMetrics;
 import org.robonewbie.trial.measure.KickDistance;
 
 /**
- * How a motion is tried, from what its file says: {@code // start: stance} or {@code // start: lying on back} is how the robot
- * begins, {@code // end: stance} or {@code // end: lying on front} how it has to end, {@code // ball: 0.190 m ahead, -0.055 m to
- * the left} where the ball lies, and a motion that begins and ends in {@code walking} is played again and again. Nothing said
- * means: it begins in the stance and ends on its feet.
+ * Trial of a motion, as the properties of its file define: {@code // start: stance} or {@code // start: lying on back} is the initial pose,
+ * {@code // end: stance} or {@code // end: lying on front} the required final pose, {@code // ball: 0.190 m ahead, -0.055 m to the
+ * left} the position of the ball. A motion that starts and ends in {@code walking} is played in a loop. By default a motion starts in the
+ * stance and must end without a fall.
  */
 final class MotionScene {
 
@@ -31,7 +31,7 @@ final class MotionScene {
     private static final double PUSH_NEWTONS = 3;
     private static final double WALK_SECONDS = 8;
     private static final double SETTLING_SECONDS = 1;
-    private static final double SECONDS_TO_ROLL = 4;
+    private static final double ROLLING_SECONDS = 4;
 
     private final Objective objective;
     private final Optional<Translation2d> ball;
@@ -51,26 +51,25 @@ final class MotionScene {
         this.lyingStart = lying(start);
         this.lyingEnd = lying(end);
         this.loop = start.contains("walking") && end.contains("walking");
-        this.endsInStance = end.equals("stance") || loop || (end.isEmpty() && lastPosture(motion));
-        this.keepsEffect = objective.temptsToDoLess();
+        this.endsInStance = end.equals("stance") || loop || (end.isEmpty() && endsWithStance(motion));
+        this.keepsEffect = objective.rewardsInaction();
         if (objective.needsBall() && ball.isEmpty()) {
             throw new IllegalArgumentException(
-                    file.name() + " does not say where the ball lies, so " + objective.label()
+                    file.name() + " does not define the position of the ball, so " + objective.label()
                             + " cannot be measured. Add a line such as: // ball: 0.190 m ahead, -0.055 m to the left");
         }
     }
 
-    /** Tries a motion. */
     Evaluation evaluate(Motion candidate, long seed) {
-        Seen seen = play(candidate, seed);
-        double flaws = seen.flaws + 0.01 * Math.max(0, beyondMotors(candidate) - beyondMotors(motion));
+        Result result = play(candidate, seed);
+        double flaws = result.flaws + 0.01 * Math.max(0, beyondMotors(candidate) - beyondMotors(motion));
         if (keepsEffect) {
-            flaws += seen.effect.difference(play(motion, seed).effect);
+            flaws += result.effect.difference(play(motion, seed).effect);
         }
-        return new Evaluation(seen.value, seen.success ? 1 : 0, flaws);
+        return new Evaluation(result.value, result.success ? 1 : 0, flaws);
     }
 
-    private Seen play(Motion candidate, long seed) {
+    private Result play(Motion candidate, long seed) {
         try (MotionTrial robot = start(seed)) {
             ball.ifPresent(place -> robot.placeBall(place, seed));
             Measure measure = objective.measure().get();
@@ -86,12 +85,12 @@ final class MotionScene {
             if (loop) {
                 robot.play(ShippedMotions.motion("stop-walking"));
             }
-            robot.hold(objective.isTimeToScore() ? SECONDS_TO_ROLL : SETTLING_SECONDS);
+            robot.hold(objective.isTimeToScore() ? ROLLING_SECONDS : SETTLING_SECONDS);
             if (!loop) {
                 value = measure.value();
                 effect = effect(robot, kick);
             }
-            return new Seen(value, isSuccess(robot), roughness(robot.balance()), effect);
+            return new Result(value, isSuccess(robot), roughness(robot.balance()), effect);
         }
     }
 
@@ -125,16 +124,16 @@ final class MotionScene {
         }
         robot.play(ShippedMotions.motion("start-walking"));
         while (robot.seconds() < WALK_SECONDS && robot.play(candidate)) {
-            // one cycle after the other
+            // The loop ends with the first fall.
         }
     }
 
-    /** A calm torso and motors within their limits are worth something whatever the objective is. */
+    /** Penalty for a swaying torso and for joints at their limits, independent of the objective. */
     private static double roughness(BalanceMetrics balance) {
         return 0.001 * balance.value() + 0.03 * balance.meanJointsAtLimit();
     }
 
-    /** Adds up the degrees by which a motion, played in a loop, asks for more than the motors can do. */
+    /** Sum of the degrees by which the steps of a looped motion exceed the speed limits of the motors. */
     private static double beyondMotors(Motion motion) {
         double sum = 0;
         List<Keyframe> keyframes = motion.keyframes();
@@ -142,8 +141,8 @@ final class MotionScene {
         for (Keyframe keyframe : keyframes) {
             double seconds = keyframe.durationMillis() / 1000.0;
             for (Joint joint : Joint.values()) {
-                double way = Math.abs(keyframe.posture().degrees(joint) - before.degrees(joint));
-                sum += Math.max(0, way - joint.maxDegreesPerSecond() * seconds);
+                double change = Math.abs(keyframe.posture().degrees(joint) - before.degrees(joint));
+                sum += Math.max(0, change - joint.maxDegreesPerSecond() * seconds);
             }
             before = keyframe.posture();
         }
@@ -156,11 +155,10 @@ final class MotionScene {
                 .findFirst();
     }
 
-    private static boolean lastPosture(Motion motion) {
+    private static boolean endsWithStance(Motion motion) {
         Keyframe last = motion.keyframes().get(motion.keyframes().size() - 1);
         return last.posture().equals(Stance.POSTURE);
     }
 
-    /** What one trial showed. */
-    private record Seen(double value, boolean success, double flaws, MotionEffect effect) {}
+    private record Result(double value, boolean success, double flaws, MotionEffect effect) {}
 }

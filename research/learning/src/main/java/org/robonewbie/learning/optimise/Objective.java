@@ -10,14 +10,14 @@ import org.robonewbie.trial.measure.TimeToScore;
 import org.robonewbie.trial.measure.Upright;
 
 /**
- * What is to become better: any {@link Measure}.
+ * Objective of an optimisation: any {@link Measure}.
  *
  * <pre>{@code
  * Objective speed = Objective.named("walk-speed", getClass().getClassLoader());
  * }</pre>
  *
- * @param label its name on the command line, such as {@code walk-speed}
- * @param measure creates the measure of each trial
+ * @param label the name on the command line, such as {@code walk-speed}
+ * @param measure creates the measure of a trial
  */
 public record Objective(String label, Supplier<Measure> measure) {
 
@@ -25,15 +25,15 @@ public record Objective(String label, Supplier<Measure> measure) {
      * Looks up an objective.
      *
      * @param label the name of a measure or of a class, as for {@link Measures#named}
-     * @param classes where to look for the class
+     * @param classes the class loader of custom measures
      * @return the objective
-     * @throws IllegalArgumentException if there is none of this name; the message lists all
+     * @throws IllegalArgumentException if there is no such measure; the message lists all
      */
     public static Objective named(String label, ClassLoader classes) {
         return new Objective(label, Measures.named(label, classes));
     }
 
-    /** {@return the names of the framework's measures, separated by commas} */
+    /** {@return the names of the built-in measures, separated by commas} */
     public static String labels() {
         return Measures.names();
     }
@@ -48,8 +48,8 @@ public record Objective(String label, Supplier<Measure> measure) {
         return measure.get().isLargerBetter();
     }
 
-    /** {@return whether it can be improved by doing something else or nothing at all} */
-    boolean temptsToDoLess() {
+    /** Whether a motion that does less has a better value, so that the effect of the motion must be preserved. */
+    boolean rewardsInaction() {
         Measure one = measure.get();
         return one instanceof Energy || one instanceof Upright;
     }
@@ -62,8 +62,8 @@ public record Objective(String label, Supplier<Measure> measure) {
         return measure.get() instanceof TimeToScore;
     }
 
-    /** {@return whether a trial succeeds when the measure is decided; with all others it succeeds without a fall} */
-    boolean isTimeToReachSomething() {
+    /** Whether the measure is the time until an event. A trial then succeeds with the event, otherwise without a fall. */
+    boolean isTimeToEvent() {
         return measure.get() instanceof SustainedCondition || isTimeToScore();
     }
 }

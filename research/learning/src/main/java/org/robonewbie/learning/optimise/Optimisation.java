@@ -18,22 +18,22 @@ import org.robonewbie.trial.batch.Job;
 import org.robonewbie.trial.batch.ThreadRunner;
 
 /**
- * Optimises a parametrization for an objective. Each candidate is evaluated with several seeds, and the search distribution moves
- * towards the better ones. At the end start and result are compared with seeds that the search has not used.
+ * Optimisation of a parametrization for an objective by CMA-ES. Each candidate is evaluated with several seeds. At the end the start and
+ * the result are compared with seeds that the search has not used.
  *
  * <pre>{@code
- * Objective far = Objective.named("kick-distance", classes);
- * var optimisation = new Optimisation(new MotionParametrization("kick-right", file, far), far, plan, output);
+ * Objective distance = Objective.named("kick-distance", classes);
+ * var optimisation = new Optimisation(new MotionParametrization("kick-right", file, distance), distance, plan, output);
  * OptimisationResult result = optimisation.run(false, System.out::println);
  * }</pre>
  */
 public final class Optimisation {
 
-    private static final int TRIALS_OF_COMPARISON = 20;
-    private static final long SEEDS_OF_COMPARISON = 700_000_000;
-    private static final long SEEDS_FOR_EACH_RUN = 1_000_000;
-    private static final int GENERATIONS_WITH_SAME_TRIALS = 2;
-    private static final double LEAST_SCALE = 0.01;
+    private static final int COMPARISON_TRIALS = 20;
+    private static final long FIRST_COMPARISON_SEED = 700_000_000;
+    private static final long SEEDS_PER_RUN = 1_000_000;
+    private static final int GENERATIONS_PER_SEEDS = 2;
+    private static final double MIN_SCALE = 0.01;
 
     private final Parametrization subject;
     private final Objective objective;
@@ -43,12 +43,12 @@ public final class Optimisation {
     private final Job<CandidateTrial, Evaluation> job;
 
     /**
-     * Prepares an optimisation whose trials run on threads of this program.
+     * Creates an optimisation whose trials run on threads of this process.
      *
-     * @param subject what is to be improved
-     * @param objective what is measured
-     * @param plan the plan of the search
-     * @param output where the result is written; the checkpoint lies next to it
+     * @param subject the parametrization to optimise
+     * @param objective the objective
+     * @param plan the settings of the search
+     * @param output file of the result; the checkpoint is written beside it
      */
     public Optimisation(Parametrization subject, Objective objective, OptimisationPlan plan, Path output) {
         this(
@@ -61,15 +61,15 @@ public final class Optimisation {
     }
 
     /**
-     * Prepares an optimisation whose trials run elsewhere. The result is the same.
+     * Creates an optimisation whose trials run on a cluster. The result does not depend on the runner.
      *
-     * @param runner runs the trials, and is closed at the end
-     * @param subject what is to be improved
-     * @param objective what is measured
-     * @param plan the plan of the search
-     * @param output where the result is written; the checkpoint lies next to it
+     * @param runner runs the trials and is closed at the end
+     * @param subject the parametrization to optimise
+     * @param objective the objective
+     * @param plan the settings of the search
+     * @param output file of the result; the checkpoint is written beside it
      * @return the optimisation
-     * @throws IllegalArgumentException if the subject exists in this program only
+     * @throws IllegalArgumentException if the parametrization cannot be sent to other computers
      */
     public static Optimisation on(
             BatchRunner runner, Parametrization subject, Objective objective, OptimisationPlan plan, Path output) {
@@ -96,16 +96,15 @@ public final class Optimisation {
         this.job = job;
     }
 
-    /** One trial of a candidate. */
     @SuppressWarnings("ArrayRecordComponent")
     private record CandidateTrial(double[] candidate, long seed) implements Serializable {}
 
     /**
-     * Searches, compares, and writes the result if it is better than the start.
+     * Runs the search, compares its result with the start, and writes the result if it is better.
      *
-     * @param resume whether to continue an interrupted run; the result is that of a run that was never interrupted
+     * @param resume whether to resume an interrupted run, which has the same result as an uninterrupted one
      * @param listener called for each generation, including those from before the interruption
-     * @return how much better it has become
+     * @return the comparison of start and result
      * @throws IOException if a file cannot be read or written
      */
     public OptimisationResult run(boolean resume, OptimisationListener listener) throws IOException {
@@ -115,10 +114,11 @@ public final class Optimisation {
                 BatchRunner runner = runners.get()) {
             Evaluation before = compared(runner, new double[subject.dimension()]);
             listener.begins(before);
-            double[] found = search(runner, checkpoint, scale(before), listener);
+            double scale = Math.max(MIN_SCALE, Math.abs(before.value()));
+            double[] found = search(runner, checkpoint, scale, listener);
             Evaluation after = compared(runner, found);
             OptimisationResult result =
-                    new OptimisationResult(objective, before, after, TRIALS_OF_COMPARISON, subject.advice(found));
+                    new OptimisationResult(objective, before, after, COMPARISON_TRIALS, subject.advice(found));
             if (result.isBetter()) {
                 subject.save(found, facts(result), output);
             }
@@ -128,14 +128,12 @@ public final class Optimisation {
         }
     }
 
-    /** {@return the checkpoint file, next to the output} */
+    /** {@return the checkpoint file, beside the output} */
     public Path checkpointFile() {
         return output.resolveSibling(output.getFileName() + ".checkpoint");
     }
 
-    /**
-     * {@return the file that holds the present state of the search, next to the output, from the first generation to the end}
-     */
+    /** {@return the file of the current mean of the search, beside the output; it exists from the first generation to the end} */
     public Path fileSoFar() {
         String name = String.valueOf(output.getFileName());
         int dot = name.lastIndexOf('.');
@@ -155,8 +153,9 @@ public final class Optimisation {
                 listener.reached(generation(i, known.get(i).score(), search, Pace.UNKNOWN));
             } else {
                 List<List<Evaluation>> evaluations = evaluations(runner, candidates, firstSeed(i), plan.trials());
+                double sign = objective.isLargerBetter() ? -1 : 1;
                 double[] costs = evaluations.stream()
-                        .mapToDouble(trials -> Evaluation.cost(trials, sign(), scale))
+                        .mapToDouble(trials -> Evaluation.cost(trials, sign, scale))
                         .toArray();
                 Score score = score(evaluations, costs);
                 search.tell(costs);
@@ -183,7 +182,6 @@ public final class Optimisation {
         return new Score(means.get(best).value(), all.value(), all.success());
     }
 
-    /** Evaluates each candidate with each seed. */
     private List<List<Evaluation>> evaluations(
             BatchRunner runner, List<double[]> candidates, long firstSeed, int trials) throws IOException {
         List<CandidateTrial> all = candidates.stream()
@@ -197,33 +195,25 @@ public final class Optimisation {
     }
 
     private Evaluation compared(BatchRunner runner, double[] coordinates) throws IOException {
-        return Evaluation.mean(evaluations(runner, List.of(coordinates), SEEDS_OF_COMPARISON, TRIALS_OF_COMPARISON)
+        return Evaluation.mean(evaluations(runner, List.of(coordinates), FIRST_COMPARISON_SEED, COMPARISON_TRIALS)
                 .get(0));
     }
 
     private long firstSeed(int generation) {
-        return plan.seed() * SEEDS_FOR_EACH_RUN + generation / GENERATIONS_WITH_SAME_TRIALS * 1000L;
+        return plan.seed() * SEEDS_PER_RUN + generation / GENERATIONS_PER_SEEDS * 1000L;
     }
 
-    private static double scale(Evaluation before) {
-        return Math.max(LEAST_SCALE, Math.abs(before.value()));
-    }
-
-    private double sign() {
-        return objective.isLargerBetter() ? -1 : 1;
-    }
-
-    /** Everything that the way of the search depends on, but not how long it is. */
+    /** Everything that determines the course of the search, except its length. */
     private String question() {
-        return "optimise " + subject.words() + " " + subject.fingerprint() + " --objective " + objective.label() + " "
-                + plan.options(false);
+        return "optimise " + subject.commandLine() + " " + subject.fingerprint() + " --objective " + objective.label()
+                + " " + plan.options(false);
     }
 
     private Map<String, String> facts(OptimisationResult result) {
         Map<String, String> facts = new LinkedHashMap<>();
         facts.put(
                 "made by",
-                "robonewbie optimise " + subject.words() + " --objective " + objective.label() + " "
+                "robonewbie optimise " + subject.commandLine() + " --objective " + objective.label() + " "
                         + plan.options(true));
         facts.put("before", result.words(result.before()));
         facts.put("after", result.words(result.after()));

@@ -1,27 +1,27 @@
 package org.robonewbie.learning.optimise;
 
-/** Receives the progress of an optimisation; one call at a time. */
+/** Listener for the progress of an optimisation. Calls do not overlap. */
 @FunctionalInterface
 public interface OptimisationListener {
 
     /**
-     * Hears how well the start does, before the first generation.
+     * Called before the first generation.
      *
-     * @param before the mean of the trials of comparison
+     * @param before the evaluation of the start
      */
     default void begins(Evaluation before) {}
 
     /**
-     * Called for each generation. After an interruption it is first called again for the earlier ones.
+     * Called after each generation. A resumed search first calls it for the earlier generations.
      *
-     * @param generation what it has reached
+     * @param generation the result of the generation
      */
     void reached(Generation generation);
 
     /**
-     * Hears what came out; the file of the result is written already if it is better.
+     * Called at the end, when the result has been written if it is better than the start.
      *
-     * @param result the comparison with the start
+     * @param result the comparison of start and result
      */
     default void ends(OptimisationResult result) {}
 }

@@ -6,31 +6,31 @@ import org.robonewbie.learning.search.CovarianceMatrixAdaptation;
 import org.robonewbie.learning.search.RestartingSearch;
 
 /**
- * How an optimisation goes about it.
+ * Settings of an optimisation.
  *
- * @param seed chooses candidates and trials; the same seed gives the same result
- * @param generations how often candidates are drawn
- * @param population candidates in each generation, at least 4
- * @param trials trials of each candidate, at least 1
- * @param step spread of the first candidates in each coordinate
- * @param threads how many trials are carried out at the same time; the result does not depend on it
- * @param plain whether to search by plain CMA-ES, without learning from bad candidates and without beginning again
+ * @param seed the seed of candidates and trials; the same seed gives the same result
+ * @param generations the number of generations, at least 1
+ * @param population the number of candidates per generation, at least 4
+ * @param trials the number of trials per candidate, at least 1
+ * @param step the initial step size (sigma) in each coordinate, above 0 and at most 10
+ * @param threads the number of parallel trials, at least 1; the result does not depend on it
+ * @param plain whether to use CMA-ES without negative weights and without restarts
  */
 public record OptimisationPlan(
         long seed, int generations, int population, int trials, double step, int threads, boolean plain) {
 
-    /** Checks the numbers. */
+    /** Validates the settings. */
     public OptimisationPlan {
-        require(generations >= 1, "generations", generations, 1);
-        require(population >= 4, "population", population, 4);
-        require(trials >= 1, "seeds", trials, 1);
+        require("generations", generations, 1);
+        require("population", population, 4);
+        require("seeds", trials, 1);
         if (!(step > 0 && step <= 10)) {
             throw new IllegalArgumentException("--step " + step + ": give a number greater than 0, at most 10.");
         }
-        require(threads >= 1, "threads", threads, 1);
+        require("threads", threads, 1);
     }
 
-    /** Returns a new search around the origin of a space. */
+    /** Creates a search that starts at the origin. */
     AskAndTell search(int dimension) {
         double[] start = new double[dimension];
         return plain
@@ -38,7 +38,7 @@ public record OptimisationPlan(
                 : new RestartingSearch(start, step, population, seed);
     }
 
-    /** Returns the options of {@code robonewbie optimise} that lead to the same search. */
+    /** The options of {@code robonewbie optimise} for these settings. */
     String options(boolean withGenerations) {
         return String.format(
                 Locale.ROOT,
@@ -51,9 +51,9 @@ public record OptimisationPlan(
                 plain ? " --plain" : "");
     }
 
-    private static void require(boolean fine, String option, int value, int least) {
-        if (!fine) {
-            throw new IllegalArgumentException("--" + option + " " + value + ": give at least " + least + ".");
+    private static void require(String option, int value, int min) {
+        if (value < min) {
+            throw new IllegalArgumentException("--" + option + " " + value + ": give at least " + min + ".");
         }
     }
 }

@@ -3,27 +3,27 @@ package org.robonewbie.learning.optimise;
 import java.util.Locale;
 
 /**
- * Start and result of an optimisation, compared in the same trials, which the search has not seen.
+ * Comparison of the start and the result of an optimisation, in the same trials with seeds that the search has not used.
  *
- * @param objective what was to become better
- * @param before how the start did
- * @param after how the result did
- * @param trials how many trials each of them had
- * @param advice what else can be done with the result than to use its file; may be empty
+ * @param objective the objective
+ * @param before the evaluation of the start
+ * @param after the evaluation of the result
+ * @param trials the number of trials of each evaluation
+ * @param advice how to use the result other than by its file; may be empty
  */
 public record OptimisationResult(Objective objective, Evaluation before, Evaluation after, int trials, String advice) {
 
-    /** {@return whether the result does better without failing more often} */
+    /** {@return whether the value of the result is better and its success rate is not lower} */
     public boolean isBetter() {
         double gain = after.value() - before.value();
         return after.success() >= before.success() && (objective.isLargerBetter() ? gain > 0 : gain < 0);
     }
 
     /**
-     * Describes an evaluation in words.
+     * Describes an evaluation.
      *
      * @param evaluation {@link #before} or {@link #after}
-     * @return such as {@code kick-distance 5.612 m, 20 of 20 trials succeed}
+     * @return a text such as {@code kick-distance 5.612 m, 20 of 20 trials succeed}
      */
     public String words(Evaluation evaluation) {
         return String.format(

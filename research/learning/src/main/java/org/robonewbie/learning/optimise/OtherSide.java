@@ -6,24 +6,23 @@ import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import org.robonewbie.nao.geometry.Translation2d;
-import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.MotionFiles;
 
-/** Makes the left-hand file of a right-hand motion and vice versa. */
+/** Mirror image of a motion file: the left variant of a right motion, and vice versa. */
 public final class OtherSide {
 
     private static final Pattern SIDE = Pattern.compile("\\b(left|right)\\b");
-    private static final List<String> WORDS = List.of("does", "start", "end");
+    private static final List<String> SIDED_PROPERTIES = List.of("does", "start", "end");
 
     private OtherSide() {}
 
     /**
-     * Returns where the mirror image of a motion belongs.
+     * Returns the file of the mirror image.
      *
      * @param file a motion file such as {@code kick-right.txt}
-     * @return the file next to it with the other side in its name, such as {@code kick-left.txt}
-     * @throws IllegalArgumentException if the name does not say which side it is
+     * @return the file beside it with the other side in its name, such as {@code kick-left.txt}
+     * @throws IllegalArgumentException if the name contains neither left nor right
      */
     public static Path of(Path file) {
         String name = String.valueOf(file.getFileName());
@@ -35,20 +34,15 @@ public final class OtherSide {
     }
 
     /**
-     * Writes the mirror image of a motion next to it.
+     * Writes the mirror image of a motion beside it.
      *
      * @param file a motion file such as {@code kick-right.txt}
      * @throws IOException if a file cannot be read or written
      */
     public static void write(Path file) throws IOException {
         MotionFile mirrored = MotionFiles.load(file);
-        int index = 0;
-        for (Keyframe keyframe : mirrored.keyframes()) {
-            mirrored = mirrored.withKeyframe(
-                    index++,
-                    new Keyframe(keyframe.durationMillis(), keyframe.posture().mirrored()));
-        }
-        for (String key : WORDS) {
+        mirrored = mirrored.withKeyframes(mirrored.motion().mirrored().keyframes());
+        for (String key : SIDED_PROPERTIES) {
             if (mirrored.property(key).isPresent()) {
                 mirrored = mirrored.withProperty(
                         key, exchanged(mirrored.property(key).get()));

@@ -7,19 +7,16 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The parameters of a motion, of the walk engine or of a program, as coordinates of a search. A coordinate is the distance from the present
- * value in noticeable but small steps, so all coordinates start at 0. Thread-safe.
+ * Mapping of the parameters of a motion, the walk engine or an agent to the coordinates of a search. A coordinate is the difference from the
+ * current value in small but noticeable steps, so the search starts at the origin. Implementations are thread-safe.
  */
 public interface Parametrization {
 
     /** {@return the name on the command line, such as {@code kick-right} or {@code my-walk.txt}} */
     String name();
 
-    /**
-     * {@return the words between {@code optimise} and {@code --objective} on the command line; the name if nothing else is
-     * needed}
-     */
-    default String words() {
+    /** {@return the arguments between {@code optimise} and {@code --objective} on the command line, by default the name} */
+    default String commandLine() {
         return name();
     }
 
@@ -29,35 +26,31 @@ public interface Parametrization {
     /**
      * Describes a candidate.
      *
-     * @param coordinates how far each number is changed
-     * @return its numbers, in the order of the coordinates
+     * @param coordinates the coordinates of the candidate
+     * @return its parameters, in the order of the coordinates
      */
     List<Parameter> numbers(double[] coordinates);
 
-    /**
-     * Identifies the present values, so that a search is not resumed with others.
-     *
-     * @return the same text as long as nothing changes
-     */
+    /** {@return a hash of the current values, so that a search is not resumed with other values} */
     String fingerprint();
 
     /**
      * Evaluates a candidate.
      *
-     * @param coordinates how far each number is changed
-     * @param seed chooses all that is random; the same seed gives the same result
+     * @param coordinates the coordinates of the candidate
+     * @param seed the seed of the trial; the same seed gives the same result
      * @return the result
      */
     Evaluation evaluate(double[] coordinates, long seed);
 
-    /** Creates the same parametrization on another computer. */
+    /** Serializable factory of a parametrization, for workers of a cluster. */
     @FunctionalInterface
     interface Recipe extends Serializable {
 
         /**
          * Creates the parametrization.
          *
-         * @param classes knows the classes of programs and measures
+         * @param classes the class loader of agents and measures
          * @return the parametrization
          * @throws IllegalArgumentException if a class is missing; the message names it
          */
@@ -65,20 +58,20 @@ public interface Parametrization {
     }
 
     /**
-     * Returns what another computer needs to evaluate the same candidates.
+     * Returns a factory that creates this parametrization on another computer.
      *
-     * @return the recipe
-     * @throws IllegalArgumentException if candidates can be evaluated in this program only
+     * @return the factory
+     * @throws IllegalArgumentException if candidates can be evaluated in this process only
      */
     default Recipe recipe() {
-        throw new IllegalArgumentException(name() + " can be tried in this program only; use the engine local.");
+        throw new IllegalArgumentException(name() + " can be evaluated in this process only. Use --engine local.");
     }
 
     /**
-     * Returns how else a candidate can be used than by its file.
+     * Describes how to use a candidate other than by its file.
      *
-     * @param coordinates how far each number is changed
-     * @return some lines, possibly none
+     * @param coordinates the coordinates of the candidate
+     * @return lines of text; empty, the default, for none
      */
     default String advice(double[] coordinates) {
         return "";
@@ -87,9 +80,9 @@ public interface Parametrization {
     /**
      * Writes a candidate to a file, atomically.
      *
-     * @param coordinates how far each number is changed
-     * @param facts what the file records about how it was made, in this order
-     * @param file where it goes
+     * @param coordinates the coordinates of the candidate
+     * @param facts comments about the origin of the candidate, written in this order
+     * @param file the file
      * @throws IOException if the file cannot be written
      */
     void save(double[] coordinates, Map<String, String> facts, Path file) throws IOException;

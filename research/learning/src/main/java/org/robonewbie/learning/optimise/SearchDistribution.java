@@ -5,11 +5,11 @@ import java.util.List;
 import org.robonewbie.learning.search.AskAndTell;
 
 /**
- * The distribution of the next candidates of a search, in coordinates of its {@link Parametrization}.
+ * Distribution of the next candidates of a search, in coordinates of its {@link Parametrization}.
  *
- * @param step step size (sigma); small when the search has converged
- * @param middle the mean, which is the result if the search ends now
- * @param spread standard deviation in each coordinate
+ * @param step the step size (sigma), which approaches 0 as the search converges
+ * @param middle the mean, which is the current result
+ * @param spread the standard deviation in each coordinate
  */
 public record SearchDistribution(double step, List<Double> middle, List<Double> spread) {
 

@@ -17,10 +17,10 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.trial.Measure;
 
-/** The numbers of the walk engine. The robot walks straight ahead at full speed, and must also survive erratic velocities. */
+/** Parameters of the walk engine. A trial is a straight walk at full speed; it succeeds if a walk with erratic commands does not end in a fall either. */
 public final class WalkParametrization implements Parametrization {
 
-    /** What the walk engine is called on the command line. */
+    /** Name of the walk engine on the command line. */
     public static final String NAME = "walk-engine";
 
     private static final double SIZE = 0.5;
@@ -33,7 +33,7 @@ public final class WalkParametrization implements Parametrization {
     /**
      * Creates the parametrization of the walk engine.
      *
-     * @param objective what is measured
+     * @param objective the objective
      */
     public WalkParametrization(Objective objective) {
         this.objective = objective;
@@ -65,20 +65,20 @@ public final class WalkParametrization implements Parametrization {
     @Override
     public Evaluation evaluate(double[] coordinates, long seed) {
         WalkStyle style = style(coordinates);
-        boolean stood = standsErraticWalk(style, seed);
+        boolean survives = survivesErraticWalk(style, seed);
         try (MotionTrial robot = MotionTrial.inStance(RobotType.TYPE_0, style, seed, PUSH_NEWTONS)) {
             Measure measure = objective.measure().get();
             robot.watch(measure);
             robot.walk(() -> new WalkVelocity(style.most().forward(), 0, 0), () -> robot.seconds() < SECONDS);
             double value = measure.value();
-            boolean success = robot.stopWalking() && robot.endsInStance() && stood;
-            double aside = Math.abs(robot.turnedDegrees()) / 90
+            boolean success = robot.stopWalking() && robot.endsInStance() && survives;
+            double flaws = Math.abs(robot.turnedDegrees()) / 90
                     + 0.001 * robot.balance().value();
-            return new Evaluation(value, success ? 1 : 0, aside);
+            return new Evaluation(value, success ? 1 : 0, flaws);
         }
     }
 
-    private static boolean standsErraticWalk(WalkStyle style, long seed) {
+    private static boolean survivesErraticWalk(WalkStyle style, long seed) {
         try (MotionTrial robot = MotionTrial.inStance(RobotType.TYPE_0, style, seed, PUSH_NEWTONS)) {
             robot.walk(new ErraticVelocities(style, seed), () -> robot.seconds() < ERRATIC_SECONDS);
             return robot.stopWalking() && robot.endsInStance();

@@ -1,6 +1,6 @@
 /**
- * Improves what there is already: a motion, the walk engine or the numbers of an agent gets better at an objective, from one
- * command. Read {@link org.robonewbie.learning.optimise.Optimisation} first.
+ * Optimisation of an existing motion, the walk engine or the tunable numbers of an agent. Read {@link
+ * org.robonewbie.learning.optimise.Optimisation} first.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

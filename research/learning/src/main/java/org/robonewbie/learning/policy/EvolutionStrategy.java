@@ -10,20 +10,19 @@ import java.util.stream.IntStream;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * An evolution strategy for hundreds of numbers (Salimans et al. 2017): each generation tries pairs of candidates, which lie at
- * opposite sides of the mean, and moves the mean towards the better ones. Candidates count by their rank only, and steps are
- * smoothed by Adam (Kingma and Ba 2015). The next generation depends on seed, mean and moments alone, so that an interrupted search
- * continues with the same result.
+ * Evolution strategy for hundreds of parameters (Salimans et al., Evolution Strategies as a Scalable Alternative to Reinforcement
+ * Learning, 2017), with antithetic sampling, rank-based fitness shaping and the Adam optimiser (Kingma and Ba, 2015). The state determines the
+ * next generation, so an interrupted search resumes with the same result.
  *
  * <pre>{@code
  * List<double[]> candidates = strategy.ask(state);
  * state = strategy.tell(state, scores);
  * }</pre>
  *
- * @param seed chooses the candidates
- * @param antitheticPairs how many pairs of candidates a generation has
- * @param sigma standard deviation of the candidates, in parts of each number's scale
- * @param learningRate how far the mean moves in a generation, in parts of each number's scale
+ * @param seed the seed of the candidates
+ * @param antitheticPairs the number of pairs of candidates in a generation, at least 1
+ * @param sigma standard deviation of the candidates relative to the scale of each parameter, greater than 0
+ * @param learningRate step size of Adam relative to the scale of each parameter, greater than 0
  */
 public record EvolutionStrategy(long seed, int antitheticPairs, double sigma, double learningRate) {
 
@@ -31,19 +30,15 @@ public record EvolutionStrategy(long seed, int antitheticPairs, double sigma, do
     private static final double BETA_2 = 0.99;
     private static final double EPSILON = 1e-8;
 
-    /**
-     * Checks the numbers.
-     *
-     * @throws IllegalArgumentException if one is too small
-     */
+    /** Validates the parameters. */
     public EvolutionStrategy {
         if (antitheticPairs < 1 || !(sigma > 0 && learningRate > 0)) {
-            throw new IllegalArgumentException("Pairs, sigma and learning rate have to be greater than 0.");
+            throw new IllegalArgumentException("Pairs, sigma and learning rate must be greater than 0.");
         }
     }
 
-    /** The options of {@code robonewbie learn} that make this strategy. */
-    String words() {
+    /** The options of {@code robonewbie learn} that create this strategy. */
+    String commandLine() {
         return String.format(
                 Locale.ROOT,
                 "--seed %d --pairs %d --sigma %s --learning-rate %s",
@@ -56,21 +51,21 @@ public record EvolutionStrategy(long seed, int antitheticPairs, double sigma, do
     /**
      * State of a search.
      *
-     * @param generation number of generations that have been tried
-     * @param mean the present solution
-     * @param scale scale of each number
-     * @param firstMoment mean of the last steps
-     * @param secondMoment mean of the squares of the last steps
+     * @param generation the number of completed generations
+     * @param mean the current solution
+     * @param scale the scale of each parameter
+     * @param firstMoment Adam's moving average of the gradient
+     * @param secondMoment Adam's moving average of the squared gradient
      */
     @SuppressWarnings("ArrayRecordComponent")
     public record State(int generation, double[] mean, double[] scale, double[] firstMoment, double[] secondMoment) {
 
         /**
-         * Begins.
+         * Creates the state before the first generation.
          *
-         * @param mean the first guess
-         * @param scale scale of each number
-         * @return the state before the first generation
+         * @param mean the initial guess
+         * @param scale the scale of each parameter
+         * @return the state
          */
         public static State begin(double[] mean, double[] scale) {
             return new State(0, mean, scale, new double[mean.length], new double[mean.length]);
@@ -81,7 +76,7 @@ public record EvolutionStrategy(long seed, int antitheticPairs, double sigma, do
      * Draws the candidates of the next generation.
      *
      * @param state the state of the search
-     * @return two for each pair, one after the other
+     * @return the candidates, both of a pair one after the other
      */
     public List<double[]> ask(State state) {
         List<double[]> candidates = new ArrayList<>();
@@ -93,21 +88,21 @@ public record EvolutionStrategy(long seed, int antitheticPairs, double sigma, do
     }
 
     /**
-     * Chooses the trial of a candidate; both of a pair get the same one.
+     * Returns the seed of a candidate's trial, which is the same for both candidates of a pair (common random numbers).
      *
      * @param state the state of the search
-     * @param candidate its index
-     * @return the seed of its trial
+     * @param candidate the index of the candidate
+     * @return the seed
      */
     public long seedOfTrial(State state, int candidate) {
         return new Random(mixed(state) + 7919L * (candidate / 2 + 1)).nextInt(Integer.MAX_VALUE);
     }
 
     /**
-     * Learns from the candidates.
+     * Updates the search with the scores of its candidates.
      *
-     * @param state the state from which they were drawn
-     * @param scores how good each was; more is better
+     * @param state the state from which the candidates were drawn
+     * @param scores the score of each candidate; larger is better
      * @return the next state
      */
     public State tell(State state, double... scores) {
@@ -120,9 +115,9 @@ public record EvolutionStrategy(long seed, int antitheticPairs, double sigma, do
         for (int i = 0; i < size; i++) {
             firstMoment[i] = BETA_1 * state.firstMoment()[i] + (1 - BETA_1) * gradient[i];
             secondMoment[i] = BETA_2 * state.secondMoment()[i] + (1 - BETA_2) * gradient[i] * gradient[i];
-            double way = firstMoment[i] / (1 - PortableMath.pow(BETA_1, generation));
-            double evened = secondMoment[i] / (1 - PortableMath.pow(BETA_2, generation));
-            mean[i] += learningRate * state.scale()[i] * way / (Math.sqrt(evened) + EPSILON);
+            double first = firstMoment[i] / (1 - PortableMath.pow(BETA_1, generation));
+            double second = secondMoment[i] / (1 - PortableMath.pow(BETA_2, generation));
+            mean[i] += learningRate * state.scale()[i] * first / (Math.sqrt(second) + EPSILON);
         }
         return new State(generation, mean, state.scale(), firstMoment, secondMoment);
     }
@@ -139,7 +134,7 @@ public record EvolutionStrategy(long seed, int antitheticPairs, double sigma, do
         return gradient;
     }
 
-    /** From -0.5 for the worst to 0.5 for the best. */
+    /** Centred ranks, from -0.5 for the worst score to 0.5 for the best. */
     private static double[] ranks(double... scores) {
         List<Integer> order = IntStream.range(0, scores.length)
                 .boxed()

@@ -18,34 +18,34 @@ import org.robonewbie.learning.environment.TrainingEnvironment;
 import org.robonewbie.learning.environment.TrainingTask;
 
 /**
- * Policies of one task as vectors of numbers: the weights of a network, and before them the numbers of a gait if the task learns one. The
- * network takes what the robot senses, usually without joint angles, the progress of the task's motion, and the command.
+ * Mapping between the policies of a task and parameter vectors. A vector holds the parameters of a gait, if the task learns one, and the
+ * weights of a network. By default the inputs of the network are all components of the observation except the joint angles.
  *
  * <pre>{@code
  * PolicyModel model = new PolicyModel(new EnvironmentSpec("Stand", List.of()), PolicyModel.DEFAULT_INPUTS, 16, classes);
- * Policy nothing = model.policy(List.of(), model.initial(1));
+ * Policy untrained = model.policy(List.of(), model.initial(1));
  * }</pre>
  */
 public final class PolicyModel {
 
-    /** Number of hidden neurons. */
+    /** Default number of hidden neurons. */
     public static final int DEFAULT_HIDDEN = 16;
 
-    /** All observed quantities but the angles of the joints. */
+    /** Regular expression of all observed quantities except joint angles. */
     public static final String DEFAULT_INPUTS = "(?!joint\\.).*";
 
-    /** Scale of an output's bias, which changes the posture as a whole, behind a hidden layer. */
+    /** Scale of an output's bias behind a hidden layer; it shifts the whole posture. */
     private static final double BIAS_SCALE = 4;
 
     private static final double GAIT_SCALE = 3;
     private static final String RANGE = "range-degrees";
 
-    /** Typical inputs of the first layer by their unit; half the range of what is not listed. */
+    /** Typical magnitude of an input by its unit; other units use half of their range. */
     private static final Map<String, Double> TYPICAL =
             Map.of("degrees", 30.0, "degrees/s", 100.0, "m/s²", 10.0, "N", 50.0, "1", 1.0);
 
     private final EnvironmentSpec spec;
-    private final String wanted;
+    private final String inputPattern;
     private final int hidden;
     private final ClassLoader classes;
     private final TrainingTask task;
@@ -57,35 +57,34 @@ public final class PolicyModel {
      * Creates the model of a task for one robot.
      *
      * @param spec the task and its options
-     * @param inputs a regular expression for the names of what the network takes, such as {@link #DEFAULT_INPUTS}
-     * @param hidden number of hidden neurons; 0 for a network without a hidden layer
-     * @param classes where to look for the class of a task
-     * @throws IllegalArgumentException if there is no such task, option or input, or if several robots learn in it
+     * @param inputPattern regular expression for the names of the network's inputs, such as {@link #DEFAULT_INPUTS}
+     * @param hidden the number of hidden neurons; 0 for a network without a hidden layer
+     * @param classes the class loader of custom tasks
+     * @throws IllegalArgumentException if there is no such task, option or input, or if several robots learn in the task
      */
-    public PolicyModel(EnvironmentSpec spec, String inputs, int hidden, ClassLoader classes) {
+    public PolicyModel(EnvironmentSpec spec, String inputPattern, int hidden, ClassLoader classes) {
         if (hidden < 0) {
             throw new IllegalArgumentException(hidden + " hidden neurons: give a number from 0.");
         }
         this.spec = spec;
-        this.wanted = inputs;
+        this.inputPattern = inputPattern;
         this.hidden = hidden;
         this.classes = classes;
         try (TrainingEnvironment sample = open()) {
             task = sample.task();
-            this.inputs = sample.quantities().stream()
-                    .filter(quantity -> quantity.name().matches(inputs))
+            inputs = sample.quantities().stream()
+                    .filter(quantity -> quantity.name().matches(inputPattern))
                     .toList();
         }
-        if (this.inputs.isEmpty()) {
+        if (inputs.isEmpty()) {
             throw new IllegalArgumentException(
-                    "Nothing that is observed in " + task() + " has a name like " + inputs + ".");
+                    "No observed quantity of " + task() + " has a name that matches " + inputPattern + ".");
         }
         if (task.learners() > 1) {
             throw new IllegalArgumentException("In " + task() + " several robots learn; choose a task for one.");
         }
         int outputs = task.outputs().size();
-        layers =
-                hidden == 0 ? new int[] {this.inputs.size(), outputs} : new int[] {this.inputs.size(), hidden, outputs};
+        layers = hidden == 0 ? new int[] {inputs.size(), outputs} : new int[] {inputs.size(), hidden, outputs};
         gait = task.learnsGait()
                 ? task.walk().orElseThrow().numbers(PolicyWalk.GAIT, FastWalk.PARAMETERS)
                 : new double[0];
@@ -96,34 +95,33 @@ public final class PolicyModel {
         return spec.task();
     }
 
-    /** The options of {@code robonewbie learn} that make this model. */
-    String words() {
-        StringBuilder words = new StringBuilder();
-        if (!wanted.equals(DEFAULT_INPUTS)) {
-            words.append(" --inputs '").append(wanted).append("'");
+    /** The options of {@code robonewbie learn} that create this model. */
+    String commandLine() {
+        StringBuilder line = new StringBuilder();
+        if (!inputPattern.equals(DEFAULT_INPUTS)) {
+            line.append(" --inputs '").append(inputPattern).append("'");
         }
         if (hidden != DEFAULT_HIDDEN) {
-            words.append(" --hidden ").append(hidden);
+            line.append(" --hidden ").append(hidden);
         }
-        spec.options().forEach(option -> words.append(" --option ").append(option));
-        return words.toString();
+        spec.options().forEach(option -> line.append(" --option ").append(option));
+        return line.toString();
     }
 
-    /** Creates an environment of the task. */
     TrainingEnvironment open() {
         return spec.create(classes);
     }
 
-    /** Prepares an environment for the next episodes of a policy: its actions last as long as while it was learned. */
+    /** Configures an environment for a policy, whose actions last as long as in its training. */
     void prepare(TrainingEnvironment environment, Policy policy) {
         environment.setOptions(spec.randomization().withDefaultCycles(policy.cyclesPerAction()));
     }
 
     /**
-     * Draws the numbers of a policy that has learned nothing. The last layer has zeros, so that nothing is corrected yet.
+     * Draws the parameters of an untrained policy. The last layer is zero, so all outputs are zero.
      *
-     * @param seed chooses the weights of the hidden layer
-     * @return the numbers
+     * @param seed the seed of the weights of the hidden layer
+     * @return the parameters
      */
     public double[] initial(long seed) {
         Random random = new Random(seed);
@@ -145,25 +143,25 @@ public final class PolicyModel {
     }
 
     /**
-     * Takes the numbers of a policy.
+     * Returns the parameters of a policy.
      *
-     * @param policy what was learned before
-     * @return the numbers
-     * @throws IllegalArgumentException if it was learned for another task, or with another network
+     * @param policy the policy
+     * @return the parameters
+     * @throws IllegalArgumentException if the policy was learned for another task or has another network
      */
     public double[] initial(Policy policy) {
         policy.require(quantities(), task.outputs());
         double[] weights = policy.network().numbers();
         if (weights.length != Network.size(layers)) {
             throw new IllegalArgumentException("The policy \"" + policy.task() + "\" has " + weights.length
-                    + " numbers where " + Network.size(layers) + " are needed. Was it learned in another way?");
+                    + " weights instead of " + Network.size(layers) + ". Give the --hidden with which it was learned.");
         }
-        double[] former = gait.length > 0 ? policy.numbers(PolicyWalk.GAIT, gait.length) : gait;
-        return DoubleStream.concat(DoubleStream.of(former), DoubleStream.of(weights))
+        double[] learnedGait = gait.length > 0 ? policy.numbers(PolicyWalk.GAIT, gait.length) : gait;
+        return DoubleStream.concat(DoubleStream.of(learnedGait), DoubleStream.of(weights))
                 .toArray();
     }
 
-    /** {@return the scale of each number; a weight of the first layer has the smaller scale the larger its input typically is} */
+    /** {@return the scale of each parameter; that of a weight in the first layer is the inverse of its input's typical magnitude} */
     public double[] scale() {
         double[] scale = new double[size()];
         Arrays.fill(scale, 1);
@@ -193,27 +191,27 @@ public final class PolicyModel {
     }
 
     /**
-     * Makes a policy.
+     * Creates a policy.
      *
-     * @param about how it was learned, for readers
-     * @param numbers its numbers
+     * @param about how it was learned, as comments of its file
+     * @param parameters its parameters
      * @return the policy
      */
-    public Policy policy(List<String> about, double... numbers) {
+    public Policy policy(List<String> about, double... parameters) {
         Map<String, List<Double>> others =
                 new TreeMap<>(task.walk().map(Policy::numbers).orElse(Map.of()));
         others.put(RANGE, List.of(task.rangeDegrees()));
         if (gait.length > 0) {
             others.put(
                     PolicyWalk.GAIT,
-                    Arrays.stream(numbers).limit(gait.length).boxed().toList());
+                    Arrays.stream(parameters).limit(gait.length).boxed().toList());
         }
-        int cycles = spec.randomization().cycles();
+        int cycles = spec.randomization().draw(0).cycles();
         if (cycles > 1) {
             others.put(Policy.CYCLES_PER_ACTION, List.of((double) cycles));
         }
         task.motion().ifPresent(motion -> others.put(MotionGuide.MOTION, MotionGuide.numbers(motion)));
-        Network network = Network.of(layers, Arrays.copyOfRange(numbers, gait.length, numbers.length));
+        Network network = Network.of(layers, Arrays.copyOfRange(parameters, gait.length, parameters.length));
         return new Policy(task(), about, others, quantities(), task.outputs(), network);
     }
 }

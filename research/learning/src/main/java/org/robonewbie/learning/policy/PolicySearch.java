@@ -16,29 +16,30 @@ import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.PolicyText;
 import org.robonewbie.agent.policy.file.PolicyFile;
 import org.robonewbie.nao.file.AtomicFile;
+import org.robonewbie.trial.batch.BatchProgress;
 import org.robonewbie.trial.batch.Journal;
 
 /**
- * Searches for a policy by an {@link EvolutionStrategy}. After each generation it writes the policy so far, a line of the learning
- * curve as CSV, and a checkpoint from which an interrupted search continues with the same result.
+ * Direct policy search by an {@link EvolutionStrategy}. Each generation writes the current policy, a row of the learning curve (CSV) and a
+ * checkpoint, from which an interrupted search resumes with the same result.
  *
  * <pre>{@code
  * PolicySearch search = new PolicySearch(model, new EvolutionStrategy(1, 16, 0.05, 0.01), Path.of("Stand.policy"));
  * Policy learned = search.run(500, Optional.empty(), System.out::println);
  * }</pre>
  *
- * @param model the numbers that are searched
- * @param strategy how they are searched
+ * @param model the policies that are searched
+ * @param strategy the search method
  * @param output file of the policy; curve and checkpoint are written beside it
  */
 public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path output) {
 
-    /** {@return the learning curve, a CSV file beside the policy} */
+    /** {@return the file of the learning curve, CSV beside the policy} */
     public Path curve() {
         return beside(".csv");
     }
 
-    /** {@return the checkpoint, a file beside the policy} */
+    /** {@return the file of the checkpoint, beside the policy} */
     public Path checkpoint() {
         return beside(".checkpoint");
     }
@@ -48,12 +49,12 @@ public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path o
     }
 
     /**
-     * Plays episodes that no search has seen.
+     * Evaluates a policy in episodes whose seeds no search uses.
      *
      * @param model the task
-     * @param episodes number of episodes
-     * @param policy what acts in them
-     * @return the result
+     * @param episodes the number of episodes
+     * @param policy the policy that acts in them
+     * @return the statistics of the episodes
      * @throws IOException if an episode cannot be played
      * @throws IllegalArgumentException if the policy was learned for another task
      */
@@ -64,33 +65,38 @@ public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path o
     }
 
     /**
-     * Searches until there were so many generations. It continues from the checkpoint if there is one.
+     * Searches up to a number of generations, from the checkpoint if there is one, and shows the progress on the standard error output.
      *
-     * @param generations number of generations, those before an interruption included
-     * @param start the policy from which a new search starts; empty for one that has learned nothing
-     * @param progress gets a line after each generation
-     * @return what was learned
+     * @param generations the number of generations, including those before an interruption
+     * @param start the policy from which a new search starts; empty for an untrained one
+     * @param output receives a line after each generation
+     * @return the learned policy
      * @throws IOException if a file cannot be read or written
      * @throws IllegalArgumentException if the checkpoint belongs to another search or is damaged
      */
-    public Policy run(int generations, Optional<Policy> start, Consumer<String> progress) throws IOException {
+    public Policy run(int generations, Optional<Policy> start, Consumer<String> output) throws IOException {
         try (Journal journal = Journal.open(checkpoint(), question());
                 RolloutWorkers workers = new RolloutWorkers(model)) {
             boolean resumes = !journal.lines().isEmpty();
-            List<String> history = resumes ? former() : start.map(Policy::about).orElse(List.of());
+            List<String> history =
+                    resumes ? history() : start.map(Policy::about).orElse(List.of());
             EvolutionStrategy.State state = resumes ? replayed(journal.lines()) : begin(start);
             if (!resumes) {
                 journal.add(line(state.mean()));
             }
             beginCurve(state.generation());
-            while (state.generation() < generations) {
-                RolloutStatistics result = generation(workers, state);
-                double[] returns =
-                        result.rollouts().stream().mapToDouble(Rollout::reward).toArray();
-                state = strategy.tell(state, returns);
-                keep(state, history, result);
-                journal.add(line(returns));
-                progress.accept(String.format(Locale.ROOT, "%4d/%d: %s", state.generation(), generations, result));
+            try (BatchProgress progress = BatchProgress.of("generations", generations, state.generation())) {
+                while (state.generation() < generations) {
+                    RolloutStatistics result = generation(workers, state);
+                    double[] returns = result.rollouts().stream()
+                            .mapToDouble(Rollout::reward)
+                            .toArray();
+                    state = strategy.tell(state, returns);
+                    save(state, history, result);
+                    journal.add(line(returns));
+                    progress.advance(false);
+                    progress.print(output, String.format(Locale.ROOT, "generation %d: %s", state.generation(), result));
+                }
             }
             return policy(state, history);
         }
@@ -101,8 +107,8 @@ public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path o
         return EvolutionStrategy.State.begin(mean, model.scale());
     }
 
-    /** How the policy was learned with which an interrupted search began; the last line is that of the search. */
-    private List<String> former() {
+    /** The history of an interrupted search's start: that of its policy but the last line, which the search itself has added. */
+    private List<String> history() {
         if (!Files.exists(output)) {
             return List.of();
         }
@@ -118,7 +124,7 @@ public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path o
                 i -> strategy.seedOfTrial(state, i));
     }
 
-    /** Keeps the lines of known generations: an interrupted search may have written one more. */
+    /** Keeps the rows of the checkpoint's generations; an interrupted search may have written one more. */
     private void beginCurve(int generations) throws IOException {
         Stream<String> lines = generations == 0 ? Stream.empty() : Files.readAllLines(curve()).stream();
         AtomicFile.write(
@@ -129,7 +135,7 @@ public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path o
                         .collect(Collectors.joining("\n", "", "\n")));
     }
 
-    private void keep(EvolutionStrategy.State state, List<String> history, RolloutStatistics result)
+    private void save(EvolutionStrategy.State state, List<String> history, RolloutStatistics result)
             throws IOException {
         String line = state.generation() + "," + result.row() + "\n";
         Files.writeString(curve(), line, StandardCharsets.UTF_8, StandardOpenOption.APPEND);
@@ -141,12 +147,12 @@ public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path o
         return model.policy(Stream.concat(history.stream(), Stream.of(last)).toList(), state.mean());
     }
 
-    /** Everything that the result depends on but the number of generations. */
+    /** Everything that determines the result, except the number of generations. */
     private String question() {
-        return model.task() + " " + strategy.words() + model.words();
+        return model.task() + " " + strategy.commandLine() + model.commandLine();
     }
 
-    /** The state after the generations of the checkpoint: its first line is the initial mean, the others are returns. */
+    /** Replays a checkpoint, whose first line is the initial mean and whose other lines are the returns of the generations. */
     private EvolutionStrategy.State replayed(List<String> lines) {
         try {
             EvolutionStrategy.State state = EvolutionStrategy.State.begin(numbers(lines.get(0)), model.scale());
@@ -155,7 +161,7 @@ public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path o
             }
             return state;
         } catch (IndexOutOfBoundsException | NumberFormatException damaged) {
-            throw new IllegalArgumentException(checkpoint() + " is damaged: delete it to begin again.", damaged);
+            throw new IllegalArgumentException(checkpoint() + " is damaged. Delete it to start a new search.", damaged);
         }
     }
 

@@ -13,7 +13,7 @@ import org.robonewbie.nao.Cycle;
  */
 public record RolloutStatistics(List<Rollout> rollouts) {
 
-    /** Head of a table of statistics, as CSV without line end. */
+    /** Header of a CSV table of statistics, without line end. */
     static final String COLUMNS = "episodes,cycles,reward,falls,speedError,turnError,successes";
 
     /** Copies the list. */
@@ -21,18 +21,16 @@ public record RolloutStatistics(List<Rollout> rollouts) {
         rollouts = List.copyOf(rollouts);
     }
 
-    /** {@return mean return of an episode} */
-    public double meanReturn() {
+    double meanReturn() {
         return rollouts.stream().mapToDouble(Rollout::reward).sum() / rollouts.size();
     }
 
-    /** {@return number of episodes in which the robot fell} */
+    /** {@return the number of episodes in which the robot fell} */
     public int falls() {
         return count(Rollout::fallen);
     }
 
-    /** {@return number of episodes in which the task was done} */
-    public int successes() {
+    int successes() {
         return count(Rollout::success);
     }
 
@@ -40,8 +38,7 @@ public record RolloutStatistics(List<Rollout> rollouts) {
         return (int) rollouts.stream().filter(predicate).count();
     }
 
-    /** {@return simulated seconds of all episodes} */
-    public double seconds() {
+    double seconds() {
         return cycles() * Cycle.SECONDS;
     }
 
@@ -61,7 +58,7 @@ public record RolloutStatistics(List<Rollout> rollouts) {
                         sum.degreesPerSecond() / sum.windows());
     }
 
-    /** A line of the table; cells without meaning are empty. */
+    /** A row of the table; cells that do not apply are empty. */
     String row() {
         String errors = velocityError("%.4f,%.3f", ",");
         return String.format(

@@ -12,7 +12,7 @@ import org.robonewbie.learning.environment.TrainingEnvironment;
 import org.robonewbie.trial.batch.BatchRunner;
 import org.robonewbie.trial.batch.ThreadRunner;
 
-/** Environments that play episodes in parallel; the result does not depend on their number. */
+/** Pool of environments that play episodes in parallel. The result does not depend on its size. */
 final class RolloutWorkers implements AutoCloseable {
 
     private final PolicyModel model;
@@ -23,7 +23,7 @@ final class RolloutWorkers implements AutoCloseable {
         this.model = model;
     }
 
-    /** Plays episodes, each with its policy and seed. */
+    /** Plays episodes, each with a policy and a seed. */
     RolloutStatistics play(int count, IntFunction<Policy> policies, IntToLongFunction seeds) throws IOException {
         return new RolloutStatistics(runner.run(
                 IntStream.range(0, count).boxed().toList(), i -> play(policies.apply(i), seeds.applyAsLong(i))));

@@ -1,7 +1,7 @@
 /**
- * Search for policies: an evolution strategy improves the network of a task, episode by episode. Read {@link
- * org.robonewbie.learning.policy.PolicySearch} first, then {@link org.robonewbie.learning.policy.PolicyModel}, the numbers that are
- * searched.
+ * Direct policy search: an evolution strategy optimises the network of a task by the returns of its episodes. Read {@link
+ * org.robonewbie.learning.policy.PolicySearch} first, then {@link org.robonewbie.learning.policy.PolicyModel}, which maps policies to
+ * parameter vectors.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

@@ -2,26 +2,26 @@ package org.robonewbie.learning.search;
 
 import java.util.List;
 
-/** A search that is asked for candidates and told what they cost, again and again, so that whoever asks decides how they are tried. */
+/** Black-box optimiser with the ask-and-tell interface: the caller evaluates the candidates. */
 public interface AskAndTell {
 
     /**
-     * Draws the next candidates.
+     * Draws the candidates of the next generation.
      *
-     * @return points of which the costs are wanted by {@link #tell}
+     * @return the points whose costs {@link #tell} expects
      */
     List<double[]> ask();
 
     /**
-     * Learns from the costs of the last candidates.
+     * Updates the search with the costs of the last candidates.
      *
-     * @param costs one cost for each candidate of {@link #ask}, in the same order; smaller is better, NaN is worst
+     * @param costs the cost of each candidate of {@link #ask}, in the same order; smaller is better, NaN is worst
      */
     void tell(double[] costs);
 
-    /** {@return a copy of the answer so far; the start before the first {@link #tell}} */
+    /** {@return a copy of the current estimate of the optimum; the start before the first {@link #tell}} */
     double[] mean();
 
-    /** {@return the distribution from which the next candidates are drawn} */
+    /** {@return the distribution of the next candidates} */
     CovarianceMatrixAdaptation distribution();
 }

@@ -9,14 +9,13 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
 /**
- * Finds numbers with a small cost by drawing candidates from a distribution that moves, stretches and rotates towards the
- * better ones (CMA-ES). It needs no derivatives and copes with noisy, bumpy costs such as "how far did the robot walk".
+ * Covariance matrix adaptation evolution strategy (CMA-ES): minimises a cost function without derivatives, also a noisy and multimodal
+ * one such as the distance that a robot walks.
  *
- * <p>The distribution also shrinks in the directions in which the worse half lies (active CMA-ES), which saves a fifth to a
- * third of the trials where coordinates matter differently. {@link #plain} leaves that out.
+ * <p>By default negative recombination weights also learn from the worse half of a generation (active CMA-ES), which saves a fifth to a
+ * third of the evaluations on ill-conditioned problems. {@link #plain} omits them.
  *
- * <p>Source: N. Hansen, The CMA Evolution Strategy: A Tutorial (2016), with its default constants; equation numbers are
- * those of the tutorial.
+ * <p>Source: N. Hansen, The CMA Evolution Strategy: A Tutorial (2016), with its default constants and equation numbers.
  *
  * <pre>{@code
  * var search = new CovarianceMatrixAdaptation(new double[] {3, 4}, 0.5, 12, 1);
@@ -28,14 +27,14 @@ import java.util.stream.IntStream;
  */
 public final class CovarianceMatrixAdaptation implements AskAndTell {
 
-    /** Lets a population of 4 learn as well, where the other terms of equation 58 leave nothing. */
+    /** Keeps the rank-mu learning rate (equation 58) positive for a population of 4. */
     private static final double ACTIVE_OFFSET = 0.25;
 
     private final int dimension;
     private final int population;
     private final Random random;
     private final double[] weights;
-    private final double[] aversions;
+    private final double[] negativeWeights;
     private final double effectiveParents;
     private final double pathDecay;
     private final double stepDecay;
@@ -52,28 +51,26 @@ public final class CovarianceMatrixAdaptation implements AskAndTell {
     private double step;
     private int generation;
     private final List<double[]> candidates = new ArrayList<>();
-    private double[] best;
-    private double bestCost = Double.POSITIVE_INFINITY;
 
     /**
-     * Starts a search that learns from good and bad candidates.
+     * Creates a search by active CMA-ES.
      *
-     * @param start the centre of the first cloud; all coordinates should be of similar size
-     * @param step the spread of the first cloud in each coordinate, greater than 0
-     * @param population how many candidates are drawn at a time, at least 4
-     * @param seed the same seed gives the same candidates for the same costs
+     * @param start the initial mean; all coordinates should have similar scales
+     * @param step the initial step size (sigma), greater than 0
+     * @param population the number of candidates of a generation, at least 4
+     * @param seed the seed of the candidates
      */
     public CovarianceMatrixAdaptation(double[] start, double step, int population, long seed) {
         this(start, step, population, seed, true);
     }
 
     /**
-     * Starts a search that learns from the better half only, as the motions of the library were found.
+     * Creates a search without negative weights, as used for the shipped motions.
      *
-     * @param start the centre of the first cloud; all coordinates should be of similar size
-     * @param step the spread of the first cloud in each coordinate, greater than 0
-     * @param population how many candidates are drawn at a time, at least 4
-     * @param seed the same seed gives the same candidates for the same costs
+     * @param start the initial mean; all coordinates should have similar scales
+     * @param step the initial step size (sigma), greater than 0
+     * @param population the number of candidates of a generation, at least 4
+     * @param seed the seed of the candidates
      * @return the search
      */
     public static CovarianceMatrixAdaptation plain(double[] start, double step, int population, long seed) {
@@ -81,27 +78,26 @@ public final class CovarianceMatrixAdaptation implements AskAndTell {
     }
 
     /**
-     * Returns how many candidates are usually enough for a number of coordinates (equation 48).
+     * Returns the default population size (equation 48).
      *
      * @param dimension the number of coordinates
      * @return 4 + 3 ln(dimension), rounded down
      */
-    public static int usualPopulation(int dimension) {
+    public static int defaultPopulation(int dimension) {
         return 4 + (int) (3 * Math.log(dimension));
     }
 
     private CovarianceMatrixAdaptation(double[] start, double step, int population, long seed, boolean isActive) {
         if (start.length == 0 || step <= 0 || population < 4) {
             throw new IllegalArgumentException("A search needs at least one coordinate, a step greater than 0 and a"
-                    + " population of at least 4. Given: " + start.length + " coordinates, step " + step
-                    + ", population " + population);
+                    + " population of at least 4, not " + start.length + " coordinates, step " + step
+                    + " and population " + population + ".");
         }
         this.dimension = start.length;
         this.population = population;
         this.step = step;
         this.random = new Random(seed);
         this.mean = start.clone();
-        this.best = start.clone();
         this.weights = parentWeights(population / 2);
         double n = dimension;
         double parents = 1 / Arrays.stream(weights).map(w -> w * w).sum();
@@ -112,7 +108,7 @@ public final class CovarianceMatrixAdaptation implements AskAndTell {
         double offset = isActive ? ACTIVE_OFFSET : 0;
         this.rankManyRate =
                 Math.min(1 - rankOneRate, 2 * (parents - 2 + 1 / parents + offset) / ((n + 2) * (n + 2) + parents));
-        this.aversions = isActive ? aversions() : new double[0];
+        this.negativeWeights = isActive ? negativeWeights() : new double[0];
         this.damping = 1 + 2 * Math.max(0, Math.sqrt((parents - 1) / (n + 1)) - 1) + stepDecay;
         this.expectedLength = Math.sqrt(n) * (1 - 1 / (4 * n) + 1 / (21 * n * n));
         this.path = new double[dimension];
@@ -124,11 +120,6 @@ public final class CovarianceMatrixAdaptation implements AskAndTell {
         this.decomposed = SymmetricMatrix.decompose(covariance);
     }
 
-    /**
-     * {@inheritDoc}
-     *
-     * @return as many points as the population is large
-     */
     @Override
     public List<double[]> ask() {
         candidates.clear();
@@ -142,14 +133,13 @@ public final class CovarianceMatrixAdaptation implements AskAndTell {
     public void tell(double[] costs) {
         if (costs.length != candidates.size() || costs.length == 0) {
             throw new IllegalArgumentException(costs.length + " costs for " + candidates.size()
-                    + " candidates. Call ask() first, then tell() once.");
+                    + " candidates. Call tell() once after each ask().");
         }
         List<double[]> ranked = IntStream.range(0, population)
                 .boxed()
                 .sorted(Comparator.comparingDouble((Integer i) -> rank(costs[i])))
                 .map(candidates::get)
                 .toList();
-        rememberBest(costs);
         double[] before = mean.clone();
         moveMean(ranked);
         updatePaths(before);
@@ -160,40 +150,29 @@ public final class CovarianceMatrixAdaptation implements AskAndTell {
         decomposed = SymmetricMatrix.decompose(covariance);
     }
 
-    /** {@return a copy of the mean of the distribution; with noisy costs it is a better answer than {@link #best}} */
     @Override
     public double[] mean() {
         return mean.clone();
     }
 
-    /** {@return a copy of the candidate with the smallest cost so far; the start before the first {@link #tell}} */
-    public double[] best() {
-        return best.clone();
-    }
-
-    /** {@return the smallest cost so far, that of {@link #best}; infinite before the first {@link #tell}} */
-    public double bestCost() {
-        return bestCost;
-    }
-
-    /** {@return the present step size; the search is over when it is tiny} */
+    /** {@return the current step size (sigma), which approaches 0 as the search converges} */
     public double step() {
         return step;
     }
 
-    /** {@return the standard deviation of the next candidates in each coordinate, all greater than 0} */
+    /** {@return the standard deviation of the next candidates in each coordinate, greater than 0} */
     public double[] spread() {
         return IntStream.range(0, dimension)
                 .mapToDouble(i -> step * Math.sqrt(covariance[i][i]))
                 .toArray();
     }
 
-    /** The largest standard deviation of the next candidates in any direction. */
-    double largestSpread() {
+    /** The standard deviation of the next candidates along the longest principal axis. */
+    double maxSpread() {
         return step * Math.sqrt(eigenvalues().max().orElseThrow());
     }
 
-    /** How much longer than wide the distribution is, squared. */
+    /** The condition number of the covariance matrix. */
     double condition() {
         return eigenvalues().max().orElseThrow()
                 / Math.max(Double.MIN_NORMAL, eigenvalues().min().orElseThrow());
@@ -216,20 +195,20 @@ public final class CovarianceMatrixAdaptation implements AskAndTell {
         return Arrays.stream(raw).map(w -> w / sum).toArray();
     }
 
-    /** The negative weights of the worse half, so small that the covariance stays positive definite (equations 49 to 53). */
-    private double[] aversions() {
+    /** The weights of the worse half, scaled so that the covariance stays positive definite (equations 49 to 53). */
+    private double[] negativeWeights() {
         double[] raw = IntStream.rangeClosed(weights.length + 1, population)
                 .mapToDouble(i -> Math.log(weights.length + 0.5) - Math.log(i))
                 .toArray();
         double sum = -Arrays.stream(raw).sum();
         double effective = sum * sum / Arrays.stream(raw).map(w -> w * w).sum();
-        double whole = DoubleStream.of(
+        double total = DoubleStream.of(
                         1 + rankOneRate / rankManyRate,
                         1 + 2 * effective / (effectiveParents + 2),
                         (1 - rankOneRate - rankManyRate) / (dimension * rankManyRate))
                 .min()
                 .orElseThrow();
-        return Arrays.stream(raw).map(w -> w / sum * whole).toArray();
+        return Arrays.stream(raw).map(w -> w / sum * total).toArray();
     }
 
     private static double rank(double cost) {
@@ -245,15 +224,6 @@ public final class CovarianceMatrixAdaptation implements AskAndTell {
             }
         }
         return point;
-    }
-
-    private void rememberBest(double[] costs) {
-        for (int i = 0; i < costs.length; i++) {
-            if (costs[i] < bestCost) {
-                bestCost = costs[i];
-                best = candidates.get(i).clone();
-            }
-        }
     }
 
     private void moveMean(List<double[]> ranked) {
@@ -307,10 +277,10 @@ public final class CovarianceMatrixAdaptation implements AskAndTell {
                 - rankOneRate
                 - rankManyRate
                 + lost
-                - rankManyRate * Arrays.stream(aversions).sum();
+                - rankManyRate * Arrays.stream(negativeWeights).sum();
         List<double[]> parents = ranked.subList(0, weights.length);
-        List<double[]> others = ranked.subList(weights.length, aversions.length + weights.length);
-        double[] push = pushes(others, before);
+        List<double[]> others = ranked.subList(weights.length, negativeWeights.length + weights.length);
+        double[] scaled = scaledNegativeWeights(others, before);
         for (int i = 0; i < dimension; i++) {
             for (int j = 0; j <= i; j++) {
                 double many = 0;
@@ -318,9 +288,9 @@ public final class CovarianceMatrixAdaptation implements AskAndTell {
                     double[] parent = parents.get(k);
                     many += weights[k] * (parent[i] - before[i]) * (parent[j] - before[j]) / (step * step);
                 }
-                for (int k = 0; k < push.length; k++) {
+                for (int k = 0; k < scaled.length; k++) {
                     double[] other = others.get(k);
-                    many += push[k] * (other[i] - before[i]) * (other[j] - before[j]);
+                    many += scaled[k] * (other[i] - before[i]) * (other[j] - before[j]);
                 }
                 double value = keep * covariance[i][j] + rankOneRate * path[i] * path[j] + rankManyRate * many;
                 covariance[i][j] = value;
@@ -329,15 +299,15 @@ public final class CovarianceMatrixAdaptation implements AskAndTell {
         }
     }
 
-    /** How strongly each of the worse half pushes the distribution off: less the further away it was drawn (equation 46). */
-    private double[] pushes(List<double[]> others, double[] before) {
+    /** Divides each negative weight by the squared Mahalanobis distance of its candidate (equation 46). */
+    private double[] scaledNegativeWeights(List<double[]> others, double[] before) {
         return IntStream.range(0, others.size())
                 .mapToDouble(k -> {
                     double[] move = IntStream.range(0, dimension)
                             .mapToDouble(i -> others.get(k)[i] - before[i])
                             .toArray();
-                    double far = length(whiten(move));
-                    return aversions[k] * dimension / Math.max(Double.MIN_NORMAL, far * far);
+                    double distance = length(whiten(move));
+                    return negativeWeights[k] * dimension / Math.max(Double.MIN_NORMAL, distance * distance);
                 })
                 .toArray();
     }

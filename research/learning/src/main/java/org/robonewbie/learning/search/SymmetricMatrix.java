@@ -1,10 +1,10 @@
 package org.robonewbie.learning.search;
 
 /**
- * A symmetric matrix taken apart into its axes: matrix = V · diag(values) · Vᵀ.
+ * Eigendecomposition of a symmetric matrix: V · diag(values) · Vᵀ.
  *
- * <p>Source: the cyclic Jacobi method (Golub and Van Loan, Matrix Computations, section 8.5). It is slow for large
- * matrices but exact and simple, and ours have at most some dozens of rows.
+ * <p>Source: the cyclic Jacobi method (Golub and Van Loan, Matrix Computations, section 8.5), which is accurate and simple, and fast
+ * enough for some dozens of rows.
  */
 final class SymmetricMatrix {
 
@@ -24,12 +24,7 @@ final class SymmetricMatrix {
         }
     }
 
-    /**
-     * Decomposes a symmetric matrix.
-     *
-     * @param source the matrix in row-major order; it is not changed
-     * @return the decomposed matrix
-     */
+    /** Decomposes a symmetric matrix, which is not modified. */
     static SymmetricMatrix decompose(double[][] source) {
         SymmetricMatrix result = new SymmetricMatrix(source);
         for (int sweep = 0; sweep < MAX_SWEEPS && !result.isDiagonal(); sweep++) {
@@ -38,37 +33,26 @@ final class SymmetricMatrix {
         return result;
     }
 
-    /**
-     * Returns the eigenvalue of an axis.
-     *
-     * @param column number of the axis
-     * @return the eigenvalue
-     */
+    /** The eigenvalue of a column of V. */
     double value(int column) {
         return matrix[column][column];
     }
 
-    /**
-     * Returns a component of an axis.
-     *
-     * @param row component of the axis
-     * @param column number of the axis
-     * @return that component of the eigenvector of length 1
-     */
+    /** A component of the unit eigenvector in a column of V. */
     double axis(int row, int column) {
         return axes[row][column];
     }
 
     private boolean isDiagonal() {
-        double outside = 0;
-        double inside = 0;
+        double offDiagonal = 0;
+        double diagonal = 0;
         for (int i = 0; i < size; i++) {
-            inside += matrix[i][i] * matrix[i][i];
+            diagonal += matrix[i][i] * matrix[i][i];
             for (int j = 0; j < i; j++) {
-                outside += matrix[i][j] * matrix[i][j];
+                offDiagonal += matrix[i][j] * matrix[i][j];
             }
         }
-        return outside <= 1e-24 * inside;
+        return offDiagonal <= 1e-24 * diagonal;
     }
 
     private void sweep() {

@@ -1,6 +1,5 @@
 /**
- * Search for numbers that make a cost small, without derivatives. Read {@link
- * org.robonewbie.learning.search.CovarianceMatrixAdaptation} first.
+ * Derivative-free optimisation by CMA-ES. Read {@link org.robonewbie.learning.search.CovarianceMatrixAdaptation} first.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

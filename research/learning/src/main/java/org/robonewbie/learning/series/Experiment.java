@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What is done in each trial of a series. A class that implements it has a public constructor without parameters. Trials run
- * in many threads and on other computers, and again after a failure, so the result may depend on parameters and seed only.
+ * Experiment whose trials form a series. An implementation needs a public no-arg constructor. Trials run in parallel, on other computers,
+ * and again after a failure, so the result must depend on parameters and seed only.
  *
  * <pre>{@code
  * public class Nod implements Experiment {
@@ -23,37 +23,37 @@ import java.util.Optional;
  */
 public interface Experiment {
 
-    /** {@return the names of the table's columns, with units: what a trial measures} */
+    /** {@return the names of the measured values, with units} */
     List<String> columns();
 
-    /** {@return the names of the parameters that a plan may give; empty if it may give any} */
+    /** {@return the names of the parameters that a plan may contain; empty, the default, for any} */
     default Optional<List<String>> parameters() {
         return Optional.empty();
     }
 
     /**
-     * Carries out one trial.
+     * Runs one trial.
      *
-     * @param parameters the values of the plan for this trial
-     * @param seed chooses all that is random in it
-     * @return one number for each of the {@link #columns}
-     * @throws Exception if the trial failed; it is tried again some times
+     * @param parameters the parameters of the trial
+     * @param seed the seed of the trial
+     * @return a value for each of the {@link #columns}
+     * @throws Exception if the trial failed; it is run up to three times
      */
     double[] run(Map<String, Double> parameters, long seed) throws Exception;
 
     /**
-     * Carries out one trial of a plan with parameters that are texts, such as the name of an agent.
+     * Runs one trial of a plan with text parameters, such as the name of an agent. By default texts are rejected.
      *
-     * @param numbers the numbers of the plan for this trial
-     * @param texts the texts of the plan for this trial
-     * @param seed chooses all that is random in it
-     * @return one number for each of the {@link #columns}
-     * @throws Exception if the trial failed; it is tried again some times
+     * @param numbers the numeric parameters of the trial
+     * @param texts the text parameters of the trial
+     * @param seed the seed of the trial
+     * @return a value for each of the {@link #columns}
+     * @throws Exception if the trial failed; it is run up to three times
      */
     default double[] run(Map<String, Double> numbers, Map<String, String> texts, long seed) throws Exception {
         if (!texts.isEmpty()) {
-            throw new IllegalArgumentException("The plan gives texts (" + String.join(", ", texts.keySet())
-                    + "), but this experiment takes numbers only. Let it override run(numbers, texts, seed).");
+            throw new IllegalArgumentException("The plan has text parameters (" + String.join(", ", texts.keySet())
+                    + "), but this experiment takes numbers only. Override run(numbers, texts, seed) to accept texts.");
         }
         return run(numbers, seed);
     }
@@ -61,9 +61,9 @@ public interface Experiment {
     /**
      * Creates an experiment from the name of its class.
      *
-     * @param className full name of a class that the current thread's class loader knows
+     * @param className full name of a class, which the context class loader of the thread loads
      * @return the experiment
-     * @throws IllegalArgumentException if that is not an experiment; the message says what to do
+     * @throws IllegalArgumentException if the class is not an experiment
      */
     static Experiment of(String className) {
         try {

@@ -3,13 +3,13 @@ package org.robonewbie.learning.series;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.SplittableRandom;
-import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.robonewbie.nao.file.TextFile;
@@ -17,14 +17,13 @@ import org.robonewbie.nao.text.ConfusableCharacter;
 import org.robonewbie.nao.text.Spelling;
 
 /**
- * Which experiment is run how often and with which parameters: all combinations of the values in order, repeated as often as
- * needed.
+ * Plan of a series (full factorial design): the trials cycle through all combinations of parameter values.
  *
  * @param experiment full name of a class that implements {@link Experiment}
- * @param trials the number of trials
- * @param seed chooses the seeds of all trials
- * @param values for each parameter that is a number the values to be tried, in the order of the file
- * @param texts for each parameter that is a text the texts to be tried, in the order of the file
+ * @param trials the number of trials, 1 to 100 million
+ * @param seed the seed from which the seeds of the trials are derived
+ * @param values the values of each numeric parameter, in the order of the file
+ * @param texts the values of each text parameter, in the order of the file
  */
 public record ExperimentPlan(
         String experiment,
@@ -35,23 +34,22 @@ public record ExperimentPlan(
 
     private static final Pattern TEXT = Pattern.compile("\\s*\"([^\"]*)\"\\s*(,|$)");
 
-    /** What stands before a comment; {@code #} is none within quotation marks. */
+    /** The text before a comment; {@code #} within quotation marks does not start one. */
     private static final Pattern CONTENT = Pattern.compile("^(?:[^\"#]|\"[^\"]*(?:\"|$))*+");
 
-    /** Names in a plan that are no parameters of the experiment. */
-    private static final List<String> OWN = List.of("experiment", "trials", "seed");
+    /** Names that are not parameters of the experiment. */
+    private static final List<String> RESERVED = List.of("experiment", "trials", "seed");
 
     private static final int MAX_TRIALS = 100_000_000;
 
     /**
-     * Reads a plan: a text file with lines {@code name=value}; {@code experiment}, {@code trials} and {@code seed} are known,
-     * each other name is a parameter with values between commas, numbers or texts in quotation marks. What follows {@code #} outside
-     * of these is a comment.
+     * Reads a plan, a text file with lines {@code name=value}. Names other than {@code experiment}, {@code trials} and {@code seed} are
+     * parameters; their values are numbers or quoted texts, separated by commas. Unquoted {@code #} starts a comment.
      *
      * @param file the file
      * @return the plan
-     * @throws IOException if it cannot be read
-     * @throws IllegalArgumentException if it cannot be understood; the message names the line
+     * @throws IOException if the file cannot be read
+     * @throws IllegalArgumentException if a line is invalid; the message names it
      */
     public static ExperimentPlan read(Path file) throws IOException {
         String experiment = "";
@@ -75,8 +73,8 @@ public record ExperimentPlan(
             });
             if (!given.add(name)) {
                 throw new IllegalArgumentException(
-                        place + "\"" + name + "\" is given for the second time. All values of a"
-                                + " parameter belong into one line, with commas between them.");
+                        place + "\"" + name + "\" is given for the second time. Write all values of a parameter in one"
+                                + " line, separated by commas.");
             }
             try {
                 switch (name) {
@@ -95,7 +93,7 @@ public record ExperimentPlan(
             } catch (NumberFormatException wrong) {
                 throw new IllegalArgumentException(
                         place + "\"" + line + "\" is not understood."
-                                + (OWN.contains(name) ? "" : Spelling.question(name, OWN))
+                                + (RESERVED.contains(name) ? "" : Spelling.question(name, RESERVED))
                                 + " Write name=number, or name=number,number,… or name=\"text\" for a parameter.",
                         wrong);
             }
@@ -109,19 +107,14 @@ public record ExperimentPlan(
     }
 
     private static String withoutComment(String line) {
-        return CONTENT.matcher(line)
-                .results()
-                .map(MatchResult::group)
-                .findFirst()
-                .orElse("");
+        Matcher content = CONTENT.matcher(line);
+        return content.find() ? content.group() : "";
     }
 
     private static List<Double> numbers(String text) {
-        List<Double> numbers = new ArrayList<>();
-        for (String part : text.split(",", -1)) {
-            numbers.add(Double.valueOf(part.trim()));
-        }
-        return List.copyOf(numbers);
+        return Arrays.stream(text.split(",", -1))
+                .map(part -> Double.valueOf(part.trim()))
+                .toList();
     }
 
     private static List<String> texts(String value) {
@@ -139,47 +132,47 @@ public record ExperimentPlan(
     }
 
     /**
-     * Refuses parameters that the experiment does not have.
+     * Rejects parameters that the experiment does not have.
      *
-     * @param known the names of those that it has
-     * @throws IllegalArgumentException if the plan gives another one; the message names the nearest that there is
+     * @param known the names of its parameters
+     * @throws IllegalArgumentException if the plan has another parameter; the message suggests a similar name
      */
-    public void refuseOthersThan(List<String> known) {
+    public void requireKnown(List<String> known) {
         List<String> given = new ArrayList<>(values.keySet());
         given.addAll(texts.keySet());
         for (String name : given) {
             if (!known.contains(name)) {
                 List<String> possible = new ArrayList<>(known);
-                possible.addAll(OWN);
+                possible.addAll(RESERVED);
                 throw new IllegalArgumentException(
-                        "The plan gives a parameter \"" + name + "\", which " + experiment + " does not have."
+                        "The plan has a parameter \"" + name + "\", which " + experiment + " does not have."
                                 + Spelling.question(name, possible) + " It has: " + String.join(", ", known) + ".");
             }
         }
     }
 
-    /** {@return all trials in order; the seed of a trial depends on the plan's seed and the trial's number only} */
+    /** {@return all trials in order; the seed of a trial depends only on the plan's seed and the trial's number} */
     public List<PlannedTrial> all() {
         SplittableRandom seeds = new SplittableRandom(seed);
         List<PlannedTrial> all = new ArrayList<>(trials);
         for (int i = 0; i < trials; i++) {
-            long own = seeds.nextLong() >>> 1;
+            long trialSeed = seeds.nextLong() >>> 1;
             LinkedHashMap<String, Double> numbers = new LinkedHashMap<>();
             LinkedHashMap<String, String> words = new LinkedHashMap<>();
             choose(texts, choose(values, i, numbers), words);
-            all.add(new PlannedTrial(i, own, numbers, words));
+            all.add(new PlannedTrial(i, trialSeed, numbers, words));
         }
         return all;
     }
 
-    /** Takes one choice of each parameter, and returns what is left of the number of the combination. */
-    private static <T> int choose(Map<String, List<T>> parameters, int number, Map<String, T> chosen) {
-        int rest = number;
+    /** Decodes the index of a combination (mixed radix) into a choice of each parameter, and returns the quotient. */
+    private static <T> int choose(Map<String, List<T>> parameters, int index, Map<String, T> chosen) {
+        int quotient = index;
         for (Map.Entry<String, List<T>> parameter : parameters.entrySet()) {
             List<T> choices = parameter.getValue();
-            chosen.put(parameter.getKey(), choices.get(rest % choices.size()));
-            rest /= choices.size();
+            chosen.put(parameter.getKey(), choices.get(quotient % choices.size()));
+            quotient /= choices.size();
         }
-        return rest;
+        return quotient;
     }
 }

@@ -20,8 +20,8 @@ import org.robonewbie.trial.batch.BatchRunner;
 import org.robonewbie.trial.batch.Journal;
 
 /**
- * All trials of a plan. The numbers of each trial are kept in a journal at once, so that an interrupted run resumes. A trial whose line is
- * damaged is run again.
+ * Run of all trials of a plan. A journal records the values of each trial as soon as they are known, so an interrupted run can resume. A
+ * trial whose line is damaged is run again.
  *
  * <pre>{@code
  * try (ExperimentRun run = ExperimentRun.open(file, plan)) {
@@ -46,13 +46,13 @@ public final class ExperimentRun implements AutoCloseable {
     }
 
     /**
-     * Opens the run of a plan and keeps what its journal has.
+     * Opens the run of a plan and loads its journal.
      *
-     * @param file the journal; it is created if it is missing
+     * @param file the journal, which is created if it is missing
      * @param plan the plan
      * @return the run
      * @throws IOException if the file cannot be read or written
-     * @throws IllegalArgumentException if it belongs to another plan, or to another version of its experiment
+     * @throws IllegalArgumentException if the journal belongs to another plan or to another version of its experiment
      */
     public static ExperimentRun open(Path file, ExperimentPlan plan) throws IOException {
         return new ExperimentRun(plan, Journal.open(file, "RoboNewbie trials " + fingerprint(plan)));
@@ -70,11 +70,11 @@ public final class ExperimentRun implements AutoCloseable {
                             .mapToDouble(Double::parseDouble)
                             .toArray());
         } catch (NumberFormatException damaged) {
-            // The trial counts as missing.
+            // The trial is run again.
         }
     }
 
-    /** {@return the trials that are still to be run} */
+    /** {@return the trials that have not been run yet} */
     public List<PlannedTrial> missing() {
         return trials.stream()
                 .filter(trial -> !measured.containsKey(trial.number()))
@@ -84,19 +84,19 @@ public final class ExperimentRun implements AutoCloseable {
     /**
      * Runs the missing trials.
      *
-     * @param runner where they are run
-     * @param progress counts them
+     * @param runner the runner
+     * @param progress the progress of the run
      * @throws IOException if the journal cannot be written
      */
     public void run(BatchRunner runner, BatchProgress progress) throws IOException {
         String experiment = plan.experiment();
         runner.run(missing(), trial -> trial.run(Experiment.of(experiment)), (trial, outcome) -> {
-            keep(trial.number(), outcome);
+            add(trial.number(), outcome);
             progress.advance(!outcome.failure.isEmpty());
         });
     }
 
-    private void keep(int number, Outcome outcome) throws IOException {
+    private void add(int number, Outcome outcome) throws IOException {
         if (outcome.failure.isEmpty()) {
             journal.add(number + ","
                     + DoubleStream.of(outcome.numbers)
@@ -108,15 +108,15 @@ public final class ExperimentRun implements AutoCloseable {
         }
     }
 
-    /** {@return a sentence for each trial that has failed in this run} */
+    /** {@return the reason for each failed trial} */
     public List<String> failures() {
         return List.copyOf(failures.values());
     }
 
     /**
-     * Creates the table of the trials that are done or have failed, in the order of the plan.
+     * Creates the table of the completed and failed trials, in the order of the plan.
      *
-     * @param columns names of the measured numbers
+     * @param columns names of the measured values
      * @return the table
      */
     public ResultTable table(List<String> columns) {
@@ -129,7 +129,7 @@ public final class ExperimentRun implements AutoCloseable {
         return new ResultTable(columns, known, numbers, Map.copyOf(failures));
     }
 
-    /** Closes the journal and keeps it, so that the run can resume. */
+    /** Closes the journal, from which the run can resume. */
     @Override
     public void close() throws IOException {
         journal.close();
@@ -144,7 +144,7 @@ public final class ExperimentRun implements AutoCloseable {
         journal.delete();
     }
 
-    /** A hash of all on which the results depend: the plan and the class of the experiment. */
+    /** Hash of everything that determines the results: the plan and the class of the experiment. */
     private static String fingerprint(ExperimentPlan plan) {
         try {
             MessageDigest digest = MessageDigest.getInstance("SHA-256");
@@ -161,10 +161,10 @@ public final class ExperimentRun implements AutoCloseable {
     }
 
     /**
-     * The numbers of a trial, or why it failed.
+     * Outcome of a trial.
      *
-     * @param numbers one for each column; none if it failed
-     * @param failure a sentence that names the trial; empty if it did not fail
+     * @param numbers the measured values; none if it failed
+     * @param failure the reason as a sentence that names the trial; empty if it did not fail
      */
     @SuppressWarnings("ArrayRecordComponent")
     record Outcome(double[] numbers, String failure) implements Serializable {}

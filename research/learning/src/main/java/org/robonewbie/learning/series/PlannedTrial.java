@@ -5,12 +5,12 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * One trial of a plan: a line of the table.
+ * One trial of a plan.
  *
- * @param number its number, from 0
- * @param seed chooses all that is random in it
- * @param parameters the numbers that the plan says for it, in the order of the plan
- * @param texts the texts that the plan says for it, in the order of the plan
+ * @param number the number of the trial, from 0
+ * @param seed the seed of the trial
+ * @param parameters the numeric parameters, in the order of the plan
+ * @param texts the text parameters, in the order of the plan
  */
 public record PlannedTrial(
         int number, long seed, LinkedHashMap<String, Double> parameters, LinkedHashMap<String, String> texts)
@@ -24,14 +24,14 @@ public record PlannedTrial(
         texts = new LinkedHashMap<>(texts);
     }
 
-    /** {@return numbers and texts of the plan by name, in the order in which the table has them} */
+    /** All parameters in the order of the table. */
     LinkedHashMap<String, Object> all() {
         LinkedHashMap<String, Object> all = new LinkedHashMap<>(parameters);
         all.putAll(texts);
         return all;
     }
 
-    /** Runs the trial; a trial that fails is tried again. */
+    /** Runs the trial, and repeats it if it fails. */
     ExperimentRun.Outcome run(Experiment experiment) {
         for (int attempt = 1; ; attempt++) {
             try {
@@ -50,7 +50,7 @@ public record PlannedTrial(
     private double[] checked(Experiment experiment) throws Exception {
         double[] measured = experiment.run(Map.copyOf(parameters), Map.copyOf(texts), seed);
         if (measured.length != experiment.columns().size()) {
-            throw new IllegalStateException("it gave " + measured.length + " numbers for "
+            throw new IllegalStateException("run() returned " + measured.length + " values for "
                     + experiment.columns().size() + " columns");
         }
         return measured;

@@ -13,8 +13,8 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 
 /**
- * How hard can a standing robot be pushed? In a trial of two seconds someone pushes the torso for 0.1 s from a random side;
- * the parameter {@code newtons} tells how hard.
+ * Push recovery of a standing robot: a force acts on the torso for 0.1 s from a random side in a trial of 2 s. The parameter {@code newtons}
+ * sets the force.
  */
 public final class PushExperiment implements Experiment {
 
@@ -22,7 +22,7 @@ public final class PushExperiment implements Experiment {
     private static final Scene SCENE = Scene.of(RobotStart.at(1.5, 0).after("stand"));
     private static final double SECONDS = 2;
     private static final double SECONDS_OF_THE_PUSH = 5 * Cycle.SECONDS;
-    private static final double USUAL_NEWTONS = 40;
+    private static final double DEFAULT_NEWTONS = 40;
 
     /** Creates the experiment. */
     public PushExperiment() {}
@@ -40,7 +40,7 @@ public final class PushExperiment implements Experiment {
     @Override
     public double[] run(Map<String, Double> parameters, long seed) {
         double side = new RandomSource(seed).between(0, 360);
-        Vector3 push = new Pose2d(0, 0, side).point(parameters.getOrDefault(NEWTONS, USUAL_NEWTONS), 0, 0);
+        Vector3 push = new Pose2d(0, 0, side).point(parameters.getOrDefault(NEWTONS, DEFAULT_NEWTONS), 0, 0);
         try (Trial trial = Trial.direct(SCENE, seed, Controller.ofSpeeds())) {
             double largestTilt = 0;
             while (trial.seconds() < SECONDS) {

@@ -13,13 +13,13 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.text.Csv;
 
 /**
- * What a series has measured: for each trial its number, its seed, its parameters and its results. If trials have failed, there is a column
- * more that says why.
+ * Results of a series: the number, seed, parameters and measured values of each trial. If trials have failed, another column has the
+ * reasons.
  *
- * @param columns names of the measured numbers
- * @param trials the trials in their order
- * @param measured what each of them has measured, nothing if it has failed; not to be changed
- * @param failures why trials have failed, by their numbers
+ * @param columns names of the measured values
+ * @param trials the trials in order
+ * @param measured the values of each trial, empty if it failed; not to be modified
+ * @param failures reasons of failures by trial number
  */
 public record ResultTable(
         List<String> columns, List<PlannedTrial> trials, List<double[]> measured, Map<Integer, String> failures) {
@@ -27,27 +27,16 @@ public record ResultTable(
     private static final String FAILURE = "failure";
 
     /**
-     * Makes the table of trials none of which has failed.
-     *
-     * @param columns names of the measured numbers
-     * @param trials the trials in their order
-     * @param measured what each of them has measured
-     */
-    public ResultTable(List<String> columns, List<PlannedTrial> trials, List<double[]> measured) {
-        this(columns, trials, measured, Map.of());
-    }
-
-    /**
      * Writes the table to a file, as JSON if its name ends with .json, else as CSV.
      *
-     * @param file where to; an existing file is replaced when all is written
-     * @throws IOException if that fails
+     * @param file the file, which is replaced atomically
+     * @throws IOException if the file cannot be written
      */
     public void write(Path file) throws IOException {
         AtomicFile.write(file, file.toString().endsWith(".json") ? json() : csv());
     }
 
-    /** {@return the table as comma-separated values: a line of names and a line for each trial} */
+    /** {@return the table as comma-separated values with a header} */
     public String csv() {
         StringBuilder text = new StringBuilder(String.join(",", names())).append('\n');
         for (int i = 0; i < trials.size(); i++) {
@@ -104,8 +93,8 @@ public record ResultTable(
         for (var parameter : trial.parameters().entrySet()) {
             writer.name(parameter.getKey()).value(parameter.getValue());
         }
-        for (var parameter : trial.texts().entrySet()) {
-            writer.name(parameter.getKey()).value(parameter.getValue());
+        for (var text : trial.texts().entrySet()) {
+            writer.name(text.getKey()).value(text.getValue());
         }
         for (int i = 0; i < numbers.length; i++) {
             writer.name(columns.get(i)).value(numbers[i]);

@@ -84,8 +84,8 @@ class EnvironmentServerTest {
                         + " Reach, Run, RunGait, Stand, Walk, WalkGait. A class of your own must extend");
         assertThat(text(make("Walk\nforward=0.5", 1)))
                 .isEqualTo(
-                        "\1This task follows no command. Leave out forward, left and turn, or choose the task Follow.");
-        assertThat(text(make("Walk", 0))).isEqualTo("\1" + "0 environments were asked for; there can be 1 to 1024.");
+                        "\1This task has no commanded velocity. Omit forward, left and turn, or choose the task Follow.");
+        assertThat(text(make("Walk", 0))).isEqualTo("\1" + "0 environments were requested; request 1 to 1024.");
         assertThat(act(order(2, 1, 0, 0, 0, 0)).get(0)).isZero();
     }
 
@@ -120,7 +120,7 @@ class EnvironmentServerTest {
         assertThat(text(ask(bytes(little(5).put((byte) 'P').putInt(1)))))
                 .isEqualTo("\1There is no environment 1; there are 1, counted from 0.");
         assertThat(text(ask("Cball_x=2..1".getBytes(StandardCharsets.UTF_8))))
-                .startsWith("\1The option ball_x=2..1 is neither a number nor a range");
+                .startsWith("\1The option ball_x=2..1 is neither a number nor an ascending range");
     }
 
     @Test
@@ -159,7 +159,7 @@ class EnvironmentServerTest {
         assertThat(fallen(answer, row)).isZero();
         assertThat(fallen(answer, 2 * row)).isOne();
         assertThat(answer.get(2 * row)).as("a fall ends no match").isZero();
-        assertThat(text(make("Match1v1\nreward=energy", 1))).startsWith("\1The reward energy looks at one robot");
+        assertThat(text(make("Match1v1\nreward=energy", 1))).startsWith("\1The reward energy measures one robot");
     }
 
     private static double fallen(ByteBuffer answer, int lastByteOfRow) {
@@ -208,7 +208,7 @@ class EnvironmentServerTest {
         ByteBuffer before = act(reset);
 
         assertThat(text(act(bytes(little(50).put(order(1, 0, 1, 0, 0, 0)).put(order(1, 0, Double.NaN, 0, 0, 0))))))
-                .startsWith("\1An action of environment 1 holds a number that is none (NaN).");
+                .startsWith("\1An action of environment 1 contains NaN.");
         assertThat(act(waiting)).isEqualTo(before);
     }
 
@@ -217,7 +217,7 @@ class EnvironmentServerTest {
         make("Reach", 2);
 
         assertThat(text(act(order(1, 0, 0, 0, 0, 0))))
-                .isEqualTo("\1Orders of 25 bytes for 2 robots with 4 actions each; 50 bytes were expected.");
+                .isEqualTo("\1The step request has 25 bytes; expected 50 for 2 robots with 4 actions each.");
         assertThat(text(ask(new byte[] {'?'}))).isEqualTo("\1There is no request of kind 63.");
     }
 

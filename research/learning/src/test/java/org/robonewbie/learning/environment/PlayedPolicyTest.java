@@ -104,7 +104,7 @@ class PlayedPolicyTest {
 
     private static Posture learnedToMarch(Policy policy) {
         try (TrainingEnvironment learned =
-                new TrainingEnvironment(() -> List.of(new EpisodeRunner(new Marching())), DomainRandomization.NONE)) {
+                new TrainingEnvironment(() -> List.of(runner(new Marching())), DomainRandomization.NONE)) {
             learned.reset(1);
             for (int i = 0; i < CYCLES_OF_WALK; i++) {
                 learned.step(policy.network().apply(learned.observation()));
@@ -139,8 +139,7 @@ class PlayedPolicyTest {
 
     private static void movesAsTheLearnerDid(Supplier<TrainingTask> tasks, int cyclesPerAction, double leastDegrees) {
         DomainRandomization options = DomainRandomization.NONE.with("cycles", String.valueOf(cyclesPerAction));
-        try (TrainingEnvironment learned =
-                new TrainingEnvironment(() -> List.of(new EpisodeRunner(tasks.get())), options)) {
+        try (TrainingEnvironment learned = new TrainingEnvironment(() -> List.of(runner(tasks.get())), options)) {
             Policy policy = policy(learned, cyclesPerAction);
             learned.reset(1);
             Posture first = learned.now().robot().joints();
@@ -182,6 +181,10 @@ class PlayedPolicyTest {
                         .map(joint -> new Quantity("joint." + joint, "10 degrees"))
                         .toList(),
                 Network.of(sizes, numbers));
+    }
+
+    private static EpisodeRunner runner(TrainingTask task) {
+        return new EpisodeRunner(task, task);
     }
 
     private static final class Player extends Agent {

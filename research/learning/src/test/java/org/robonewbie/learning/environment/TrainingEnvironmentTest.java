@@ -89,7 +89,7 @@ class TrainingEnvironmentTest {
     @Test
     void ballInTheCameraStaysUntilTheNextPicture() {
         TrainingEnvironment far =
-                new TrainingEnvironment(() -> List.of(new EpisodeRunner(new FarBall())), DomainRandomization.NONE);
+                new TrainingEnvironment(() -> List.of(runner(new FarBall())), DomainRandomization.NONE);
         far.step(NOTHING);
         double[] first = far.observation();
         far.step(NOTHING);
@@ -246,7 +246,7 @@ class TrainingEnvironmentTest {
     @Test
     void walkIsCorrectedCycleByCycle() {
         assertThatThrownBy(() -> environment("EngineRun", "cycles=2"))
-                .hasMessage("In this task an action corrects one cycle of a walk. Leave out cycles.");
+                .hasMessage("An action of this task corrects a single cycle of a walk. Omit the option cycles.");
     }
 
     private static TrainingEnvironment following(String metresPerSecond) {
@@ -324,6 +324,10 @@ class TrainingEnvironmentTest {
         return track;
     }
 
+    private static EpisodeRunner runner(TrainingTask task) {
+        return new EpisodeRunner(task, task);
+    }
+
     /** The robot looks at a ball 1 m ahead. */
     public static class FarBall extends TrainingTask {
 
@@ -356,8 +360,8 @@ class TrainingEnvironmentTest {
         public Wandering() {}
 
         @Override
-        public Scene scene(RandomSource ofTheEpisode) {
-            return Scene.of(RobotStart.at(-(double) ofTheEpisode.seed(), 0));
+        public Scene scene(RandomSource random) {
+            return Scene.of(RobotStart.at(-(double) random.seed(), 0));
         }
     }
 }

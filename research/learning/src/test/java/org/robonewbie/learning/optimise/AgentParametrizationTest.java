@@ -86,7 +86,7 @@ class AgentParametrizationTest {
     void programWithoutNumbersIsRefused() {
         assertThatThrownBy(() -> new AgentParametrization("Idle", Idle::new, NamedObjective.named("energy"), SCENE))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageStartingWith("Idle declares no number that could be improved. Declare one as a field");
+                .hasMessageStartingWith("Idle declares no number to optimise. Declare one as a field");
     }
 
     @Test

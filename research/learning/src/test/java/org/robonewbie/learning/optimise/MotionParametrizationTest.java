@@ -64,7 +64,7 @@ class MotionParametrizationTest {
         assertThatThrownBy(() -> subject("wave", NamedObjective.named("kick-distance")))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage(
-                        "wave.txt does not say where the ball lies, so kick-distance cannot be measured. Add a line such as:"
+                        "wave.txt does not define the position of the ball, so kick-distance cannot be measured. Add a line such as:"
                                 + " // ball: 0.190 m ahead, -0.055 m to the left");
     }
 
@@ -74,7 +74,7 @@ class MotionParametrizationTest {
 
         assertThatThrownBy(() -> new MotionParametrization("one.txt", one, NamedObjective.named("energy")))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageStartingWith("one.txt has less than two keyframes");
+                .hasMessageStartingWith("one.txt has fewer than two keyframes");
     }
 
     @Test

@@ -118,7 +118,7 @@ class OptimisationTest {
         assertThatThrownBy(() -> fresh.run(true, new ArrayList<>()::add))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("There is nothing to resume")
-                .hasMessageContaining("does not exist. Leave out --resume.");
+                .hasMessageContaining("does not exist. Omit --resume to start a new search.");
     }
 
     @Test
@@ -131,7 +131,7 @@ class OptimisationTest {
 
         assertThatThrownBy(() -> optimisation.run(true, new ArrayList<>()::add))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("cannot be understood: \"1.0 many 2.0 | 1.0 1.0 1.0\"");
+                .hasMessageContaining("is damaged at \"1.0 many 2.0 | 1.0 1.0 1.0\"");
     }
 
     @ParameterizedTest
@@ -149,7 +149,7 @@ class OptimisationTest {
         assertThatThrownBy(() -> optimisation.run(true, new ArrayList<>()::add))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("hill.txt.checkpoint is damaged: the checksum of \"" + digit)
-                .hasMessageContaining("Leave out --resume.");
+                .hasMessageContaining("Omit --resume");
     }
 
     @Test

@@ -82,7 +82,7 @@ class RecipeTest {
         try (ThreadRunner runner = new ThreadRunner(1)) {
             assertThatThrownBy(() -> Optimisation.on(runner, new Hill(), FAR, plan, folder))
                     .isInstanceOf(IllegalArgumentException.class)
-                    .hasMessage("hill can be tried in this program only; use the engine local.");
+                    .hasMessage("hill can be evaluated in this process only. Use --engine local.");
         }
     }
 

@@ -111,11 +111,11 @@ class PolicyModelTest {
                 .hasMessageStartingWith("There is no task \"Stnd\". Did you mean Stand? There are: ");
         assertThatThrownBy(() -> model("Stand", "speed=1")).hasMessageStartingWith("This task has no option speed. ");
         assertThatThrownBy(() -> model("Stand", "wing.*", 16))
-                .hasMessage("Nothing that is observed in Stand has a name like wing.*.");
+                .hasMessage("No observed quantity of Stand has a name that matches wing.*.");
         assertThatThrownBy(() -> model("Stand").initial(PolicyFile.shipped("walk")))
                 .hasMessageContaining("Is it for another task?");
         assertThatThrownBy(() -> PolicySearch.evaluate(model("Stand"), 1, PolicyFile.shipped("walk")))
-                .hasStackTraceContaining("step.sine-of-2-pi-phase in 1, which is not observed in this task.");
+                .hasStackTraceContaining("step.sine-of-2-pi-phase in 1, which this task does not observe.");
     }
 
     @Test

@@ -60,7 +60,7 @@ class PolicySearchTest {
 
         assertThatThrownBy(() -> search.run(2, Optional.empty(), line -> {}))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("is damaged: delete it to begin again.");
+                .hasMessageContaining("is damaged. Delete it to start a new search.");
     }
 
     @Tag("slow")

@@ -18,8 +18,7 @@ class CovarianceMatrixAdaptationTest {
 
         CovarianceMatrixAdaptation search = minimise(start, 200, CovarianceMatrixAdaptationTest::sphere);
 
-        assertThat(search.bestCost()).isLessThan(1e-10);
-        assertThat(search.mean()).containsExactly(new double[10], within(1e-4));
+        assertThat(sphere(search.mean())).isLessThan(1e-10);
     }
 
     @Test
@@ -28,18 +27,19 @@ class CovarianceMatrixAdaptationTest {
 
         CovarianceMatrixAdaptation search = minimise(start, 700, CovarianceMatrixAdaptationTest::rosenbrock);
 
-        assertThat(search.bestCost()).isLessThan(1e-8);
-        assertThat(search.best()).containsExactly(new double[] {1, 1, 1, 1, 1, 1}, within(1e-3));
+        assertThat(rosenbrock(search.mean())).isLessThan(1e-8);
+        assertThat(search.mean()).containsExactly(new double[] {1, 1, 1, 1, 1, 1}, within(1e-3));
     }
 
     @Test
     void learnsScalesThatDifferByAThousand() {
         double[] start = {1, 1, 1, 1};
 
-        CovarianceMatrixAdaptation search =
-                minimise(start, 400, x -> x[0] * x[0] + 1e6 * x[1] * x[1] + x[2] * x[2] + 1e6 * x[3] * x[3]);
+        ToDoubleFunction<double[]> cost = x -> x[0] * x[0] + 1e6 * x[1] * x[1] + x[2] * x[2] + 1e6 * x[3] * x[3];
 
-        assertThat(search.bestCost()).isLessThan(1e-8);
+        CovarianceMatrixAdaptation search = minimise(start, 400, cost);
+
+        assertThat(cost.applyAsDouble(search.mean())).isLessThan(1e-8);
     }
 
     @Test
@@ -60,7 +60,7 @@ class CovarianceMatrixAdaptationTest {
 
         CovarianceMatrixAdaptation search = minimise(start, 100, x -> x[0] < 0 ? Double.NaN : sphere(x));
 
-        assertThat(search.bestCost()).isLessThan(1e-4);
+        assertThat(sphere(search.mean())).isLessThan(1e-4);
     }
 
     @Test
@@ -69,14 +69,14 @@ class CovarianceMatrixAdaptationTest {
 
         assertThatThrownBy(() -> search.tell(new double[] {1, 2, 3, 4}))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("4 costs for 0 candidates. Call ask() first, then tell() once.");
+                .hasMessage("4 costs for 0 candidates. Call tell() once after each ask().");
     }
 
     @Test
     void refusesASearchThatCannotWork() {
         assertThatThrownBy(() -> new CovarianceMatrixAdaptation(new double[0], 1, 4, 1))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("0 coordinates, step 1.0, population 4");
+                .hasMessageContaining("0 coordinates, step 1.0 and population 4");
     }
 
     private static CovarianceMatrixAdaptation minimise(

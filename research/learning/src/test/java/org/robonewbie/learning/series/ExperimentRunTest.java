@@ -66,7 +66,7 @@ class ExperimentRunTest {
                         "1,2.0,\"a, b\",8.0",
                         "2,1.0,cd,2.0",
                         "3,2.0,cd,4.0");
-        assertThatThrownBy(() -> plan.refuseOthersThan(List.of("times", "words")))
+        assertThatThrownBy(() -> plan.requireKnown(List.of("times", "words")))
                 .hasMessageContaining("\"word\"")
                 .hasMessageContaining("Did you mean words?");
         assertThatThrownBy(() -> Experiment.of(Broken.class.getName()).run(Map.of(), Map.of("word", "x"), 1))
@@ -77,7 +77,7 @@ class ExperimentRunTest {
     void misspeltNamesOfAPlanAreRefusedWithTheNearest() throws IOException {
         ExperimentPlan plan = plan("experiment=x", "sede=1", "newtons=20");
 
-        assertThatThrownBy(() -> plan.refuseOthersThan(List.of("newtons"))).hasMessageContaining("Did you mean seed?");
+        assertThatThrownBy(() -> plan.requireKnown(List.of("newtons"))).hasMessageContaining("Did you mean seed?");
         assertThatThrownBy(() -> plan("experment=x"))
                 .hasMessageContaining("line 1")
                 .hasMessageContaining("Did you mean experiment?");
@@ -107,7 +107,8 @@ class ExperimentRunTest {
         ExperimentPlan plan = plan("experiment=" + Broken.class.getName(), "trials=2", "seed=3", "a=4");
 
         assertThat(table(plan, 1).failures().get(0))
-                .matches("Trial 0 \\(seed \\d+, \\{a=4.0}\\) failed 3 times: .*it gave 0 numbers for 1 columns");
+                .matches(
+                        "Trial 0 \\(seed \\d+, \\{a=4.0}\\) failed 3 times: .*run\\(\\) returned 0 values for 1 columns");
     }
 
     @Test

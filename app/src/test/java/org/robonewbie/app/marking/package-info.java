@@ -1,3 +1,0 @@
-/** Tests of marking a class. */
-@org.jspecify.annotations.NullMarked
-package org.robonewbie.app.marking;

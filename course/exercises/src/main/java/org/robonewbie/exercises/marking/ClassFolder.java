@@ -1,0 +1,201 @@
+package org.robonewbie.exercises.marking;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+import org.robonewbie.exercises.Exercise;
+import org.robonewbie.nao.file.PathEncoding;
+import org.robonewbie.nao.file.SubmittedFolder;
+import org.robonewbie.nao.file.UnreadableFileException;
+import org.robonewbie.nao.text.Spelling;
+import org.robonewbie.programs.CalledWronglyException;
+
+/**
+ * Submissions of a class: a folder for each student, or files named after student and class, such as {@code anna_Kick.java}. A program
+ * belongs to the exercise with the name of its class.
+ */
+final class ClassFolder {
+
+    private static final String JAVA = ".java";
+
+    private final List<Exercise> exercises;
+    private final Path copies;
+    private final Map<String, List<Submission>> submissions = new TreeMap<>();
+    private final Map<String, String> troubles = new TreeMap<>();
+
+    private ClassFolder(List<Exercise> exercises, Path copies) {
+        this.exercises = exercises;
+        this.copies = copies;
+    }
+
+    /**
+     * Reads a folder.
+     *
+     * @param folder the folder
+     * @param exercises the exercises to grade
+     * @param copies folder for copies of the accepted files, which are graded
+     * @param results folder of the results, which is ignored if it is inside of {@code folder}
+     * @throws CalledWronglyException if there is nothing to grade
+     */
+    static ClassFolder read(Path folder, List<Exercise> exercises, Path copies, Path results) throws IOException {
+        if (!Files.isDirectory(folder)) {
+            throw new CalledWronglyException(
+                    "There is no folder " + folder + ". It must contain a folder for each student, with .java files.");
+        }
+        ClassFolder all = new ClassFolder(exercises, copies);
+        try (Stream<Path> entries = Files.list(folder)) {
+            Path own = results.toAbsolutePath().normalize();
+            for (Path entry : entries.sorted().toList()) {
+                if (!entry.toAbsolutePath().normalize().equals(own)) {
+                    all.add(entry);
+                }
+            }
+        }
+        if (all.submissions.isEmpty()) {
+            throw new CalledWronglyException(
+                    "The folder " + folder + " has no programs. It must contain a folder for each"
+                            + " student, such as " + folder.resolve("anna") + ", with files such as "
+                            + exercises.get(0).className() + JAVA + ".");
+        }
+        return all;
+    }
+
+    /** Returns the programs of all students, sorted by name, with at most one for each exercise. */
+    Map<String, List<Submission>> submissions() {
+        return Collections.unmodifiableMap(submissions);
+    }
+
+    /** Returns the reasons why something cannot be graded, by student. */
+    Map<String, String> troubles() {
+        return Collections.unmodifiableMap(troubles);
+    }
+
+    private void add(Path entry) throws IOException {
+        String name = String.valueOf(entry.getFileName());
+        if (name.startsWith(".")) {
+            return;
+        }
+        Optional<String> unreadable = PathEncoding.problem(entry.toString());
+        if (unreadable.isPresent()) {
+            trouble(name, unreadable.get());
+            return;
+        }
+        if (name.endsWith(JAVA) && !Files.isDirectory(entry)) {
+            addFlat(name, entry);
+        } else if (Files.isDirectory(entry) || Files.isSymbolicLink(entry)) {
+            addStudent(name, entry);
+        }
+    }
+
+    private void addStudent(String student, Path folder) throws IOException {
+        Path copy = copies.resolve(student);
+        try {
+            new SubmittedFolder(folder, ClassFolder::isLeftOut).copyTo(copy);
+        } catch (UnreadableFileException refused) {
+            trouble(student, String.valueOf(refused.getMessage()));
+            return;
+        }
+        List<Path> programs = new SubmittedFolder(copy, place -> false)
+                .files().stream().filter(ClassFolder::isProgram).toList();
+        for (Path program : programs) {
+            Optional<String> unreadable = PathEncoding.problem(program.toString());
+            if (unreadable.isPresent()) {
+                trouble(student, unreadable.get());
+                continue;
+            }
+            String type = typeOf(String.valueOf(program.getFileName()));
+            exercise(type).ifPresent(exercise -> addSubmission(new Submission(student, exercise, program, copy)));
+        }
+        if (submissions.getOrDefault(student, List.of()).isEmpty()) {
+            trouble(student, nothingIn(programs));
+        }
+    }
+
+    /** Returns whether a folder is hidden or contains build output. */
+    private static boolean isLeftOut(Path folder) {
+        String name = String.valueOf(folder.getFileName());
+        return name.startsWith(".") || name.equals("target") || name.equals("__MACOSX");
+    }
+
+    private static boolean isProgram(Path file) {
+        String name = String.valueOf(file.getFileName());
+        return name.endsWith(JAVA) && !name.startsWith(".");
+    }
+
+    /** Adds a file such as {@code anna_Kick.java}. Its copy is named after the class, as Java requires. */
+    private void addFlat(String name, Path file) throws IOException {
+        String type = typeOf(name);
+        Optional<Exercise> exercise = exercises.stream()
+                .filter(each -> type.matches("(?s).+[-_. ]" + each.className()))
+                .findFirst();
+        if (exercise.isEmpty()) {
+            trouble(
+                    type,
+                    "The file " + name + " does not name student and exercise. Rename it, for example to anna_"
+                            + exercises.get(0).className() + JAVA + ".");
+            return;
+        }
+        String student =
+                type.substring(0, type.length() - exercise.get().className().length() - 1);
+        try {
+            Path admitted = new SubmittedFolder(file, place -> false).files().get(0);
+            Path folder = Files.createDirectories(copies.resolve(student));
+            Path copy = folder.resolve(exercise.get().className() + JAVA);
+            Files.copy(admitted, copy, StandardCopyOption.REPLACE_EXISTING);
+            addSubmission(new Submission(student, exercise.get(), copy, folder));
+        } catch (UnreadableFileException refused) {
+            trouble(student, String.valueOf(refused.getMessage()));
+        }
+    }
+
+    private void addSubmission(Submission submission) {
+        List<Submission> own = submissions.computeIfAbsent(submission.student(), any -> new ArrayList<>());
+        Optional<Submission> before = own.stream()
+                .filter(other -> other.exercise().equals(submission.exercise()))
+                .findFirst();
+        if (before.isPresent()) {
+            trouble(
+                    submission.student(),
+                    "There are several files " + submission.exercise().className() + JAVA + "; "
+                            + before.get().folder().relativize(before.get().file()) + " was graded.");
+        } else {
+            own.add(submission);
+        }
+    }
+
+    private void trouble(String student, String sentence) {
+        submissions.computeIfAbsent(student, any -> new ArrayList<>());
+        troubles.merge(student, sentence, (first, second) -> first + " " + second);
+    }
+
+    private String nothingIn(List<Path> programs) {
+        List<String> names = exercises.stream().map(Exercise::className).toList();
+        String found =
+                programs.isEmpty() ? "There is no .java file." : "No file is named after the class of an exercise.";
+        return found
+                + programs.stream()
+                        .map(program -> typeOf(String.valueOf(program.getFileName())))
+                        .flatMap(type -> Spelling.nearest(type, names).stream()
+                                .map(name -> " Is " + type + JAVA + " meant to be " + name + JAVA + "?"))
+                        .findFirst()
+                        .orElse("");
+    }
+
+    private Optional<Exercise> exercise(String type) {
+        return exercises.stream()
+                .filter(exercise -> exercise.className().equals(type))
+                .findFirst();
+    }
+
+    private static String typeOf(String name) {
+        return name.substring(0, name.length() - JAVA.length());
+    }
+}

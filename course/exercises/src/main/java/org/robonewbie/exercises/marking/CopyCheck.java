@@ -1,0 +1,153 @@
+package org.robonewbie.exercises.marking;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.robonewbie.exercises.Exercise;
+import org.robonewbie.nao.file.RegularFile;
+import org.robonewbie.nao.file.TextFile;
+import org.robonewbie.nao.file.UnreadableFileException;
+
+/** Plagiarism check: finds programs of a class that are too similar to be independent. The start code of the exercise is ignored. */
+final class CopyCheck {
+
+    /** Programs with less original code than this are similar by chance. */
+    private static final int MIN_OWN_RUNS = 40;
+
+    private static final double MIN_LIKENESS = 0.8;
+
+    private CopyCheck() {}
+
+    /**
+     * Two similar programs.
+     *
+     * @param exercise full name of the exercise
+     * @param first a student
+     * @param second another student
+     * @param likeness share of the shorter program that is contained in the other one, 0 to 1
+     * @param sameNumbers share of equal numbers, 0 to 1
+     * @param identical whether the two files are equal
+     */
+    record Pair(String exercise, String first, String second, double likeness, double sameNumbers, boolean identical) {}
+
+    /**
+     * Statistics of the programs of one exercise.
+     *
+     * @param exercise its name
+     * @param programs the number of programs
+     * @param comparable the number of programs with enough original code to be compared
+     * @param unchanged the number of programs that equal the start code
+     */
+    record Comparison(String exercise, int programs, int comparable, int unchanged) {
+
+        private boolean isComplete() {
+            return programs < 2 || comparable == programs;
+        }
+    }
+
+    /**
+     * Result of the check.
+     *
+     * @param pairs similar programs, the most similar ones first
+     * @param comparisons statistics by exercise
+     */
+    record Result(List<Pair> pairs, List<Comparison> comparisons) {
+
+        /** {@return exercises with programs that could not be compared} */
+        List<Comparison> incomplete() {
+            return comparisons.stream().filter(each -> !each.isComplete()).toList();
+        }
+    }
+
+    private record Program(String student, String text, SourceShape shape) {}
+
+    /** Compares all programs with those of the same exercise. */
+    static Result of(List<Submission> submissions) {
+        List<Pair> pairs = new ArrayList<>();
+        List<Comparison> comparisons = new ArrayList<>();
+        submissions.stream()
+                .map(Submission::exercise)
+                .distinct()
+                .forEach(exercise -> comparisons.add(compare(
+                        exercise,
+                        submissions.stream()
+                                .filter(each -> each.exercise().equals(exercise))
+                                .toList(),
+                        pairs)));
+        pairs.sort(Comparator.comparing(Pair::identical)
+                .thenComparing(Pair::likeness)
+                .reversed());
+        return new Result(pairs, comparisons);
+    }
+
+    private static Comparison compare(Exercise exercise, List<Submission> submissions, List<Pair> pairs) {
+        SourceShape given = SourceShape.of(exercise.startCode());
+        String start = plain(exercise.startCode());
+        List<Program> programs = submissions.stream()
+                .map(each -> new Program(each.student(), plain(text(each)), SourceShape.of(text(each))))
+                .toList();
+        List<Program> changed =
+                programs.stream().filter(each -> !each.text().equals(start)).toList();
+        for (int i = 0; i < changed.size(); i++) {
+            for (Program second : changed.subList(i + 1, changed.size())) {
+                compare(exercise, given, changed.get(i), second).ifPresent(pairs::add);
+            }
+        }
+        return new Comparison(
+                exercise.name(),
+                programs.size(),
+                (int) programs.stream()
+                        .filter(each -> isComparable(each, given))
+                        .count(),
+                programs.size() - changed.size());
+    }
+
+    private static Optional<Pair> compare(Exercise exercise, SourceShape given, Program first, Program second) {
+        boolean identical = first.text().equals(second.text());
+        boolean comparable = isComparable(first, given) && isComparable(second, given);
+        double likeness = identical ? 1 : comparable ? first.shape().similarityTo(second.shape(), given) : 0;
+        return likeness < MIN_LIKENESS
+                ? Optional.empty()
+                : Optional.of(new Pair(
+                        exercise.fullName(),
+                        first.student(),
+                        second.student(),
+                        likeness,
+                        first.shape().sameNumbers(second.shape()),
+                        identical));
+    }
+
+    private static boolean isComparable(Program program, SourceShape given) {
+        return program.shape().ownRuns(given) >= MIN_OWN_RUNS;
+    }
+
+    /** Returns the text without differences made by editors: line ends, a byte order mark, trailing blanks. */
+    private static String plain(String text) {
+        return text.replace("\uFEFF", "")
+                .lines()
+                .map(String::stripTrailing)
+                .collect(Collectors.joining("\n"))
+                .strip();
+    }
+
+    /** Returns the text of a program, or its bytes in hexadecimal if it is not text. */
+    private static String text(Submission submission) {
+        try {
+            return TextFile.read(submission.file()).content();
+        } catch (UnreadableFileException noText) {
+            return bytes(submission.file());
+        }
+    }
+
+    private static String bytes(Path file) {
+        try {
+            return HexFormat.of().formatHex(RegularFile.read(file, TextFile.MAX_BYTES));
+        } catch (UnreadableFileException unreadable) {
+            return file.toString();
+        }
+    }
+}

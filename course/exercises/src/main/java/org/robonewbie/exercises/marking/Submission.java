@@ -1,0 +1,14 @@
+package org.robonewbie.exercises.marking;
+
+import java.nio.file.Path;
+import org.robonewbie.exercises.Exercise;
+
+/**
+ * A student's program for one exercise.
+ *
+ * @param student name of the student or team
+ * @param exercise the exercise
+ * @param file the program, in the folder
+ * @param folder copy of all files of the student, with motions and other classes
+ */
+record Submission(String student, Exercise exercise, Path file, Path folder) {}

@@ -1,0 +1,3 @@
+/** Tests of marking a class. */
+@org.jspecify.annotations.NullMarked
+package org.robonewbie.exercises.marking;
