@@ -59,7 +59,9 @@ class CompetitionCommandTest {
 
         assertThat(printed.exitCode()).as(printed.err()).isZero();
         assertThat(Files.readString(results.resolve("table.html")))
-                .contains("Programs ran without a sandbox (--fence none).", "The origin of connections to the port of a team was");
+                .contains(
+                        "Programs ran without a sandbox (--fence none).",
+                        "The origin of connections to the port of a team was");
         assertThat(results.resolve("recordings.sha256")).content().contains("  recordings/walk-Red.rec");
     }
 
