@@ -268,7 +268,7 @@ class AttackDoorsTest {
         DEVICE("ln -s /dev/zero F", "is not a regular file but a device or a pipe", "is a link that leads out"),
         DEAD_LINK("ln -s /nowhere F", "does not exist", "is a broken link"),
         HUGE("truncate -s 3G F", "is larger than 16 MB", "more than 100 MB"),
-        ANOTHERS_FILE("ln -s ../secret F", "The Java file has mistakes", "is a link that leads out"),
+        ANOTHERS_FILE("ln -s ../secret F", "The Java file has errors", "is a link that leads out"),
         SUM(
                 "{ printf 'public class RaiseArms { int x = 1'; printf '+hashCode()%.0s' $(seq 30000); echo ';}'; } > F",
                 "is nested too deeply", "nested"),

@@ -10,12 +10,12 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
-import org.robonewbie.exercises.marking.ClassMarking;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Grade;
 import org.robonewbie.exercises.Language;
 import org.robonewbie.exercises.grading.ProcessGrader;
+import org.robonewbie.exercises.marking.ClassMarking;
 import org.robonewbie.exercises.progress.ExerciseProgress;
 import org.robonewbie.exercises.progress.Progress;
 import org.robonewbie.exercises.progress.ProgressService;
@@ -162,7 +162,8 @@ final class GradeCommand implements Callable<Integer> {
         }
         language.language(); // rejects an unknown language before the trials
         ProcessGrader.Result result = grade(exercise, program);
-        int exitCode = result.grade().isPresent() ? report(exercise, result.grade().get()) : result.exitCode();
+        int exitCode =
+                result.grade().isPresent() ? report(exercise, result.grade().get()) : result.exitCode();
         if (watched) {
             recording.filter(Files::isRegularFile).ifPresent(this::show);
         }
@@ -262,8 +263,7 @@ final class GradeCommand implements Callable<Integer> {
     private int writeStartCode(Exercise exercise) throws IOException {
         Path file = Path.of(exercise.className() + ".java");
         if (Files.exists(file)) {
-            throw new CalledWronglyException(
-                    "The file " + file + " exists already. Rename it to start over.");
+            throw new CalledWronglyException("The file " + file + " exists already. Rename it to start over.");
         }
         Files.writeString(file, exercise.startCode());
         ProgressService.ofUser().begun(exercise);

@@ -11,7 +11,6 @@ import org.robonewbie.programs.ExampleSources;
 import org.robonewbie.programs.JavaSource;
 import org.robonewbie.programs.Remark;
 import org.robonewbie.programs.completion.Proposal;
-import org.robonewbie.programs.process.ChildProcess;
 import org.robonewbie.programs.process.WaitingProcess;
 import org.robonewbie.studio.program.CompilerService;
 import org.robonewbie.studio.program.RunningProgram;
@@ -79,33 +78,10 @@ public final class ProcessCompilerService implements CompilerService, AutoClosea
         }
         beforeStart.run();
         List<String> options = List.of("--host", "127.0.0.1", "--port", Integer.toString(port), "--headless");
-        Running program = new Running(processes.start(source.className(), classes.path(), options), classes);
+        RunningProgram program =
+                new RunningProgram(processes.start(source.className(), classes.path(), options), classes);
         processes.prepare();
         return Optional.of(program);
-    }
-
-    private record Running(ChildProcess process, TemporaryFolder classes) implements RunningProgram {
-
-        @Override
-        public String output() {
-            return process.output().end();
-        }
-
-        @Override
-        public boolean isRunning() {
-            return process.isRunning();
-        }
-
-        @Override
-        public int exitCode() {
-            return process.exitCode().orElse(0);
-        }
-
-        @Override
-        public void close() {
-            process.close();
-            classes.close();
-        }
     }
 
     @Override

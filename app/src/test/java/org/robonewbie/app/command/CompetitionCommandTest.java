@@ -59,7 +59,9 @@ class CompetitionCommandTest {
 
         assertThat(printed.exitCode()).as(printed.err()).isZero();
         assertThat(Files.readString(results.resolve("table.html")))
-                .contains("Programs ran without a sandbox (--fence none).", "Whose connection came");
+                .contains(
+                        "Programs ran without a sandbox (--fence none).",
+                        "The origin of connections to the port of a team was");
         assertThat(results.resolve("recordings.sha256")).content().contains("  recordings/walk-Red.rec");
     }
 
@@ -102,7 +104,7 @@ class CompetitionCommandTest {
                 .contains("League, 2 against 2: Every team plays every other team twice, home and away, for 1 s.")
                 .contains("1. Blue 2 0 2 0 0:0 0 2")
                 .contains("1. Red 2 0 2 0 0:0 0 2");
-        assertThat(again.out()).contains("1 of 2 trials are over already", "[2/2] league-Red-Blue");
+        assertThat(again.out()).contains("1 of 2 trials are already finished", "[2/2] league-Red-Blue");
         assertThat(results.resolve("table.csv")).hasBinaryContent(table);
         assertThat(results.resolve("recordings/league-Blue-Red.rec")).isNotEmptyFile();
         assertThat(results.resolve("certificates/Blue.html")).exists();

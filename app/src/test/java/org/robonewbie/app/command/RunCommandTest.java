@@ -115,8 +115,7 @@ class RunCommandTest {
         Printed answer = Printed.by("run", file.toString());
 
         assertThat(answer.exitCode()).isEqualTo(1);
-        assertThat(answer.err())
-                .contains("Broken.java:2: error", "thirty", "Fix the first one above");
+        assertThat(answer.err()).contains("Broken.java:2: error", "thirty", "Fix the first one above");
     }
 
     @Test

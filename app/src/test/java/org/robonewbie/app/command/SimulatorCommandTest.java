@@ -241,7 +241,8 @@ class SimulatorCommandTest {
     @Test
     void patienceWithSilentAgentsCanBeSet() throws IOException {
         assertThat(settings().agents().silentSeconds()).isEqualTo(60);
-        assertThat(settings("--drop-silent-after", "2.5").agents().silentSeconds()).isEqualTo(2.5);
+        assertThat(settings("--drop-silent-after", "2.5").agents().silentSeconds())
+                .isEqualTo(2.5);
         assertThat(settings("--drop-silent-after", "Infinity").agents().silentSeconds())
                 .isInfinite();
         assertThatThrownBy(() -> settings("--drop-silent-after", "0"))

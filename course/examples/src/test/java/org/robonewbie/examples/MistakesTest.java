@@ -31,11 +31,12 @@ class MistakesTest {
 
             assertThat(exitCode).isEqualTo(1);
             assertThat(program.lines())
-                    .filteredOn(line -> line.contains("the robot goes on"))
+                    .filteredOn(line -> line.contains("the robot continues"))
                     .singleElement()
                     .asString()
-                    .endsWith("think() failed with java.lang.ArithmeticException: / by zero; the robot goes on with the"
-                            + " next step. (DivideByZero.java:23)");
+                    .endsWith(
+                            "think() failed with java.lang.ArithmeticException: / by zero; the robot continues with the"
+                                    + " next step. (DivideByZero.java:23)");
             assertThat(program.lines()).anyMatch(line -> line.contains("cycle at 1.98"));
         }
     }

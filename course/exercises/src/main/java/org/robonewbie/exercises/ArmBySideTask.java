@@ -12,9 +12,7 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
-/**
- * Raise the arm on whose side another robot stands; that robot stands somewhere else every three seconds.
- */
+/** Raise the arm on the side of another robot, which changes its position every three seconds. */
 final class ArmBySideTask implements Task {
 
     private static final Pose2d STUDENT = new Pose2d(-3, 0, 0);
@@ -75,11 +73,11 @@ final class ArmBySideTask implements Task {
                 : Score.failed(
                         least == 0 ? (left + right + none) / 2.0 : 2.0 + left + right + none,
                         finding,
-                        "fieldView.players() lists all whom your robot remembers: ask isVisible(), and the sign of bearing() for"
+                        "fieldView.players() lists all robots that yours remembers: ask isVisible(), and the sign of bearing() for"
                                 + " the side. Up is above 50°, down below 20°.");
     }
 
-    /** How often the arms were right while the other robot stood on a side. */
+    /** Returns the number of phases with correct arms while the other robot was on a side. */
     private int right(int side) {
         return (int) IntStream.range(0, wrong.length)
                 .filter(i -> sides.get(i) == side && !wrong[i])
@@ -90,7 +88,7 @@ final class ArmBySideTask implements Task {
         return up ? degrees < UP_DEGREES : degrees > DOWN_DEGREES;
     }
 
-    /** Left, right, or behind the student's robot, where its camera does not see it. */
+    /** Returns a pose to the left, to the right, or behind the student's robot, out of its view. */
     private Pose2d dummyPlace(int side) {
         double distance = places.between(1.2, 2.2);
         double bearing = side == 0 ? places.between(150, 210) : side * places.between(15, 40);

@@ -9,9 +9,7 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 
-/**
- * Walk once around the ball, without touching it and without losing it.
- */
+/** Walk once around the ball without touching or losing it. */
 final class AroundTheBallTask implements Task {
 
     private static final Pose2d STUDENT = new Pose2d(-0.8, 0, 0);

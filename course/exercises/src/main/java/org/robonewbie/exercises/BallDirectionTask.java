@@ -22,8 +22,8 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Report where the ball is while the head turns and the body leans: neither the simple sum of neck and camera angles is exact
- * enough nor the kinematics of the neck alone, which take the torso as upright.
+ * Report the direction of the ball while the head turns and the body leans. Neither the sum of neck and camera angles nor the
+ * kinematics of the neck, which assume an upright torso, are accurate enough.
  */
 final class BallDirectionTask implements Task {
 
@@ -31,7 +31,7 @@ final class BallDirectionTask implements Task {
     private static final Pattern WORDS = Pattern.compile("ball:(-?\\d{1,3}(\\.\\d+)?)");
     private static final double GOOD_DEGREES = 0.5;
     private static final double ANKLE_SHARE = 0.5;
-    private static final int FEWEST_WORDS = 40;
+    private static final int MIN_WORDS = 40;
     private static final double YAW_RANGE = 60;
     private static final double PITCH_RANGE = 20;
 
@@ -54,7 +54,7 @@ final class BallDirectionTask implements Task {
                 .withBall(STUDENT.point(random.between(1, 2), bearing, 0));
     }
 
-    /** Bends the robot forward in the hips; the ankles take the weight back over the feet. */
+    /** Returns a motion that leans forward at the hips; the ankles keep the weight over the feet. */
     private static Motion leaning(double degrees) {
         double hip = 35 + (1 + ANKLE_SHARE) * degrees;
         double ankle = 37 - ANKLE_SHARE * degrees;
@@ -88,7 +88,7 @@ final class BallDirectionTask implements Task {
         });
     }
 
-    /** The ball's direction on the ground from below the head, against the direction in which the torso faces. */
+    /** Returns the bearing of the ball from the ground point below the head, relative to the heading of the torso. */
     private static double bearing(WorldState state) {
         BodyState robot = state.robot();
         Vector3 head = robot.torso().transform(HEAD);
@@ -101,7 +101,7 @@ final class BallDirectionTask implements Task {
         String finding = words == 0
                 ? "said nothing"
                 : String.format(Locale.ROOT, "said it %d times, mean error %.2f°", words, error);
-        if (words < FEWEST_WORDS) {
+        if (words < MIN_WORDS) {
             return Score.failed(
                     0, finding, "Say it at least 40 times, such as nao.say(\"ball:-12.3\"), when the ball is visible.");
         }

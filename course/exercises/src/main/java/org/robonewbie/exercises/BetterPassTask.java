@@ -14,9 +14,9 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Number 1 passes to the one of two team mates to whom the way is free. First an opponent stands before the nearer mate, then before
- * the farther one; between the two passes everybody is carried back. What the ball does after it has met the opponent no longer counts: it
- * may roll to the free mate from there, but that is luck.
+ * Pass to the teammate with a free passing lane, twice. An opponent first blocks the nearer teammate, then the farther one; between
+ * the passes all robots are moved back. After the ball has hit the opponent, its path no longer counts, since a deflection to the
+ * free teammate would be luck.
  */
 final class BetterPassTask implements Task {
 
@@ -30,7 +30,7 @@ final class BetterPassTask implements Task {
     private static final double STOPPED_METRES = 0.3;
     private static final int OPPONENT = 3;
 
-    /** The passer, both mates, the opponent: where they stand at the beginning of a pass. */
+    /** Start poses of passer, both teammates and opponent, by pass. */
     private final List<List<Pose2d>> starts = new ArrayList<>();
 
     private final double[] nearest = new double[PASSES];
@@ -66,7 +66,7 @@ final class BetterPassTask implements Task {
                 180 + degrees);
     }
 
-    /** Where an opponent stands in the way to a mate. */
+    /** Returns the pose of an opponent that blocks the lane to a teammate. */
     private static Pose2d before(Pose2d mate) {
         Vector3 way = mate.point(0, 0, 0).minus(BALL);
         Vector3 place = BALL.plus(way.times(OPPONENT_METRES / way.length()));
@@ -99,7 +99,7 @@ final class BetterPassTask implements Task {
         }
     }
 
-    /** First the farther mate is free, then the nearer one. */
+    /** Returns the index of the free teammate: first the farther one, then the nearer one. */
     private static int freeMate(int number) {
         return 2 - number;
     }
@@ -114,14 +114,14 @@ final class BetterPassTask implements Task {
         String finding = String.format(
                 Locale.ROOT,
                 "first pass %s, second pass %s%s",
-                told(0),
-                told(1),
-                strayed > STAYED_METRES ? ", and somebody left their place" : "");
+                describe(0),
+                describe(1),
+                strayed > STAYED_METRES ? ", and a player left its place" : "");
         if (strayed > STAYED_METRES) {
             return Score.failed(
                     1,
                     finding,
-                    "Everybody stays within 0.9 m of where they begin: number 1 only gets behind the ball and stops after its kick, and the"
+                    "All players stay within 0.9 m of their start: number 1 only gets behind the ball and stops after its kick, and the"
                             + " mates wait.");
         }
         boolean first = nearest[0] <= REACHED_METRES;
@@ -135,7 +135,7 @@ final class BetterPassTask implements Task {
                                 + " behind the ball by itself; give it the same direction until the ball rolls.");
     }
 
-    private String told(int number) {
+    private String describe(int number) {
         return Double.isInfinite(nearest[number])
                 ? "not tried"
                 : String.format(Locale.ROOT, "%.2f m beside the free mate at best", nearest[number]);

@@ -18,10 +18,10 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Dance on the spot to the beat of a ball that swings to and fro: at least three limbs, in the rhythm of the ball, no fall.
+ * Dance on the spot to the beat of a swinging ball, with at least three limbs and without a fall.
  *
- * <p>A joint moves in the rhythm if at least half of its movement repeats itself with the ball, or half or twice as often: that
- * part is found by Fourier's formula for these three frequencies, over a whole number of swings.
+ * <p>A joint is in rhythm if at least half of the variance of its angle lies at the frequency of the ball, or at half or twice that
+ * frequency. The variance is computed from the Fourier coefficients of these three frequencies over a whole number of swings.
  */
 final class DanceTask implements Task {
 
@@ -29,9 +29,9 @@ final class DanceTask implements Task {
     private static final double BALL_DEGREES = 35;
     private static final double JUDGED_FROM_SECONDS = 3;
     private static final double JUDGED_SECONDS = 12;
-    private static final double LEAST_SHARE = 0.5;
+    private static final double MIN_SHARE = 0.5;
     private static final double MOST_METRES = 0.3;
-    private static final int FEWEST_LIMBS = 3;
+    private static final int MIN_LIMBS = 3;
 
     private Pose2d start = new Pose2d(-1, 0, 0);
     private double period = 2;
@@ -40,7 +40,7 @@ final class DanceTask implements Task {
     private double travelled;
     private boolean fallen;
 
-    /** Part of the body, and how far one of its joints has to move; legs are bent less. */
+    /** Limb and the range that one of its joints must move through; legs bend less. */
     private enum Limb {
         HEAD(30),
         LEFT_ARM(30),
@@ -117,13 +117,13 @@ final class DanceTask implements Task {
         if (travelled > MOST_METRES) {
             return Score.failed(2, finding, "Dance on the spot: stay within 0.3 m of where you begin.");
         }
-        if (moving < FEWEST_LIMBS) {
+        if (moving < MIN_LIMBS) {
             return Score.failed(
                     moving,
                     finding,
                     "At least three limbs have to move: head, arms (30° each) or legs (15°), from the third second on.");
         }
-        return dancing >= FEWEST_LIMBS
+        return dancing >= MIN_LIMBS
                 ? Score.passed(finding)
                 : Score.failed(
                         3.0 + dancing,
@@ -137,8 +137,8 @@ final class DanceTask implements Task {
                 .filter(limb -> angles.entrySet().stream()
                         .filter(moved -> Limb.of(moved.getKey()) == limb)
                         .map(Map.Entry::getValue)
-                        .anyMatch(degrees ->
-                                moves(degrees, limb.degrees) && (!inRhythm || share(degrees) >= LEAST_SHARE)))
+                        .anyMatch(
+                                degrees -> moves(degrees, limb.degrees) && (!inRhythm || share(degrees) >= MIN_SHARE)))
                 .count();
     }
 
@@ -148,7 +148,7 @@ final class DanceTask implements Task {
         return highest - lowest >= least;
     }
 
-    /** The part of a movement that repeats itself with the ball, once in two swings, or twice in one; 0 to 1. */
+    /** Returns the share of the variance at the three frequencies, 0 to 1. */
     private double share(List<Double> degrees) {
         double whole = 2 * period * Math.floor(JUDGED_SECONDS / (2 * period));
         int count = Math.min(degrees.size(), (int) Math.round(whole / Cycle.SECONDS));

@@ -8,7 +8,7 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 
-/** Bring the ball past an opponent on its left, without a kick and without touching it. The straight way goes by on its right. */
+/** Dribble past an opponent on its left without kicking or touching it. The direct path leads past it on the right. */
 final class DribblePastTask implements Task {
 
     private static final double START_X = -2.5;

@@ -8,21 +8,21 @@ import java.util.Objects;
 import java.util.function.Supplier;
 
 /**
- * An exercise: what to do, the program to start from, and how a solution is judged.
+ * An exercise with its goal, start code and grading.
  *
  * <pre>{@code
  * Exercise kick = Exercises.find("kick").orElseThrow();
  * Grade grade = new Grader().grade(kick, MyKick::new, 3);
  * }</pre>
  *
- * @param number its position in the course, from 1
- * @param name such as {@code arm-by-side}
+ * @param number position in the course, from 1
+ * @param name name, such as {@code arm-by-side}
  * @param className name of the class in the start code, such as {@code ArmBySide}
  * @param title heading of the worksheet
- * @param minutes how long it takes a student, about
- * @param goal what the robot has to do, as a sentence
- * @param seconds simulated time of a trial
- * @param task creates the task of one trial
+ * @param minutes approximate working time of a student
+ * @param goal goal of the robot, as a sentence
+ * @param seconds length of a trial, simulated seconds
+ * @param task supplies a new task for each trial
  */
 public record Exercise(
         int number,
@@ -49,15 +49,15 @@ public record Exercise(
         return minutes <= ADVANCED ? "advanced" : "challenge";
     }
 
-    /** {@return the name with the number, as the worksheets are called, such as {@code 03-arm-by-side}} */
+    /** {@return the number and name, as in the file names of worksheets, such as {@code 03-arm-by-side}} */
     public String fullName() {
         return String.format("%02d-%s", number, name);
     }
 
     /**
-     * Reads the program from which students start: it compiles, runs, and does not yet solve the task.
+     * Returns the start code, which compiles and runs but does not solve the exercise.
      *
-     * @return the text of a Java file with a class of the name {@link #className}
+     * @return source of a Java file with the class {@link #className}
      */
     public String startCode() {
         String file = "start/" + className + ".java.txt";

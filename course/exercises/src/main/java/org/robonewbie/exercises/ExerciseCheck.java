@@ -5,7 +5,7 @@ import java.util.stream.Collectors;
 import org.robonewbie.agent.Agent;
 
 /**
- * Checks solutions in tests, with any test library.
+ * Assertion for tests of solutions, for any test framework.
  *
  * <pre>{@code
  * @Test
@@ -21,11 +21,11 @@ public final class ExerciseCheck {
     private ExerciseCheck() {}
 
     /**
-     * Demands that a program solves an exercise on the seeds 1 to 3.
+     * Asserts that a program solves an exercise with the seeds 1 to 3.
      *
      * @param exercise name or number of the exercise
-     * @param student makes a robot with the program
-     * @throws AssertionError if it does not; its message is the grade with hints
+     * @param student creates an agent with the program
+     * @throws AssertionError if it does not; the message contains the grade and hints
      * @throws IllegalArgumentException if there is no such exercise
      */
     public static void assertSolved(String exercise, Supplier<? extends Agent> student) {

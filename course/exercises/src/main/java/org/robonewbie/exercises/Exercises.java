@@ -251,10 +251,10 @@ public final class Exercises {
     }
 
     /**
-     * Looks up an exercise.
+     * Finds an exercise.
      *
-     * @param name its name, its number, or both, such as {@code kick}, {@code 12} or {@code 12-kick}
-     * @return the exercise; empty if there is none
+     * @param name name, number, or both, such as {@code kick}, {@code 12} or {@code 12-kick}
+     * @return the exercise; empty if there is no such exercise
      */
     public static Optional<Exercise> find(String name) {
         String wanted = name.toLowerCase(Locale.ROOT);

@@ -9,9 +9,7 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 
-/**
- * Walk further in 10 seconds than the framework's walk does with its own numbers. The fast walk, which is given too, does not count.
- */
+/** Walk farther in 10 seconds than the standard walk does with its default parameters. The built-in fast walk does not count. */
 final class FasterWalkTask implements Task {
 
     private static final double FAR_METRES = 6.3;

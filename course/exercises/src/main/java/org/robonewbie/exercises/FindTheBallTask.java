@@ -8,9 +8,7 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.SustainedCondition;
 
-/**
- * Look for a ball that lies out of sight, and face it for a second.
- */
+/** Find a ball that is out of view and face it for a second. */
 final class FindTheBallTask implements Task {
 
     private static final Pose2d STUDENT = new Pose2d(-0.5, 0, 30);

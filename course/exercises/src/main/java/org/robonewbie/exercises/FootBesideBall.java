@@ -9,7 +9,7 @@ import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.simulator.world.BallProperties;
 
-/** Where a foot that swung at a ball and did not touch it was in relation to the ball, when it was furthest forward. */
+/** Position of a foot that missed the ball, relative to the ball, at the most forward point of its swing. */
 final class FootBesideBall {
 
     private final Pose2d start;
@@ -18,17 +18,16 @@ final class FootBesideBall {
     private Vector3 nearest = Vector3.ZERO;
 
     /**
-     * Watches the way to a ball.
+     * Creates an observer.
      *
-     * @param start where the robot stood in the beginning, and faced the ball
-     * @param ball the centre of the ball
+     * @param start start pose of the robot, facing the ball
+     * @param ball centre of the ball
      */
     FootBesideBall(Pose2d start, Vector3 ball) {
         this.start = start;
         this.ball = ball;
     }
 
-    /** Looks where the feet are now. */
     void see(BodyState robot) {
         BodyPoses limbs = robot.limbs();
         for (Leg leg : Leg.values()) {
@@ -40,7 +39,7 @@ final class FootBesideBall {
         }
     }
 
-    /** The point of the sole that is nearest to the ball. */
+    /** Returns the point of the sole that is nearest to the ball. */
     private Vector3 nearestPoint(BodyPoses limbs, Leg leg) {
         Pose foot = limbs.foot(leg);
         Pose inFoot = foot.inverse();
@@ -54,7 +53,7 @@ final class FootBesideBall {
         return Math.max(-most, Math.min(most, value));
     }
 
-    /** {@return the distance between foot and ball in words, such as "the foot stayed 2.1 cm above it"} */
+    /** {@return the miss as text, such as "the foot stayed 2.1 cm above it"} */
     String finding() {
         double gap = Math.max(0, nearest.distanceTo(ball) - BallProperties.STANDARD.radius());
         double behind = start.ahead(ball) - start.ahead(nearest);

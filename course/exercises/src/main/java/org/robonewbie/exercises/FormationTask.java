@@ -13,8 +13,8 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Three players take places around a ball that nobody touches: one at the ball, one between it and their goal, one free for a pass.
- * Then the ball is put somewhere else.
+ * Form up three players around a ball without touching it: one at the ball, one between ball and own goal, one free for a pass. Then
+ * the ball is moved.
  */
 final class FormationTask implements Task {
 
@@ -62,7 +62,7 @@ final class FormationTask implements Task {
         return RobotStart.at(new Pose2d(x, y, 0)).after("stand").withTeam(RobotStart.TEAM, number);
     }
 
-    /** An opponent stands between the ball and its goal. */
+    /** Returns the pose of an opponent between the ball and its goal. */
     private static Pose2d opponent(Vector3 ball) {
         Vector3 way = THEIR_GOAL.minus(ball);
         Vector3 place = ball.plus(way.times(OPPONENT_METRES / way.length()));
@@ -136,7 +136,7 @@ final class FormationTask implements Task {
             return Score.failed(
                     0,
                     String.format(Locale.ROOT, "the ball was touched after %.0f s", seconds),
-                    "Nobody may touch the ball: whoever goes to it stops 0.6 m before it.");
+                    "No player may touch the ball: the one that goes to it stops 0.6 m in front of it.");
         }
         int right = 0;
         for (boolean[] each : missed) {
@@ -144,7 +144,7 @@ final class FormationTask implements Task {
                 right += one ? 0 : 1;
             }
         }
-        String finding = String.format(Locale.ROOT, "first ball: %s, second ball: %s", told(0), told(1));
+        String finding = String.format(Locale.ROOT, "first ball: %s, second ball: %s", describe(0), describe(1));
         return right == SCENES * PLAYERS
                 ? Score.passed(finding)
                 : Score.failed(
@@ -154,7 +154,7 @@ final class FormationTask implements Task {
                                 + " takes which? Assignment.cheapest finds the shortest ways, and all come to the same result.");
     }
 
-    private String told(int number) {
+    private String describe(int number) {
         boolean[] bad = missed[number];
         return String.format(
                 Locale.ROOT,

@@ -12,7 +12,7 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.SustainedCondition;
 
 /**
- * Feel how the robot lies, say it, get up and say that, too: it lies on its back with odd seeds and on its front with even ones.
+ * Report how the robot lies, get up, and report standing. It lies on its back with odd seeds and on its front with even ones.
  */
 final class GetUpTask implements Task {
 

@@ -10,7 +10,7 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.SustainedCondition;
 
-/** Three things in sequence: walk to the ball, stop in front of it, raise the arm. The ball must not be touched. */
+/** Walk to the ball, stop in front of it without touching it, and raise the arm. */
 final class GoToTheBallTask implements Task {
 
     private static final double NEAR_METRES = 0.5;

@@ -12,8 +12,7 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Keep two shots out of the goal that would pass the standing robot, one on each side. Between them the robot is carried back to
- * the middle of its goal.
+ * Save two shots that would pass a standing robot, one on each side. Between them the robot is moved back to the middle of its goal.
  */
 final class GoalkeeperTask implements Task {
 

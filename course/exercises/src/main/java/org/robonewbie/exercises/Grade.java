@@ -10,19 +10,19 @@ import java.util.stream.Collectors;
  * Grade of an exercise.
  *
  * @param exercise full name of the exercise
- * @param trials one line for each seed, in their order
+ * @param trials one score per seed, in order
  */
 public record Grade(String exercise, List<SeededScore> trials) {
 
     /**
-     * The score of one trial.
+     * Score of one trial.
      *
-     * @param seed seed of the trial
-     * @param score its score
+     * @param seed seed of all random numbers
+     * @param score the score
      */
     public record SeededScore(long seed, Score score) {}
 
-    /** Copies the list. */
+    /** Creates a grade. */
     public Grade {
         trials = List.copyOf(trials);
     }
@@ -33,7 +33,7 @@ public record Grade(String exercise, List<SeededScore> trials) {
                 && trials.stream().allMatch(trial -> trial.score().passed());
     }
 
-    /** {@return the mean of the trials' points, 0 to 10} */
+    /** {@return the mean points of the trials, 0 to 10} */
     public double points() {
         return trials.stream()
                 .mapToInt(trial -> trial.score().points())
@@ -51,9 +51,9 @@ public record Grade(String exercise, List<SeededScore> trials) {
     }
 
     /**
-     * Parses the result of {@link #json}.
+     * Parses the output of {@link #json}.
      *
-     * @param json the text
+     * @param json JSON text
      * @return the grade
      */
     public static Grade ofJson(String json) {
@@ -61,17 +61,17 @@ public record Grade(String exercise, List<SeededScore> trials) {
         return new Grade(printed.exercise, printed.trials);
     }
 
-    /** Returns the grade in English words. */
+    /** Returns the grade as English text. */
     @Override
     public String toString() {
         return text(Language.ENGLISH);
     }
 
     /**
-     * Returns the grade in words.
+     * Returns the grade as text.
      *
-     * @param language the language of the words
-     * @return a line for each trial, the result, and each hint once
+     * @param language language of the text
+     * @return a line per trial, the result, and each hint once
      */
     public String text(Language language) {
         List<SeededScore> told = trials.stream()

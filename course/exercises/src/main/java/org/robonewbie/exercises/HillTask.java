@@ -11,7 +11,7 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.SustainedCondition;
 
-/** Walk up a slope and stand still on the top. */
+/** Walk up a slope and stand still at the top. */
 final class HillTask implements Task {
 
     private static final Thing TOP = Landscape.SLOPE.things().get(1);
@@ -47,7 +47,7 @@ final class HillTask implements Task {
                 && Math.abs(place.y() - TOP.centre().y()) < TOP.size().y() / 2;
     }
 
-    /** Whether the robot has hardly moved since it was seen at the anchor; whoever walks on takes the anchor along. */
+    /** Returns whether the robot stays near the anchor, which follows a robot that walks on. */
     private boolean isStandingOnTop(WorldState state) {
         Pose2d place = state.place();
         boolean still = place.distance(new Vector3(anchor.x(), anchor.y(), 0)) <= STILL_METRES;

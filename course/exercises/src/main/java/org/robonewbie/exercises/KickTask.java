@@ -15,8 +15,8 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Kick a ball with a motion of one's own: it lies before the left foot with odd seeds and before the right one with even seeds.
- * Walking through it does not count, and neither do the kicks of the framework.
+ * Kick a ball with a new motion. The ball lies in front of the left foot with odd seeds and of the right one with even seeds. Walking
+ * into the ball and the built-in kicks do not count.
  */
 final class KickTask implements Task {
 
@@ -75,7 +75,7 @@ final class KickTask implements Task {
         }
     }
 
-    /** Where the head of a fallen robot points. */
+    /** Returns the direction of a fall. */
     private String side(BodyState robot) {
         double bearing = start.bearing(new Vector3(
                 start.x() + robot.torso().rotation().apply(new Vector3(0, 0, 1)).x(),

@@ -5,10 +5,10 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * The language of worksheets, goals, hints and findings. Names and messages of programs are English in both.
+ * Language of worksheets, goals, hints and findings. Names and messages of programs are always English.
  *
- * <p>Tasks speak English; {@code hints-de.txt} has each goal and hint with its translation below it, {@code findings-de.txt} what is
- * measured, with gaps for the figures.
+ * <p>Tasks produce English text. {@code hints-de.txt} translates goals and hints, {@code findings-de.txt} findings, with placeholders
+ * for the figures.
  *
  * <pre>{@code
  * Language.GERMAN.translated(score.hint());
@@ -16,12 +16,12 @@ import java.util.Optional;
  * }</pre>
  */
 public enum Language {
-    /** The language in which everything is written first. */
+    /** The source language. */
     ENGLISH("en"),
-    /** A translation of worksheets and hints. */
+    /** German translation. */
     GERMAN("de");
 
-    /** The environment variable with the language of all programs, such as {@code de}. */
+    /** Environment variable with the default language, such as {@code de}. */
     public static final String VARIABLE = "ROBONEWBIE_LANGUAGE";
 
     private static final Translations NONE = Translations.empty();
@@ -34,7 +34,7 @@ public enum Language {
         this.code = code;
     }
 
-    /** {@return two letters, such as {@code de}} */
+    /** {@return the ISO 639-1 code, such as {@code de}} */
     public String code() {
         return code;
     }
@@ -42,8 +42,8 @@ public enum Language {
     /**
      * Finds a language.
      *
-     * @param name its two letters, also as the beginning of a longer name such as {@code de_AT}
-     * @return the language; empty if there is none of this name
+     * @param name ISO 639-1 code or a locale that starts with it, such as {@code de_AT}
+     * @return the language; empty if it is not supported
      */
     public static Optional<Language> of(String name) {
         String wanted = name.toLowerCase(Locale.ROOT);
@@ -55,24 +55,24 @@ public enum Language {
     /**
      * Translates a goal, a hint or a finding.
      *
-     * @param english the text in English
-     * @return the text in this language; what has no translation stays English
+     * @param english English text
+     * @return the text in this language; parts without a translation stay English
      */
     public String translated(String english) {
         return phrases().translated(english);
     }
 
     /**
-     * Names the worksheet of an exercise in this language.
+     * Returns the path of an exercise's worksheet.
      *
      * @param exercise the exercise
-     * @return its path below {@code docs/exercises}, without an ending
+     * @return path below {@code docs/exercises}, without extension
      */
     public String worksheet(Exercise exercise) {
         return this == ENGLISH ? exercise.fullName() : code + "/" + exercise.fullName();
     }
 
-    /** {@return what is translated} */
+    /** {@return the translated phrases} */
     Translations phrases() {
         return this == GERMAN ? IN_GERMAN : NONE;
     }

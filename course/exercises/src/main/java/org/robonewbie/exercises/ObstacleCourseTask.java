@@ -11,16 +11,16 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 
-/** Walk through two gates, each between a wall and a post, to the ball, and move neither of them. */
+/** Walk through two gates of a wall and a post to the ball without touching them. */
 final class ObstacleCourseTask implements Task {
 
     private static final double MOVED_METRES = 0.02;
     private static final double NEAR_METRES = 0.6;
 
-    /** A wall, and the post beside it. */
+    /** A gate between a wall and a post. */
     private record Gate(Thing wall, Thing post) {
 
-        /** Whether the robot has just walked through. */
+        /** Returns whether the robot passed the gate in this cycle. */
         boolean isPassed(Pose2d before, Pose2d now) {
             double line = post.centre().x();
             double nearWall = wall.centre().y()

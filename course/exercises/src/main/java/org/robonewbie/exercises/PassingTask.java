@@ -9,7 +9,7 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
-/** Two robots of the student: number 1 plays the ball, number 2 comes to meet it. */
+/** Pass between two robots of the student: number 1 kicks the ball, number 2 walks to meet it. */
 final class PassingTask implements Task {
 
     private static final double BALL_AHEAD = 0.187;

@@ -9,7 +9,7 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 
-/** Two robots push a wide box over a line without turning it, though one of them has a longer way to it. */
+/** Push a wide box over a line with two robots without rotating it; one of them starts farther away. */
 final class PushTogetherTask implements Task {
 
     private static final double LINE_METRES = -1.2;
@@ -64,7 +64,7 @@ final class PushTogetherTask implements Task {
             return Score.failed(
                     Math.min(3, 2 * pushed),
                     finding,
-                    "Whoever comes first waits at the box and says so: nao.say(\"ready\"). When both are there, both push at the same"
+                    "The first robot at the box waits and says so: nao.say(\"ready\"). When both are there, both push at the same"
                             + " speed.");
         }
         return x >= LINE_METRES

@@ -8,9 +8,7 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 
-/**
- * Raise the left arm to 60° and the right arm to 45°; the last half second counts.
- */
+/** Raise the left arm to 60° and the right arm to 45°; the last half second counts. */
 final class RaiseArmsTask implements Task {
 
     private static final double LEFT_DEGREES = 60;
@@ -23,7 +21,7 @@ final class RaiseArmsTask implements Task {
     private final Arm left = new Arm(Joint.LEFT_SHOULDER_PITCH, LEFT_DEGREES);
     private final Arm right = new Arm(Joint.RIGHT_SHOULDER_PITCH, RIGHT_DEGREES);
 
-    /** What one shoulder did in the last half second: its worst error, with a sign, and how far it moved. */
+    /** Signed worst error and range of motion of one shoulder in the last half second. */
     private static final class Arm {
         private final Joint joint;
         private final double goal;

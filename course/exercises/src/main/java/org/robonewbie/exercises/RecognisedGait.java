@@ -15,8 +15,8 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 
 /**
- * Recognises the framework's fast walk by the legs, where an exercise asks for a walk of the student's own: how far each joint is bent
- * in the mean, and how much it moves. A walk that is more like the fast walk than like the standard walk was begun from it.
+ * Detector for the built-in fast walk, by mean and amplitude of each leg joint. A walk that is more similar to the fast walk than to the
+ * standard walk was derived from it.
  */
 final class RecognisedGait {
 
@@ -26,17 +26,17 @@ final class RecognisedGait {
 
     private final List<BodyState> seen = new ArrayList<>();
 
-    /** Looks at the robot; call it in each cycle, once the robot walks steadily. */
+    /** Observes the robot; call it in each cycle of steady walking. */
     void see(BodyState robot) {
         seen.add(robot);
     }
 
-    /** Whether the walk is more like the fast one than like the standard one. */
+    /** Returns whether the walk is more similar to the fast walk than to the standard walk. */
     boolean isFastWalk() {
         return !seen.isEmpty() && distance(seen, Known.FAST) < distance(seen, Known.STANDARD);
     }
 
-    /** The walks that are given, as they are walked straight ahead. */
+    /** Statistics of the built-in walks when walking straight ahead. */
     private static final class Known {
         static final List<BodyState> STANDARD = walked(WalkStyle.STANDARD);
         static final List<BodyState> FAST = walked(WalkStyle.FAST);

@@ -11,8 +11,7 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * Recognises a motion of the framework by the legs, where an exercise asks for one of the student's own: most of its keyframes
- * are met one after the other, however fast.
+ * Detector for a built-in motion, by the leg joints: most of its keyframes are reached in order, at any speed.
  */
 final class RecognisedMotion {
 

@@ -14,7 +14,7 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
-/** Say where a ball is that rolls past and out of sight, once on each side. */
+/** Report the position of a ball that rolls past and out of view, once on each side. */
 final class RollingBallTask implements Task {
 
     private static final Pose2d STUDENT = new Pose2d(-1, 0, 0);
@@ -84,7 +84,7 @@ final class RollingBallTask implements Task {
 
     @Override
     public Score score() {
-        String finding = "first ball " + told(0) + ", second ball " + told(1);
+        String finding = "first ball " + describe(0) + ", second ball " + describe(1);
         if (headTurned > STRAIGHT_DEGREES) {
             return Score.failed(
                     1, finding, "The head has to look straight ahead (NECK_YAW within 15°), so that the ball is lost.");
@@ -110,7 +110,7 @@ final class RollingBallTask implements Task {
         return sumsOfErrors[shot] / Math.max(1, words[shot]);
     }
 
-    private String told(int shot) {
+    private String describe(int shot) {
         return words[shot] < FEWEST_WORDS ? "not said" : String.format(Locale.ROOT, "%.2f m wrong", error(shot));
     }
 }

@@ -3,27 +3,27 @@ package org.robonewbie.exercises;
 import org.robonewbie.agent.log.NegativeZeroFormat;
 
 /**
- * How one trial of an exercise ended.
+ * Score of one trial of an exercise.
  *
- * @param passed whether the task is solved
- * @param points 0 to 10; 10 is reached only by who passes
- * @param finding what was measured, as a sentence
- * @param hint what to try next, empty if there is nothing to add
+ * @param passed whether the exercise was solved
+ * @param points 0 to 10; 10 requires a solved exercise
+ * @param finding measured result, as a sentence
+ * @param hint what to try next; may be empty
  */
 public record Score(boolean passed, int points, String finding, String hint) {
 
-    /** The points of a perfect trial. */
+    /** Maximum points of a trial. */
     public static final int MOST_POINTS = 10;
 
-    /** Writes a small number that was rounded to minus zero as zero. */
+    /** Creates a score; negative zeros in the finding are written as zero. */
     public Score {
         finding = NegativeZeroFormat.removed(finding);
     }
 
     /**
-     * Returns the score of a solved task.
+     * Returns the score of a solved exercise.
      *
-     * @param finding what was measured
+     * @param finding measured result
      * @return a score with all points
      */
     public static Score passed(String finding) {
@@ -31,11 +31,11 @@ public record Score(boolean passed, int points, String finding, String hint) {
     }
 
     /**
-     * Returns the score of a solved task that could be solved better.
+     * Returns the score of a solved exercise that can be improved.
      *
      * @param points 1 to 10
-     * @param finding what was measured
-     * @param hint what could be better
+     * @param finding measured result
+     * @param hint what to improve
      * @return the score
      */
     public static Score passed(int points, String finding, String hint) {
@@ -43,10 +43,10 @@ public record Score(boolean passed, int points, String finding, String hint) {
     }
 
     /**
-     * Returns the score of an unsolved task.
+     * Returns the score of an unsolved exercise.
      *
-     * @param points what is reached all the same, 0 to 9
-     * @param finding what was measured
+     * @param points partial credit, 0 to 9
+     * @param finding measured result
      * @param hint what to try next
      * @return the score
      */
@@ -55,16 +55,16 @@ public record Score(boolean passed, int points, String finding, String hint) {
         return new Score(false, limited, finding, hint);
     }
 
-    /** {@return the score of a trial that was not begun, since a program is stuck in those before} */
+    /** {@return the score of a trial that was skipped because the program hangs in an earlier one} */
     public static Score notTried() {
-        return failed(0, "Not tried, since the trials before did not end.", "");
+        return failed(0, "Skipped, because an earlier trial did not end.", "");
     }
 
     /**
      * Replaces the hint.
      *
-     * @param other what to do instead
-     * @return the same score with this hint
+     * @param other the new hint
+     * @return a copy with this hint
      */
     public Score withHint(String other) {
         return new Score(passed, points, finding, other);
@@ -74,7 +74,7 @@ public record Score(boolean passed, int points, String finding, String hint) {
      * Translates finding and hint.
      *
      * @param language the language
-     * @return the same score in this language
+     * @return a copy in this language
      */
     public Score in(Language language) {
         return new Score(passed, points, language.translated(finding), language.translated(hint));

@@ -13,8 +13,7 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Score a goal as in the competition, but past a wall of three robots that hold still between the ball and the goal; who
- * pushes one of them out of its place has lost.
+ * Score a goal past a wall of three standing robots. Pushing one of them away ends the trial.
  */
 final class ScoreAGoalTask implements Task {
 
@@ -25,7 +24,7 @@ final class ScoreAGoalTask implements Task {
     private static final double QUICK_SECONDS = 45;
     private static final double SECONDS_PER_POINT = 20;
 
-    /** A robot and a ball that stay where they are for so long are not going to score. */
+    /** A trial without movement for this long is stopped. */
     private static final double SECONDS_OF_PATIENCE = 30;
 
     private static final double STAYED_METRES = 0.1;

@@ -11,8 +11,8 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Play a motion of the left shoulder through its keyframes, but without sudden changes of speed: linear interpolation
- * has a jerk at each keyframe.
+ * Play a motion of the left shoulder through its keyframes without sudden changes of speed, which linear interpolation has at each
+ * keyframe.
  */
 final class SmoothMotionTask implements Task {
 
@@ -59,7 +59,7 @@ final class SmoothMotionTask implements Task {
                         : "The curve must go through all keyframes: fraction 0 gives section.from(), fraction 1 section.to().");
     }
 
-    /** How near the joint comes to a keyframe around its time; commands show their effect two cycles later. */
+    /** Returns the smallest distance to a keyframe around its time; commands take effect two cycles later. */
     private double nearest(double seconds, double degrees) {
         int expected = (int) Math.round(seconds / Cycle.SECONDS) + 2;
         double best = Double.POSITIVE_INFINITY;

@@ -4,18 +4,18 @@ import java.util.Map;
 import org.robonewbie.trial.Challenge;
 
 /**
- * What an exercise asks for in one trial, and how it is judged. As a measure its value is the points, so that an exercise can be
- * a contest or an objective too.
+ * Challenge of one trial of an exercise, with its score. Its value as a measure is the points, so an exercise can also be a contest
+ * or an objective.
  */
 public interface Task extends Challenge {
 
-    /** Name of the figure of {@link #figures} with the points of the trial. */
+    /** Key of the points in {@link #figures}. */
     String POINTS = "points";
 
-    /** Name of the figure of {@link #figures} that is 1 if the exercise was solved, else 0. */
+    /** Key in {@link #figures} whose value is 1 if the exercise was solved and 0 otherwise. */
     String PASSED = "passed";
 
-    /** {@return how the trial ended} */
+    /** {@return the score of the trial} */
     Score score();
 
     @Override

@@ -10,7 +10,7 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
-/** Number 2 sees the ball behind number 1 and says so; number 1, who may not look, raises the arm on the ball's side. */
+/** Number 2 reports the ball behind number 1; number 1, which may not look around, raises the arm on the side of the ball. */
 final class TeamEyesTask implements Task {
 
     private static final Pose2d BLIND = new Pose2d(-1, 0, 0);
@@ -49,7 +49,7 @@ final class TeamEyesTask implements Task {
         }
     }
 
-    /** The ball changes its side like this: A, B, B, A; who alternates blindly is wrong. */
+    /** Sides of the ball: A, B, B, A, so that blind alternation fails. */
     private int side(int number) {
         return number == 0 || number == PHASES - 1 ? firstSide : -firstSide;
     }

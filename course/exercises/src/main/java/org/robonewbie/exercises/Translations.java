@@ -17,8 +17,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * Sentences and their translations. A sentence may have gaps, written as {@code %s}: what stands there is translated too. What is not
- * in the book is taken apart at commas, semicolons and colons.
+ * Dictionary of phrases. A phrase may contain placeholders {@code %s}, whose content is translated too. A text without an entry is split
+ * at commas, semicolons and colons.
  */
 final class Translations {
 
@@ -48,16 +48,16 @@ final class Translations {
         }
     }
 
-    /** {@return a book without phrases} */
+    /** {@return an empty dictionary} */
     static Translations empty() {
         return new Translations(Map.of());
     }
 
     /**
-     * Reads a book: each phrase has its translation in the line below it.
+     * Loads a dictionary, in which each phrase is followed by its translation on the next line.
      *
      * @param files paths of resources
-     * @return the book
+     * @return the dictionary
      */
     static Translations read(String... files) {
         Map<String, String> pairs = new HashMap<>();
@@ -88,7 +88,7 @@ final class Translations {
      * Translates a text.
      *
      * @param text the text
-     * @return its translation; what is not in the book stays as it is
+     * @return its translation; parts without an entry are unchanged
      */
     String translated(String text) {
         return phrase(text).orElseGet(() -> clauses(text));

@@ -14,9 +14,7 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
-/**
- * Find out where on the pitch the robot stands; in the middle of the trial it is carried to another place.
- */
+/** Report the position of the robot on the pitch; halfway through the trial it is moved. */
 final class WhereAmITask implements Task {
 
     private static final Pattern WORDS = Pattern.compile("at:(-?\\d+(?:\\.\\d+)?):(-?\\d+(?:\\.\\d+)?)");
@@ -64,8 +62,8 @@ final class WhereAmITask implements Task {
         List<Double> all = new ArrayList<>(errors);
         all.add(said);
         double worst = all.stream().mapToDouble(Double::doubleValue).max().orElse(said);
-        String finding =
-                "first place " + told(all.get(0)) + (all.size() > 1 ? ", second place " + told(all.get(1)) : "");
+        String finding = "first place " + describe(all.get(0))
+                + (all.size() > 1 ? ", second place " + describe(all.get(1)) : "");
         if (Double.isInfinite(worst)) {
             return Score.failed(
                     0, finding, "From 10 s on say in each cycle where you are, such as nao.say(\"at:-2.31:1.05\").");
@@ -79,7 +77,7 @@ final class WhereAmITask implements Task {
                                 + " where they stand. Forget what was seen before the robot was carried away.");
     }
 
-    private static String told(double error) {
+    private static String describe(double error) {
         return Double.isInfinite(error) ? "not said" : String.format(Locale.ROOT, "%.2f m wrong", error);
     }
 

@@ -1,5 +1,5 @@
 /**
- * Exercises for students and what grades them. Read {@link org.robonewbie.exercises.Exercise} first, then {@link
+ * Exercises for students and their grading. Read {@link org.robonewbie.exercises.Exercise} first, then {@link
  * org.robonewbie.exercises.Grader}.
  */
 @org.jspecify.annotations.NullMarked

@@ -107,7 +107,11 @@ class JavaSourceTest {
         assertThatThrownBy(() -> source.compile(List.of(), folder))
                 .isInstanceOf(CalledWronglyException.class)
                 .hasMessageContaining("nested too deeply. Split it into several shorter ones.");
-        assertThat(source.check(List.of())).extracting(Remark::text).singleElement().asString().contains("too deeply");
+        assertThat(source.check(List.of()))
+                .extracting(Remark::text)
+                .singleElement()
+                .asString()
+                .contains("too deeply");
         assertThat(source.complete(List.of(), deep.length() - 3)).isEmpty();
     }
 

@@ -74,7 +74,7 @@ class ProgramFinderTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"'', It is no robot either", "extends org.robonewbie.agent.Agent, new Idle().run(args);"})
+    @CsvSource({"'', It is not a robot either", "extends org.robonewbie.agent.Agent, new Idle().run(args);"})
     void programWithoutMainMethodIsAnsweredWithTheMissingLines(String parent, String advice) throws IOException {
         String think = parent.isEmpty() ? "" : "@Override protected void think() {}";
         Path file = write("Idle.java", "public class Idle " + parent + " { " + think + " }");

@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
-import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.agent.puppet.RobotPuppetProvider;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.PlayMode;
@@ -20,6 +19,7 @@ import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.simulator.Console;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
+import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.server.Simulator;
 import org.robonewbie.simulator.server.SimulatorSettings;
@@ -40,7 +40,9 @@ final class TestSimulator implements AutoCloseable {
     }
 
     TestSimulator(Landscape landscape) {
-        SimulatorSettings settings = SimulatorSettings.of(WorldSettings.beginner().withLandscape(landscape).withSeed(1)).withAgentPort(0);
+        SimulatorSettings settings = SimulatorSettings.of(
+                        WorldSettings.beginner().withLandscape(landscape).withSeed(1))
+                .withAgentPort(0);
         try {
             simulator = Simulator.start(settings, Console.silent());
         } catch (IOException e) {

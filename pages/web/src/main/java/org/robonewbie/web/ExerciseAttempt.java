@@ -10,12 +10,11 @@ import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Grade;
 import org.robonewbie.exercises.Grade.SeededScore;
 import org.robonewbie.exercises.Score;
+import org.robonewbie.exercises.service.CourseHost;
 import org.robonewbie.pagejvm.Program;
-import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.studio.PageFeed;
-import org.robonewbie.exercises.service.CourseHost;
 
 /** Attempt with the program in the interpreter of the page. */
 final class ExerciseAttempt implements CourseHost.Attempt {

@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
-import com.google.gson.JsonParser;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -195,6 +194,7 @@ class ExercisesInThePageTest {
                         + Chromium.quoted(first.name())
                         + ": { tries: 3, best: 4, passed: false, milliseconds: 0, hints: 0, seenAt: 0 } }))");
         browser.clickElement("document.querySelector('#course [data-exercise=\"" + first.name() + "\"]')");
+        browser.await("document.querySelector('#course-show-solution').innerText === 'Show me a solution'");
         browser.click("#course-show-solution");
 
         browser.await("document.querySelector('#course-solution').innerText.startsWith("

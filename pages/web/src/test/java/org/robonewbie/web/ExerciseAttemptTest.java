@@ -9,9 +9,9 @@ import org.junit.jupiter.api.Test;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Exercises;
 import org.robonewbie.exercises.Grade;
+import org.robonewbie.exercises.service.CourseHost.State;
 import org.robonewbie.pagejvm.JavaSource;
 import org.robonewbie.studio.PageFeed;
-import org.robonewbie.exercises.service.CourseHost.State;
 
 class ExerciseAttemptTest {
 
@@ -66,7 +66,8 @@ class ExerciseAttemptTest {
 
     private ExerciseAttempt attempt(Exercise exercise, String text) {
         Map<String, byte[]> classes = JavaSource.compile(exercise.className(), text);
-        ExerciseAttempt attempt = new ExerciseAttempt(exercise, List.copyOf(classes.values()), 1, 2, page, complete::add);
+        ExerciseAttempt attempt =
+                new ExerciseAttempt(exercise, List.copyOf(classes.values()), 1, 2, page, complete::add);
         attempt.world().ask("{\"do\":\"speed\",\"factor\":\"fastest\"}");
         return attempt;
     }

@@ -83,8 +83,7 @@ class SameVerdictInTheMachineTest {
         ExerciseTrial trial = new ExerciseTrial(
                 exercise,
                 seed,
-                () -> new StudentController(
-                        new Program(List.copyOf(classes.values())), nowhere, TelemetrySink.NONE),
+                () -> new StudentController(new Program(List.copyOf(classes.values())), nowhere, TelemetrySink.NONE),
                 RecordingTarget.NONE);
         while (!trial.isOver()) {
             trial.cycle();

@@ -35,7 +35,7 @@ final class BallSession {
         this.monitor = monitor;
     }
 
-    /** Records one case; empty when messages to monitors were delayed, so that the ball is not known exactly in each cycle. */
+    /** Records one case; empty when messages to monitors were delayed, so that its first cycle is unknown. */
     Optional<List<String>> record(BallCase ballCase) throws IOException {
         put(WAITING_PLACE, Vector3.ZERO);
         pass(CYCLES_TO_WAIT);
@@ -43,18 +43,20 @@ final class BallSession {
         BallStart ball = BallStart.of(ballCase.name(), RADIUS);
         put(ball.position(), ball.velocity());
         pass(ballCase.cycles() + CYCLES_TO_WAIT);
-        List<MonitorFeed.Sight> sights = monitor.sightsFrom(start);
-        if (sights.stream().anyMatch(sight -> sight.ball().isEmpty())) {
-            return Optional.empty();
-        }
         List<String> lines = new ArrayList<>();
+        boolean isStartKnown = true;
         double first = Double.NaN;
         double last = Double.NEGATIVE_INFINITY;
-        for (MonitorFeed.Sight sight : sights) {
+        for (MonitorFeed.Sight sight : monitor.sightsFrom(start)) {
             MonitoredGame game = sight.game();
-            boolean moves =
-                    lines.size() > 0 || sight.ball().map(BallSession::hasLeft).orElse(false);
-            if (!moves || lines.size() == ballCase.cycles() || game.timeSeconds() < last + Cycle.SECONDS / 2) {
+            if (lines.isEmpty() && !sight.ball().map(BallSession::hasLeft).orElse(false)) {
+                isStartKnown = sight.ball().isPresent();
+                continue;
+            }
+            if (!isStartKnown) {
+                return Optional.empty();
+            }
+            if (lines.size() == ballCase.cycles() || game.timeSeconds() < last + Cycle.SECONDS / 2) {
                 continue;
             }
             last = game.timeSeconds();

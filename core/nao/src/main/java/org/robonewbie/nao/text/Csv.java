@@ -41,7 +41,8 @@ public final class Csv {
      * @return the line without its line end
      */
     public static String line(Stream<String> cells) {
-        return cells.map(Csv::cell).collect(Collectors.joining(","));
+        // In the web edition, Collectors.joining drops an empty first cell.
+        return String.join(",", cells.map(Csv::cell).toList());
     }
 
     /**

@@ -123,7 +123,7 @@ class TableFilesTest {
             assertThatThrownBy(() -> ResultFolder.open(folder))
                     .isInstanceOf(CalledWronglyException.class)
                     .hasMessage("Another competition is using the folder " + folder
-                            + ". Wait for its end, or choose another folder with --results.");
+                            + ". Wait until it ends, or choose another folder with --results.");
         }
     }
 

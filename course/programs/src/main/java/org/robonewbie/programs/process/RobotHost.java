@@ -2,6 +2,7 @@ package org.robonewbie.programs.process;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import java.util.List;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.Timer;
@@ -16,6 +17,7 @@ import org.robonewbie.agent.running.Slowness;
 import org.robonewbie.agent.running.Watchdog;
 import org.robonewbie.nao.TeamSide;
 import org.robonewbie.programs.process.Departure.Cause;
+import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
@@ -145,7 +147,11 @@ final class RobotHost {
             connection.send(answer);
             while (connection.receive(message)) {
                 answer.clear();
-                driver.respond(reader.read(message)).forEach(writer::write);
+                List<EffectorCommand> commands = driver.respond(reader.read(message));
+                commands.forEach(writer::write);
+                if (commands.isEmpty()) {
+                    writer.synchronise(); // a robot that has left the game stands still
+                }
                 if (driver.hasFailed()) {
                     departure = new Departure(Cause.FAILED_STEP, "", "");
                 }

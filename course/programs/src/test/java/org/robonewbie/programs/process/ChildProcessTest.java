@@ -32,13 +32,10 @@ class ChildProcessTest {
         }
     }
 
-    /** Takes all memory. */
+    /** Takes more memory than it may. */
     static final class EatsMemory {
         public static void main(String[] args) {
-            List<long[]> food = new ArrayList<>();
-            while (true) {
-                food.add(new long[1_000_000]);
-            }
+            System.out.println(new long[1 << 30].length);
         }
     }
 

@@ -96,7 +96,6 @@ class ProgramMainTest {
     }
 
     private ChildProcess start(String... words) throws IOException {
-        return TestProcess.start(
-                folder, ProgramOutput.of(line -> {}, answers::add), Limits.UNTIMED, List.of(words));
+        return TestProcess.start(folder, ProgramOutput.of(line -> {}, answers::add), Limits.UNTIMED, List.of(words));
     }
 }

@@ -71,6 +71,20 @@ class RobotProcessTest {
     }
 
     @Test
+    void robotThatLeavesTheGameStandsUntilTheEndOfTheTrial() throws IOException {
+        write("", "leaveGame();");
+
+        try (RobotProcess program = start(Sandbox.none("of this test"));
+                RobotProcess.Entrance entrance = program.entrance()) {
+            try (Trial trial = Trial.served(Scene.of(RobotStart.at(-1, 0)), 1, entrance.get())) {
+                trial.run(1);
+            }
+
+            assertThat(entrance.departure()).isEmpty();
+        }
+    }
+
+    @Test
     void classThatIsNoAgentIsRefused() throws IOException {
         Files.writeString(folder.resolve("Mover.java"), "public class Mover {}");
 

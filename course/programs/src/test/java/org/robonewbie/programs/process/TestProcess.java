@@ -11,8 +11,7 @@ final class TestProcess {
 
     private TestProcess() {}
 
-    static ChildProcess start(Path folder, ProgramOutput output, Limits limits, List<String> words)
-            throws IOException {
+    static ChildProcess start(Path folder, ProgramOutput output, Limits limits, List<String> words) throws IOException {
         List<String> options = ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
                 .filter(option -> option.startsWith("-javaagent:"))
                 .toList();

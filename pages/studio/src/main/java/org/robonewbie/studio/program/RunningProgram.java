@@ -1,18 +1,35 @@
 package org.robonewbie.studio.program;
 
-/** A student's program in its own process. Thread-safe. */
-public interface RunningProgram extends AutoCloseable {
+import org.robonewbie.nao.file.TemporaryFolder;
+import org.robonewbie.programs.process.ChildProcess;
+
+/**
+ * A student's program in its own process. Thread-safe.
+ *
+ * @param process the process
+ * @param classes its compiled classes, deleted after its end
+ */
+public record RunningProgram(ChildProcess process, TemporaryFolder classes) implements AutoCloseable {
 
     /** {@return the tail of the program's output} */
-    String output();
+    public String output() {
+        return process.output().end();
+    }
 
     /** {@return whether the process is alive} */
-    boolean isRunning();
+    public boolean isRunning() {
+        return process.isRunning();
+    }
 
     /** {@return exit code of the process; 0 while it runs} */
-    int exitCode();
+    public int exitCode() {
+        return process.exitCode().orElse(0);
+    }
 
     /** Ends the process; its output remains readable. */
     @Override
-    void close();
+    public void close() {
+        process.close();
+        classes.close();
+    }
 }

@@ -87,8 +87,7 @@ public final class ReplayApi extends ApiHandler {
         String name = path.length < 4 ? "" : PathPart.decode(path[3]);
         Fields parameters = Request.extractQueryParameters(request);
         try {
-            return Optional.of(
-                    isRead ? read(path[2], name, parameters) : change(method, path[2], name, parameters));
+            return Optional.of(isRead ? read(path[2], name, parameters) : change(method, path[2], name, parameters));
         } catch (NoSuchFileException gone) {
             return Optional.of(Answer.refused(404, GONE));
         }

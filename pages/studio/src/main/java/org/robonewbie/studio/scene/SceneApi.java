@@ -93,8 +93,7 @@ public final class SceneApi extends ApiHandler {
 
     private static long moment(Request request) {
         try {
-            return Long.parseLong(
-                    parameter(request, "moment"));
+            return Long.parseLong(parameter(request, "moment"));
         } catch (NumberFormatException noNumber) {
             throw new IllegalArgumentException("The cycle to start from is missing. Load the page again.", noNumber);
         }

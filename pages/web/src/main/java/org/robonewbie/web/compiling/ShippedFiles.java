@@ -19,8 +19,8 @@ public final class ShippedFiles implements ResourcesPolicy {
     public String[] supplyResources(Collection<? extends String> classes) {
         Stream<String> motions = new ShippedMotions().names().stream().map(name -> name + ".txt");
         Stream<String> translations = Stream.of("hints-de.txt", "findings-de.txt");
-        Stream<String> exercises = Stream.concat(
-                translations, Exercises.all().stream().flatMap(ShippedFiles::filesOf));
+        Stream<String> exercises =
+                Stream.concat(translations, Exercises.all().stream().flatMap(ShippedFiles::filesOf));
         return Stream.concat(
                         Stream.concat(Stream.of("index"), motions).map(file -> "motions/" + file),
                         exercises.map(file -> "org/robonewbie/exercises/" + file))
@@ -30,7 +30,6 @@ public final class ShippedFiles implements ResourcesPolicy {
     private static Stream<String> filesOf(Exercise exercise) {
         return Stream.concat(
                 Stream.of("start/" + exercise.className() + ".java.txt"),
-                Arrays.stream(Language.values())
-                        .map(language -> "worksheet/" + language.worksheet(exercise) + ".md"));
+                Arrays.stream(Language.values()).map(language -> "worksheet/" + language.worksheet(exercise) + ".md"));
     }
 }

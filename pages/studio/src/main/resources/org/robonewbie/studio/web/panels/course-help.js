@@ -24,6 +24,8 @@ export class CourseHelp {
     this.#ask = ask;
     this.#next.id = 'course-next-hint';
     this.#solve.id = 'course-show-solution';
+    this.#next.hidden = true;
+    this.#solve.hidden = true;
   }
 
   /** @param {string} exercise whose help is shown */

@@ -1,7 +1,5 @@
 package org.robonewbie.web.library.java.time;
 
-import org.teavm.jso.JSBody;
-
 /** Subset of {@link java.time.Instant} for the times of students' progress, in milliseconds. */
 public final class Instant {
 
@@ -23,7 +21,7 @@ public final class Instant {
      * @return the time
      */
     public static Instant parse(CharSequence text) {
-        double millis = parsed(text.toString());
+        double millis = IsoTime.parse(text.toString());
         if (Double.isNaN(millis)) {
             throw new IllegalArgumentException("\"" + text + "\" is not a time.");
         }
@@ -38,12 +36,6 @@ public final class Instant {
     /** {@return the time in ISO 8601} */
     @Override
     public String toString() {
-        return formatted(millis);
+        return IsoTime.format(millis);
     }
-
-    @JSBody(params = "text", script = "return Date.parse(text);")
-    private static native double parsed(String text);
-
-    @JSBody(params = "millis", script = "return new Date(millis).toISOString();")
-    private static native String formatted(double millis);
 }
