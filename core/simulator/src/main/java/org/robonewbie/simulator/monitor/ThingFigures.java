@@ -18,7 +18,10 @@ final class ThingFigures {
         return nodes;
     }
 
-    /** Updates the nodes; returns whether number or sizes of the objects have changed, which requires a full message. */
+    /**
+     * Updates the nodes; returns whether the number or the sizes of the objects have changed, which requires a full
+     * message.
+     */
     boolean update(List<Thing> things) {
         boolean changed = things.size() != shown.size();
         for (int i = 0; !changed && i < things.size(); i++) {

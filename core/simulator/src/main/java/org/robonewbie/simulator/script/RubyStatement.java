@@ -12,7 +12,7 @@ import org.robonewbie.simulator.script.RubyToken.Kind;
  * A statement of a Ruby script.
  *
  * @param tokens its tokens, at least one
- * @param block the enclosing block, such as {@code if} or {@code def}; empty if Ruby certainly executes the statement
+ * @param block the enclosing block, such as {@code if} or {@code def}; empty if Ruby always executes the statement
  */
 record RubyStatement(List<RubyToken> tokens, Optional<RubyToken> block) {
 

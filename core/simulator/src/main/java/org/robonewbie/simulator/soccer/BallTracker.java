@@ -74,7 +74,7 @@ final class BallTracker implements Memory {
         return lastTouch;
     }
 
-    /** Player that touched the ball last, if that was after a tick. */
+    /** Player that touched the ball last, if the touch was after a given tick. */
     Optional<Player> touchedAfter(long tick) {
         return lastTouch.filter(touch -> touch.tick() > tick).map(Touch::player);
     }

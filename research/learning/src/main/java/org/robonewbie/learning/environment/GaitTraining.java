@@ -21,9 +21,10 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.Pushes;
 
 /**
- * Follow velocities that change every 3 s, with a learned gait and learned corrections of the walk engine, while the robot is pushed
- * once per second. Reward for each window of 0.4 s: 1 minus the velocity error (the tolerance or 30°/s count as 1, at most 1.5 in total)
- * minus a small penalty for the tilt of the torso. A fall costs 4, plus 1 for each remaining window.
+ * Follow velocities that change every 3 s, with a learned gait and learned corrections to the output of the walk engine,
+ * while the robot is pushed once per second. Reward for each window of 0.4 s: 1 minus the velocity error, in which the
+ * option {@code tolerance} (in m/s) or 30°/s counts as 1 and the sum is limited to 1.5, minus a small penalty for the
+ * tilt of the torso. A fall costs 4, plus 1 for each remaining window.
  */
 final class GaitTraining extends CommandedTraining {
 
@@ -85,7 +86,10 @@ final class GaitTraining extends CommandedTraining {
                 GaitTraining::drawAnyDirection, max, 0.3, 200, 0, 0.3, LEAN_PENALTY, Double.POSITIVE_INFINITY);
     }
 
-    /** Jogs forward at 0.66 to 1.1 m/s, straight or in curves, and sometimes slows down or stops. Turns reduce the speed only a little. */
+    /**
+     * Jogs forward at 0.66 to 1.1 m/s, straight or in curves, and sometimes slows down or stops. Turning reduces the
+     * speed only slightly.
+     */
     static GaitTraining jogging() {
         WalkVelocity max = new WalkVelocity(1.1, 0.2, 300);
         return new GaitTraining(GaitTraining::drawCurve, max, 0.6, 140, 0.3, 0.5, 0.1, Double.POSITIVE_INFINITY);
@@ -178,7 +182,7 @@ final class GaitTraining extends CommandedTraining {
         return isConstant ? previous : drawNext();
     }
 
-    /** Draws a stop, a slow velocity, or one from the distribution of the first command. */
+    /** Draws the next command: a stop, a slow velocity, or one from the distribution of the first command. */
     private WalkVelocity drawNext() {
         double slow = slowShare > 0 ? draws.nextDouble() : 1;
         if (slow < slowShare / 2) {
