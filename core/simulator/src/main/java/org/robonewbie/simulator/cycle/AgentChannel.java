@@ -89,7 +89,6 @@ public final class AgentChannel implements Restorable {
         return executedMessage;
     }
 
-    /** The commands executed in this cycle. */
     List<EffectorCommand> executedCommands() {
         return executed;
     }

@@ -62,7 +62,8 @@ final class PerceptorGenerator {
     }
 
     /**
-     * An awaited agent sees nothing before it joins a team, because its view would depend on the order of connections.
+     * Whether an awaited agent has not yet joined a team. Until then it sees nothing, because its view would depend on
+     * the order of connections.
      */
     private static boolean isUnidentified(AgentSession agent) {
         return agent.connection().isAwaited() && agent.player().isEmpty();

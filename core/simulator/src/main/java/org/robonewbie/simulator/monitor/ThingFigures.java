@@ -8,7 +8,7 @@ import org.robonewbie.protocol.monitor.TransformNode;
 import org.robonewbie.simulator.landscape.Thing;
 import org.robonewbie.simulator.physics.BodyPose;
 
-/** The objects of a landscape in the scene, drawn as grey boxes like the outer walls. */
+/** The objects of a landscape in the monitors' scene, drawn as grey boxes like the outer walls. */
 final class ThingFigures {
 
     private List<Thing> shown = List.of();

@@ -14,7 +14,7 @@ final class ThingTrack {
 
     private List<Thing> last = List.of();
 
-    /** Writes the changes since the last call. */
+    /** Writes the changes since the previous call. */
     void write(List<Thing> things, RecordSink sink) {
         if (things.equals(last)) {
             return;

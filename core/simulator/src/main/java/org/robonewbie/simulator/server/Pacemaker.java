@@ -6,8 +6,8 @@ import java.util.function.LongSupplier;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * Synchronises simulated time with real time. Time lost in a slow cycle is dropped: the simulation falls behind instead of running
- * faster afterwards.
+ * Synchronises simulated time with real time. Time lost in a slow cycle is not made up: the simulation falls behind
+ * rather than running faster afterwards.
  */
 final class Pacemaker {
 

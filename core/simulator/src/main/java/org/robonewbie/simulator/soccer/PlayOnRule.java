@@ -76,7 +76,7 @@ final class PlayOnRule implements PlayModeRule {
                         .isPresent();
     }
 
-    /** In a penalty shoot-out the right team must stay in its penalty area. */
+    /** Whether a player of the right team has left its penalty area, which is not allowed in a penalty shoot-out. */
     private boolean hasKeeperLeftDuringShootout() {
         Area area = match.penaltyArea(TeamSide.RIGHT);
         return match.isShootout()

@@ -31,7 +31,7 @@ final class TouchingRule implements FoulRule {
         groups.forEach(group -> group.forEach(player -> player.fouls().setTouched(group)));
     }
 
-    /** Connected components of players in contact, in the order of the contacts. */
+    /** Returns the groups of players in contact, directly or through others, in the order of the contacts. */
     private List<Set<Player>> groups() {
         List<Set<Player>> groups = new ArrayList<>();
         for (RobotContact contact : match.robotContacts()) {
@@ -64,7 +64,7 @@ final class TouchingRule implements FoulRule {
         groups.add(joined);
     }
 
-    /** Contacts between feet or toes do not count in rcssserver3d. */
+    /** Whether a contact is between feet or toes; as in rcssserver3d, such contacts do not count. */
     private static boolean isBetweenFeet(RobotContact contact) {
         return isFoot(contact.first().name()) && isFoot(contact.second().name());
     }

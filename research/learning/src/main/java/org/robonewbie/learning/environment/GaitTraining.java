@@ -79,7 +79,7 @@ final class GaitTraining extends CommandedTraining {
         this.maxDeceleration = maxDeceleration;
     }
 
-    /** Walks in any direction, forward at up to 0.8 m/s. */
+    /** Creates the task of walking in any direction, forward at up to 0.8 m/s. */
     static GaitTraining walking() {
         WalkVelocity max = new WalkVelocity(0.8, 0.2, 90);
         return new GaitTraining(
@@ -87,15 +87,18 @@ final class GaitTraining extends CommandedTraining {
     }
 
     /**
-     * Jogs forward at 0.66 to 1.1 m/s, straight or in curves, and sometimes slows down or stops. Turning reduces the
-     * speed only slightly.
+     * Creates the task of jogging forward at 0.66 to 1.1 m/s, straight or in curves, sometimes slowing down or stopping.
+     * Turning reduces the speed only slightly.
      */
     static GaitTraining jogging() {
         WalkVelocity max = new WalkVelocity(1.1, 0.2, 300);
         return new GaitTraining(GaitTraining::drawCurve, max, 0.6, 140, 0.3, 0.5, 0.1, Double.POSITIVE_INFINITY);
     }
 
-    /** Runs forward at 0.9 to 1.3 m/s in slight curves, and sometimes slows down or stops with limited deceleration. */
+    /**
+     * Creates the task of running forward at 0.9 to 1.3 m/s in slight curves, sometimes slowing down or stopping with
+     * limited deceleration.
+     */
     static GaitTraining running() {
         WalkVelocity max = new WalkVelocity(1.3, 0.2, 60);
         return new GaitTraining(GaitTraining::drawSlightCurve, max, 0.7, 140, 0.3, 0.9, LEAN_PENALTY, 0.6);

@@ -38,7 +38,7 @@ public final class TrainingEnvironment implements AutoCloseable {
     private Trial trial;
     private WorldState now;
 
-    /** Begins the episode with seed 0. */
+    /** Creates an environment and begins the episode with seed 0. */
     TrainingEnvironment(Supplier<List<EpisodeRunner>> episodes, DomainRandomization options) {
         this.options = options;
         this.episodes = episodes;

@@ -235,7 +235,7 @@ final class Body implements RigidBody, Restorable {
         return cachedVelocity;
     }
 
-    /** Compares bitwise, so that 0 and -0 differ. */
+    /** Returns whether a vector equals the velocity. Distinguishes 0 from -0. */
     private boolean isVelocity(Vector3 vector) {
         return Double.compare(vector.x(), velocity[0]) == 0
                 && Double.compare(vector.y(), velocity[1]) == 0
