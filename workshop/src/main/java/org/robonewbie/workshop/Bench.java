@@ -15,7 +15,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ScopeType;
 
-/** The command line of the workshop: measures motions, agents, and the simulator's speed and fidelity. */
+/** Command line of the workshop: measures motions, agents, and the speed and fidelity of the simulator. */
 @Command(
         name = "bench",
         description = "Measure motions, agents and the simulator on this computer.",
@@ -46,7 +46,7 @@ public final class Bench {
     private Bench() {}
 
     /**
-     * Measures.
+     * Runs a measurement.
      *
      * @param arguments the subject and its options
      */
@@ -54,7 +54,7 @@ public final class Bench {
         System.exit(commandLine().execute(arguments));
     }
 
-    /** Creates the command; a wrong value of an option is one sentence and exit code 2. */
+    /** Creates the command. Invalid option values are reported in one sentence with exit code 2. */
     static CommandLine commandLine() {
         return new CommandLine(new Bench())
                 .setCaseInsensitiveEnumValuesAllowed(true)
@@ -68,13 +68,13 @@ public final class Bench {
                 });
     }
 
-    /** The trials of a measurement. */
+    /** Options for the number and seeds of trials. */
     static final class Trials {
 
         @Option(
                 names = "--seeds",
                 paramLabel = "N",
-                description = "Trials of each one, each disturbed in another way (20).")
+                description = "Trials of each one, each with a different disturbance (20).")
         private int seeds = 20;
 
         @Option(names = "--first-seed", paramLabel = "N", description = "Seed of the first trial (1).")
@@ -103,7 +103,7 @@ public final class Bench {
                             names = "--only",
                             paramLabel = "PART",
                             defaultValue = "",
-                            description = "Only those whose name has this in it, such as kick.")
+                            description = "Only those whose name contains this, such as kick.")
                     String part,
             @Option(
                             names = "--type",
@@ -133,7 +133,7 @@ public final class Bench {
                             names = "--only",
                             paramLabel = "PART",
                             defaultValue = "",
-                            description = "Only those whose name has this in it, such as Better.")
+                            description = "Only those whose name contains this, such as Better.")
                     String part,
             @Option(names = "--json", paramLabel = "FILE", description = "Write the results as JSON too.")
                     Optional<Path> json)

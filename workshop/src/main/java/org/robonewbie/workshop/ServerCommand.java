@@ -10,14 +10,14 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Option;
 
-/** Puts a server under the load of whole matches. */
+/** Load test of a server with whole matches. */
 @Command(
         name = "server",
-        description = "Let many robots play whole matches over TCP; does the server keep step with the clock?",
+        description = "Let many robots play whole matches over TCP; does the server keep up with real time?",
         footer = {
             "",
             "Examples:",
-            "  bench server                 11 against 11 for 10 minutes on the clock",
+            "  bench server                 11 against 11 for 10 minutes in real time",
             "  bench server --fast --matches 3"
         })
 final class ServerCommand implements Callable<Integer> {
@@ -42,13 +42,13 @@ final class ServerCommand implements Callable<Integer> {
             names = "--matches",
             paramLabel = "N",
             defaultValue = "1",
-            description = "Matches that one server plays one after the other (default: 1).")
+            description = "Consecutive matches on one server (default: 1).")
     private int matches;
 
-    @Option(names = "--fast", description = "Wait for all robots and run as fast as possible instead of on the clock.")
+    @Option(names = "--fast", description = "Wait for all robots and run as fast as possible instead of in real time.")
     private boolean fast;
 
-    /** Plays the matches and prints what they cost; the exit code is 1 when the world has missed a cycle. */
+    /** Plays the matches and prints their cost; the exit code is 1 if the simulation missed a cycle. */
     @Override
     public Integer call() throws IOException {
         if (robots < 2 || robots > MAX_ROBOTS) {

@@ -10,10 +10,10 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 
 /**
- * The results of a whole bench.
+ * Results of the fidelity bench.
  *
- * @param recordings one entry per recording, in the order of their names
- * @param problems a sentence for each file that could not be replayed
+ * @param recordings one entry per recording, in alphabetical order
+ * @param problems one sentence for each file that could not be replayed
  */
 public record FidelityReport(List<RecordingFidelity> recordings, List<String> problems) {
 
@@ -32,16 +32,16 @@ public record FidelityReport(List<RecordingFidelity> recordings, List<String> pr
         "differs s"
     };
 
-    /** Makes the lists unmodifiable. */
+    /** Copies the lists. */
     public FidelityReport {
         recordings = List.copyOf(recordings);
         problems = List.copyOf(problems);
     }
 
     /**
-     * Writes the results for people.
+     * Formats the results for the console.
      *
-     * @return a table with a line per recording, lengths in millimetres
+     * @return a table with a row per recording, lengths in millimetres
      */
     public String toTable() {
         StringBuilder table = new StringBuilder();
@@ -57,8 +57,8 @@ public record FidelityReport(List<RecordingFidelity> recordings, List<String> pr
     }
 
     /**
-     * Writes the results for programs: {@code {"recordings":[{"name":…,"jointMedianDegrees":…,…}]}} with null for what a
-     * recording does not show; {@code "problems":["…"]} follows if there are any.
+     * Formats the results as JSON: {@code {"recordings":[{"name":…,"jointMedianDegrees":…,…}]}}. Values that a recording does
+     * not contain are null. {@code "problems":["…"]} is present only if there are problems.
      *
      * @return JSON text
      */

@@ -16,7 +16,7 @@ import org.robonewbie.protocol.perceptor.FootForces;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.simulator.physics.BodyPose;
 
-/** Writes the lines of a recording. */
+/** Formatter of the lines of a recording. */
 final class RowWriter {
 
     private static final Gson GSON = new Gson();
@@ -35,11 +35,11 @@ final class RowWriter {
     }
 
     /**
-     * Formats one cycle.
+     * Formats one cycle of a robot.
      *
-     * @param message the robot's perception
-     * @param torso the torso's pose, if the monitor port has sent it
-     * @param sent what the client sent in answer to the previous message
+     * @param message the perceptor message
+     * @param torso torso pose, if the monitor port has sent it
+     * @param sent the answer to the previous message
      */
     static String row(PerceptorMessage message, Optional<BodyPose> torso, String sent) {
         JsonObject row = new JsonObject();
@@ -56,10 +56,10 @@ final class RowWriter {
     /**
      * Formats one cycle of a ball.
      *
-     * @param ballCase how it was set in motion
-     * @param index cycles since the first one that shows its motion
-     * @param ball its position, if the monitor port has sent it exactly
-     * @param game state of the game
+     * @param ballCase initial condition of the ball
+     * @param index cycles since the first one with motion
+     * @param ball position, if the monitor port has sent it exactly
+     * @param game game state
      */
     static String ballRow(BallCase ballCase, int index, Optional<Vector3> ball, MonitoredGame game) {
         JsonObject row = new JsonObject();
@@ -126,7 +126,7 @@ final class RowWriter {
         return Math.asin(Math.max(-1, Math.min(1, sine)));
     }
 
-    /** Monitor messages have six digits. */
+    /** Rounds to the six digits of monitor messages. */
     private static BigDecimal digits(double value) {
         return new BigDecimal(value).round(SIX_DIGITS);
     }

@@ -13,10 +13,10 @@ import java.util.function.Consumer;
 import org.robonewbie.nao.Cycle;
 
 /**
- * Measures the speed of a server, with agents that answer every message.
+ * Measures the speed of a server with agents that answer every message.
  *
- * <p>Our own server and its agents take turns on one thread, or on some, so that nothing but the work itself is measured; its
- * processor time is counted without that of the agents.
+ * <p>The embedded server and its agents take turns on the same threads, so that no waiting time is measured. The server's
+ * processor time excludes that of the agents.
  *
  * <pre>{@code
  * BenchmarkReport report = new Benchmark(plan).run(run -> print(BenchmarkReport.line(run)), sample -> print(sample.toLine()));
@@ -32,9 +32,9 @@ public final class Benchmark {
     private final Duration patience;
 
     /**
-     * Prepares a benchmark.
+     * Creates a benchmark.
      *
-     * @param plan what is measured
+     * @param plan what to measure
      */
     public Benchmark(BenchmarkPlan plan) {
         this(plan, PATIENCE);
@@ -48,10 +48,11 @@ public final class Benchmark {
     /**
      * Measures every number of robots in every scene.
      *
-     * @param progress receives each result at once
-     * @param heap receives each memory sample at once
+     * @param progress receives each result as soon as it is available
+     * @param heap receives each memory sample as soon as it is taken
      * @return all results
-     * @throws IOException if a server cannot be reached, does not admit a robot, closes a connection or stops; the message says what to do
+     * @throws IOException if a server cannot be reached, does not admit a robot, closes a connection or stalls; the message
+     *     suggests a fix
      */
     public BenchmarkReport run(Consumer<BenchmarkRun> progress, Consumer<HeapSample> heap) throws IOException {
         if (plan.other().isEmpty()) {
@@ -68,7 +69,7 @@ public final class Benchmark {
         return new BenchmarkReport(runs);
     }
 
-    /** Lets Java compile what all runs use, so that the first of them is not slower than the others. */
+    /** Warms up the JIT compiler, so that the first run is not slower than the others. */
     private void warmUp() throws IOException {
         for (CrowdScene scene : plan.scenes()) {
             measure(ROBOTS_TO_WARM_UP, scene, Math.min(plan.seconds(), plan.warmUpSeconds()), sample -> {});
@@ -135,7 +136,7 @@ public final class Benchmark {
         }
     }
 
-    /** Plays all cycles, with looks at the memory in between if they are wanted. */
+    /** Plays all cycles and samples the memory in between if requested. */
     private List<HeapSample> measured(
             BenchmarkServer server,
             AgentThreads threads,

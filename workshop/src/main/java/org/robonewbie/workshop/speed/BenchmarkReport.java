@@ -9,9 +9,9 @@ import java.util.Map;
 import java.util.OptionalDouble;
 
 /**
- * The results of a benchmark.
+ * Results of a benchmark.
  *
- * @param runs one for each number of robots and scene, in the order in which they were made
+ * @param runs one run per number of robots and scene, in the order of measurement
  */
 public record BenchmarkReport(List<BenchmarkRun> runs) {
 
@@ -26,11 +26,14 @@ public record BenchmarkReport(List<BenchmarkRun> runs) {
             "bytes per cycle",
             "peak memory");
 
-    /** Processor time of rcssserver3d 0.7.3 for each cycle of so many moving robots, measured on the same kind of computer. */
+    /**
+     * Processor time of rcssserver3d 0.7.3 per cycle in milliseconds, by the number of moving robots, measured on comparable
+     * hardware.
+     */
     private static final Map<Integer, Double> MILLIS_OF_THE_ORIGINAL =
             Map.of(1, 0.45, 2, 0.9, 6, 2.75, 11, 5.5, 22, 14.4);
 
-    /** Makes the list unmodifiable. */
+    /** Copies the list. */
     public BenchmarkReport {
         runs = List.copyOf(runs);
     }
@@ -41,10 +44,10 @@ public record BenchmarkReport(List<BenchmarkRun> runs) {
     }
 
     /**
-     * Writes a run for people.
+     * Formats a run as a line of the console table.
      *
      * @param run the run
-     * @return one line of a table
+     * @return a line with its line break
      */
     public static String line(BenchmarkRun run) {
         return String.format(
@@ -64,9 +67,9 @@ public record BenchmarkReport(List<BenchmarkRun> runs) {
     }
 
     /**
-     * Writes the results for programs: {@code {"runs":[{"robots":…,"scene":…,"threads":…,"realTimeFactor":…,
-     * "cpuMillisPerCycle":…,"allocatedBytesPerCycle":…,"cycles":…,"peakMemoryBytes":…,"heap":[{"seconds":…,"bytes":…}]}]}} with null for what is
-     * unknown.
+     * Formats the results as JSON: {@code {"runs":[{"robots":…,"scene":…,"threads":…,"realTimeFactor":…,
+     * "cpuMillisPerCycle":…,"allocatedBytesPerCycle":…,"cycles":…,"peakMemoryBytes":…,"heap":[{"seconds":…,"bytes":…}]}]}}.
+     * Unknown values are null.
      *
      * @return JSON text
      */
@@ -79,8 +82,8 @@ public record BenchmarkReport(List<BenchmarkRun> runs) {
     }
 
     /**
-     * Writes the results as the table of the documentation: a line for each number of robots, a column for each scene, and what
-     * rcssserver3d needs.
+     * Formats the results as a Markdown table with a row per number of robots, a column per scene, and the figures of
+     * rcssserver3d for comparison.
      *
      * @return Markdown text
      */

@@ -53,6 +53,6 @@ class MotionMeasurementTest {
         assertThatThrownBy(
                         () -> new MotionMeasurement(1, 0, "flight", RobotType.TYPE_0, System.out).run(Optional.empty()))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("No motion's name has \"flight\" in it.");
+                .hasMessage("No motion name contains \"flight\".");
     }
 }
