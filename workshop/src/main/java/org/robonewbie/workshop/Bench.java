@@ -43,7 +43,19 @@ public final class Bench {
             description = "Show this help.")
     boolean help;
 
+    static final int MAX_ROBOTS = 22;
+    static final int MAX_TYPE = RobotType.values().length - 1;
+
     private Bench() {}
+
+    /** Returns the value of an option, or throws if it is out of range. */
+    static int checked(String option, int value, int min, int max) {
+        if (value < min || value > max) {
+            String range = max == Integer.MAX_VALUE ? "of at least " + min : "from " + min + " to " + max;
+            throw new IllegalArgumentException(option + " " + value + ": give a number " + range + ".");
+        }
+        return value;
+    }
 
     /**
      * Runs a measurement.
@@ -81,10 +93,7 @@ public final class Bench {
         private long firstSeed = 1;
 
         private int seeds() {
-            if (seeds < 1) {
-                throw new IllegalArgumentException("--seeds " + seeds + ": give a number of trials of at least 1.");
-            }
-            return seeds;
+            return checked("--seeds", seeds, 1, Integer.MAX_VALUE);
         }
     }
 
@@ -115,10 +124,7 @@ public final class Bench {
             @Option(names = "--json", paramLabel = "FILE", description = "Write the results as JSON too.")
                     Optional<Path> json)
             throws IOException {
-        if (type < 0 || type >= RobotType.values().length) {
-            throw new IllegalArgumentException("--type " + type + ": give the number of a robot type, 0 to 4.");
-        }
-        RobotType built = RobotType.values()[type];
+        RobotType built = RobotType.values()[checked("--type", type, 0, MAX_TYPE)];
         new MotionMeasurement(trials.seeds(), trials.firstSeed, part, built, System.out)
                 .with(PlayerChecks.all(built))
                 .run(json);
@@ -163,9 +169,7 @@ public final class Bench {
                             defaultValue = TeamMeasurement.DEFAULT_OPPONENT,
                             description = "The others, Agent_BetterSoccer or Agent_Team (${DEFAULT-VALUE}).")
                     String opponent) {
-        if (players < 1 || players > 11) {
-            throw new IllegalArgumentException("--players " + players + ": a team has 1 to 11 players.");
-        }
-        new TeamMeasurement(trials.seeds(), trials.firstSeed, System.out).run(players, opponent);
+        new TeamMeasurement(trials.seeds(), trials.firstSeed, System.out)
+                .run(checked("--players", players, 1, 11), opponent);
     }
 }

@@ -37,8 +37,6 @@ import picocli.CommandLine.Option;
         })
 final class RecordCommand implements Callable<Integer> {
 
-    private static final int LAST_TYPE = 4;
-
     @Option(
             names = "--host",
             paramLabel = "HOST",
@@ -85,9 +83,7 @@ final class RecordCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        if (type < 0 || type > LAST_TYPE) {
-            throw new IllegalArgumentException("--type " + type + ": give a number from 0 to " + LAST_TYPE + ".");
-        }
+        Bench.checked("--type", type, 0, Bench.MAX_TYPE);
         List<ReferenceScenario> scenarios = scenarios();
         new ReferenceRecorder(new ReferenceServer(host, port, monitorPort), type, System.out)
                 .record(scenarios, directory);

@@ -22,8 +22,6 @@ import picocli.CommandLine.Option;
         })
 final class ServerCommand implements Callable<Integer> {
 
-    private static final int MAX_ROBOTS = 22;
-
     @Option(
             names = "--robots",
             paramLabel = "N",
@@ -51,16 +49,14 @@ final class ServerCommand implements Callable<Integer> {
     /** Plays the matches and prints their cost; the exit code is 1 if the simulation missed a cycle. */
     @Override
     public Integer call() throws IOException {
-        if (robots < 2 || robots > MAX_ROBOTS) {
-            throw new IllegalArgumentException("--robots " + robots + ": give a number from 2 to " + MAX_ROBOTS + ".");
-        }
         if (!(seconds >= 1) || Double.isInfinite(seconds)) {
             throw new IllegalArgumentException("--seconds " + seconds + ": give a length of at least 1 second.");
         }
-        if (matches < 1) {
-            throw new IllegalArgumentException("--matches " + matches + ": give a number of at least 1.");
-        }
-        LoadSettings load = new LoadSettings(robots, seconds, matches, !fast);
+        LoadSettings load = new LoadSettings(
+                Bench.checked("--robots", robots, 2, Bench.MAX_ROBOTS),
+                seconds,
+                Bench.checked("--matches", matches, 1, Integer.MAX_VALUE),
+                !fast);
         List<MatchLoadResult> results = new MatchLoad(load, System.out).run();
         System.out.println(MatchLoadResult.TITLE);
         results.forEach(result -> System.out.println(result.toLine()));

@@ -43,9 +43,8 @@ import picocli.CommandLine.Option;
         })
 final class SpeedCommand implements Callable<Integer> {
 
-    private static final int MAX_ROBOTS = 22;
     private static final int MAX_THREADS = 16;
-    private static final int LAST_PORT = 65535;
+    private static final int MAX_PORT = 65535;
 
     @Option(
             names = "--robots",
@@ -88,7 +87,10 @@ final class SpeedCommand implements Callable<Integer> {
     @Option(names = "--table", paramLabel = "FILE", description = "Write the results as a Markdown table too.")
     private Optional<Path> table = Optional.empty();
 
-    @Option(names = "--host", paramLabel = "H", description = "Measure the server on this computer instead of the embedded one.")
+    @Option(
+            names = "--host",
+            paramLabel = "H",
+            description = "Measure the server on this computer instead of the embedded one.")
     private Optional<String> host = Optional.empty();
 
     @Option(names = "--port", paramLabel = "N", description = "Its port for agents (3100).")
@@ -131,21 +133,13 @@ final class SpeedCommand implements Callable<Integer> {
     }
 
     private BenchmarkPlan plan() {
-        for (int number : robots) {
-            if (number < 1 || number > MAX_ROBOTS) {
-                throw new IllegalArgumentException(
-                        "--robots " + number + " is not possible. Two teams have 1 to " + MAX_ROBOTS + " robots.");
-            }
-        }
+        robots.forEach(number -> Bench.checked("--robots", number, 1, Bench.MAX_ROBOTS));
         checkSeconds("--seconds", seconds);
         checkSeconds("--warm-up", warmUpSeconds);
         heapEvery.ifPresent(distance -> checkSeconds("--heap-every", distance));
-        if (threads < 1 || threads > MAX_THREADS) {
-            throw new IllegalArgumentException(
-                    "--threads " + threads + " is not possible. Give 1 to " + MAX_THREADS + " threads.");
-        }
-        checkPort("--port", port);
-        checkPort("--monitor-port", monitorPort);
+        Bench.checked("--threads", threads, 1, MAX_THREADS);
+        Bench.checked("--port", port, 1, MAX_PORT);
+        Bench.checked("--monitor-port", monitorPort, 1, MAX_PORT);
         OptionalDouble heap = heapEvery.map(OptionalDouble::of).orElse(OptionalDouble.empty());
         return new BenchmarkPlan(robots, scenes, warmUpSeconds, seconds, heap, threads, host.map(this::address));
     }
@@ -159,13 +153,6 @@ final class SpeedCommand implements Callable<Integer> {
         if (!(value > 0 && value <= 1e6)) {
             throw new IllegalArgumentException(
                     option + " " + value + " is not possible. Give simulated seconds above 0, such as 20.");
-        }
-    }
-
-    private static void checkPort(String option, int number) {
-        if (number < 1 || number > LAST_PORT) {
-            throw new IllegalArgumentException(
-                    option + " " + number + " does not exist. Ports are 1 to " + LAST_PORT + ".");
         }
     }
 

@@ -35,8 +35,8 @@ record BallStart(Vector3 position, Vector3 velocity) {
         if (lob.matches()) {
             return new BallStart(onTheGround, new Vector3(number(lob, 1), 0, number(lob, 2)));
         }
-        throw new IOException("Unknown ball case \"" + caseName
-                + "\". Expected a name such as roll_v3, drop_h0.5 or lob_4_4.");
+        throw new IOException(
+                "Unknown ball case \"" + caseName + "\". Expected a name such as roll_v3, drop_h0.5 or lob_4_4.");
     }
 
     private static double number(Matcher matcher, int group) {

@@ -121,8 +121,7 @@ public final class FidelityBench {
                     .sorted()
                     .toList();
             if (recordings.isEmpty()) {
-                throw new FileNotFoundException(
-                        directory + " contains no recordings (*.jsonl or *.jsonl.gz).");
+                throw new FileNotFoundException(directory + " contains no recordings (*.jsonl or *.jsonl.gz).");
             }
             return recordings;
         }

@@ -69,7 +69,8 @@ final class ReferenceReader {
     private Recording recording() throws IOException {
         endRun();
         if (runs.isEmpty()) {
-            throw new IOException("The recording " + name() + " contains neither torso nor ball positions. It needs one of them.");
+            throw new IOException(
+                    "The recording " + name() + " contains neither torso nor ball positions. It needs one of them.");
         }
         return new Recording(name(), header, List.copyOf(runs));
     }

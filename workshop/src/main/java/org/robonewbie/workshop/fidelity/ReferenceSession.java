@@ -188,7 +188,8 @@ final class ReferenceSession implements AutoCloseable {
             }
             answer = exchange("");
         }
-        throw new IOException("The robot could not join a team. Check that the server does not have two teams already.");
+        throw new IOException(
+                "The robot could not join a team. Check that the server does not have two teams already.");
     }
 
     private static Optional<PlayerNumber> player(GameState state) {

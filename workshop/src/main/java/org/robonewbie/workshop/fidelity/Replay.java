@@ -71,8 +71,8 @@ final class Replay {
             } else if (first.ball().isPresent()) {
                 replayBall(run);
             } else {
-                throw new IOException(
-                        "The recording " + recording.name() + " contains neither torso nor ball positions. It needs one of them.");
+                throw new IOException("The recording " + recording.name()
+                        + " contains neither torso nor ball positions. It needs one of them.");
             }
             comparison.endRun();
         }

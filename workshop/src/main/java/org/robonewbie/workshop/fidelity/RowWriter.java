@@ -1,11 +1,12 @@
 package org.robonewbie.workshop.fidelity;
 
 import com.google.gson.Gson;
-import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
+import java.util.List;
 import java.util.Optional;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
@@ -114,12 +115,8 @@ final class RowWriter {
         return torso;
     }
 
-    private static JsonArray position(Vector3 place) {
-        JsonArray position = new JsonArray();
-        position.add(digits(place.x()));
-        position.add(digits(place.y()));
-        position.add(digits(place.z()));
-        return position;
+    private static JsonElement position(Vector3 position) {
+        return GSON.toJsonTree(List.of(digits(position.x()), digits(position.y()), digits(position.z())));
     }
 
     private static double arcSine(double sine) {
@@ -135,11 +132,7 @@ final class RowWriter {
         return Math.rint(Math.toDegrees(radians) * 1e4) / 1e4;
     }
 
-    private static JsonArray array(Vector3 vector) {
-        JsonArray array = new JsonArray();
-        array.add(vector.x());
-        array.add(vector.y());
-        array.add(vector.z());
-        return array;
+    private static JsonElement array(Vector3 vector) {
+        return GSON.toJsonTree(List.of(vector.x(), vector.y(), vector.z()));
     }
 }

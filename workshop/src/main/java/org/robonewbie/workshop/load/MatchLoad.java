@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
+import java.util.function.DoubleSupplier;
 import java.util.stream.IntStream;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.protocol.order.Order;
@@ -73,11 +74,12 @@ public final class MatchLoad {
             for (int match = 1; match <= load.matches(); match++) {
                 course.matchBegins();
                 awaitEnd(first, course, match);
-                MatchLoadResult played = course.result(match);
-                simulator.control().order(new Order.Reset());
-                await(() -> first.isPlaying() && first.playSeconds() > secondsUntilApart, () -> {});
-                simulator.control().order(new Order.Pause());
-                results.add(played.withHeap(heapMegabytes()));
+                results.add(course.result(match, () -> {
+                    simulator.control().order(new Order.Reset());
+                    await(() -> first.isPlaying() && first.playSeconds() > secondsUntilApart, () -> {});
+                    simulator.control().order(new Order.Pause());
+                    return heapMegabytes();
+                }));
                 simulator.control().order(new Order.Resume());
             }
         }
@@ -176,7 +178,8 @@ public final class MatchLoad {
             beganProcess = processSeconds();
         }
 
-        MatchLoadResult result(int match) {
+        /** Ends the measurement. The heap is evaluated last, since it needs the next kick-off. */
+        MatchLoadResult result(int match, DoubleSupplier heapMegabytes) {
             long cycles = Math.round(simulator.cycles() - beganSeconds / Cycle.SECONDS);
             double server = simulator.processorSeconds() - beganServer;
             double process = processSeconds() - beganProcess;
@@ -189,7 +192,7 @@ public final class MatchLoad {
                     1000 * process / cycles,
                     1000 * player.arrivals().deviationSeconds(0.99),
                     1000 * player.arrivals().deviationSeconds(1),
-                    Double.NaN);
+                    heapMegabytes.getAsDouble());
         }
 
         private static double processSeconds() {

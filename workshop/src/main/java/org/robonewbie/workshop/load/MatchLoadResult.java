@@ -31,25 +31,6 @@ public record MatchLoadResult(
             "match  cycles   play s  missed  server ms  process ms  jitter 99 % ms  worst ms  heap MB";
 
     /**
-     * Adds the memory, which is measured later.
-     *
-     * @param megabytes memory in use
-     * @return this result with that
-     */
-    MatchLoadResult withHeap(double megabytes) {
-        return new MatchLoadResult(
-                match,
-                cycles,
-                playSeconds,
-                missedCycles,
-                serverMilliseconds,
-                processMilliseconds,
-                usualJitterMilliseconds,
-                worstJitterMilliseconds,
-                megabytes);
-    }
-
-    /**
      * Formats the result as a row of the table.
      *
      * @return a line without line break

@@ -18,17 +18,6 @@ public record CheckResult(MotionCheck check, List<Outcome> outcomes) {
     }
 
     /**
-     * Runs trials with seeds from 0, several in parallel.
-     *
-     * @param check the check
-     * @param wanted number of trials, multiplied by the thoroughness of the check
-     * @return the result, which is deterministic
-     */
-    public static CheckResult of(MotionCheck check, int wanted) {
-        return of(check, 0, wanted);
-    }
-
-    /**
      * Runs trials with consecutive seeds, several in parallel.
      *
      * @param check the check

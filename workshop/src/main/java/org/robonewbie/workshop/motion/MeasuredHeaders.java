@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.file.MotionFiles;
 
 /**
@@ -32,7 +33,8 @@ public final class MeasuredHeaders {
             System.err.println("Give the directory of the motion files.");
             System.exit(2);
         }
-        write(new MotionMeasurement(SEEDS, System.out).run(Optional.empty()), Path.of(arguments[0]));
+        MotionMeasurement measurement = new MotionMeasurement(SEEDS, 1, "", RobotType.TYPE_0, System.out);
+        write(measurement.run(Optional.empty()), Path.of(arguments[0]));
     }
 
     /**

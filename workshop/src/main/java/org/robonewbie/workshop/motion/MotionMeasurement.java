@@ -17,7 +17,7 @@ import org.robonewbie.nao.model.RobotType;
  * Measures all shipped motions in the simulator and prints a table of success rates and mean values.
  *
  * <pre>{@code
- * new MotionMeasurement(20, System.out).run(Optional.empty());
+ * new MotionMeasurement(20, 1, "", RobotType.TYPE_0, System.out).run(Optional.empty());
  * }</pre>
  */
 public final class MotionMeasurement {
@@ -30,17 +30,7 @@ public final class MotionMeasurement {
     private final List<MotionCheck> more = new ArrayList<>();
 
     /**
-     * Creates a measurement of all motions.
-     *
-     * @param seeds trials of each motion, at least 1
-     * @param out destination of the table
-     */
-    public MotionMeasurement(int seeds, PrintStream out) {
-        this(seeds, 1, "", RobotType.TYPE_0, out);
-    }
-
-    /**
-     * Creates a measurement of selected motions.
+     * Creates a measurement.
      *
      * @param seeds trials of each motion, at least 1
      * @param firstSeed seed of the first trial of each motion

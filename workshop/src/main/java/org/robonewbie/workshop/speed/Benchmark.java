@@ -84,12 +84,13 @@ public final class Benchmark {
             server.playOn();
             int warmUp = cycles(plan.warmUpSeconds());
             int measured = cycles(seconds);
-            play(server, threads, agents, scene, 0, warmUp);
+            Session session = new Session(server, threads, agents, scene);
+            session.play(0, warmUp);
             resetPeakMemory();
             OptionalLong cpuBefore = server.cpuNanoseconds();
             OptionalLong bytesBefore = server.allocatedBytes();
             long start = System.nanoTime();
-            List<HeapSample> samples = measured(server, threads, agents, scene, warmUp, measured, heap);
+            List<HeapSample> samples = measured(session, warmUp, measured, heap);
             double realSeconds = (System.nanoTime() - start) * 1e-9;
             OptionalDouble cpu = perCycle(cpuBefore, server.cpuNanoseconds(), 1e6 * measured);
             OptionalDouble bytes = perCycle(bytesBefore, server.allocatedBytes(), measured);
@@ -98,10 +99,10 @@ public final class Benchmark {
                     robots,
                     scene,
                     plan.other().isPresent() ? 0 : plan.threads(),
-                    measured,
                     measured * Cycle.SECONDS / realSeconds,
                     cpu,
                     bytes,
+                    measured,
                     peakMemory(),
                     samples);
         }
@@ -117,34 +118,8 @@ public final class Benchmark {
         return (int) Math.max(1, Math.round(seconds / Cycle.SECONDS));
     }
 
-    private static void play(
-            BenchmarkServer server,
-            AgentThreads threads,
-            List<BenchmarkAgent> agents,
-            CrowdScene scene,
-            int from,
-            int to)
-            throws IOException {
-        for (int cycle = from; cycle < to; cycle++) {
-            if (scene.placesAgain(cycle)) {
-                for (int robot = 0; robot < agents.size(); robot++) {
-                    server.place(robot, scene.place(robot));
-                }
-            }
-            threads.act(agents, scene, cycle);
-            server.cycle();
-        }
-    }
-
     /** Plays all cycles and samples the memory in between if requested. */
-    private List<HeapSample> measured(
-            BenchmarkServer server,
-            AgentThreads threads,
-            List<BenchmarkAgent> agents,
-            CrowdScene scene,
-            int from,
-            int measured,
-            Consumer<HeapSample> heap)
+    private List<HeapSample> measured(Session session, int from, int measured, Consumer<HeapSample> heap)
             throws IOException {
         int part = plan.heapEverySeconds().isPresent()
                 ? cycles(plan.heapEverySeconds().getAsDouble())
@@ -152,7 +127,7 @@ public final class Benchmark {
         List<HeapSample> samples = new ArrayList<>();
         for (int done = 0; done < measured; done += part) {
             int next = Math.min(measured, done + part);
-            play(server, threads, agents, scene, from + done, from + next);
+            session.play(from + done, from + next);
             if (plan.heapEverySeconds().isPresent()) {
                 HeapSample sample = HeapSample.at(next * Cycle.SECONDS);
                 samples.add(sample);
@@ -177,5 +152,21 @@ public final class Benchmark {
                 .filter(pool -> pool.getType() == MemoryType.HEAP)
                 .mapToLong(pool -> pool.getPeakUsage().getUsed())
                 .sum();
+    }
+
+    private record Session(
+            BenchmarkServer server, AgentThreads threads, List<BenchmarkAgent> agents, CrowdScene scene) {
+
+        void play(int from, int to) throws IOException {
+            for (int cycle = from; cycle < to; cycle++) {
+                if (scene.placesAgain(cycle)) {
+                    for (int robot = 0; robot < agents.size(); robot++) {
+                        server.place(robot, scene.place(robot));
+                    }
+                }
+                threads.act(agents, scene, cycle);
+                server.cycle();
+            }
+        }
     }
 }

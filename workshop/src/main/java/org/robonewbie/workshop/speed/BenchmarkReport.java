@@ -1,8 +1,9 @@
 package org.robonewbie.workshop.speed;
 
 import com.google.gson.GsonBuilder;
-import com.google.gson.JsonArray;
-import com.google.gson.JsonObject;
+import com.google.gson.JsonNull;
+import com.google.gson.JsonPrimitive;
+import com.google.gson.JsonSerializer;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -74,11 +75,17 @@ public record BenchmarkReport(List<BenchmarkRun> runs) {
      * @return JSON text
      */
     public String toJson() {
-        JsonArray list = new JsonArray();
-        runs.forEach(run -> list.add(json(run)));
-        JsonObject all = new JsonObject();
-        all.add("runs", list);
-        return new GsonBuilder().serializeNulls().setPrettyPrinting().create().toJson(all) + "\n";
+        JsonSerializer<OptionalDouble> nullIfUnknown = (value, type, context) ->
+                value.isPresent() ? new JsonPrimitive(value.getAsDouble()) : JsonNull.INSTANCE;
+        JsonSerializer<CrowdScene> name = (scene, type, context) -> new JsonPrimitive(scene.toString());
+        return new GsonBuilder()
+                        .registerTypeAdapter(OptionalDouble.class, nullIfUnknown)
+                        .registerTypeHierarchyAdapter(CrowdScene.class, name)
+                        .serializeNulls()
+                        .setPrettyPrinting()
+                        .create()
+                        .toJson(this)
+                + "\n";
     }
 
     /**
@@ -116,32 +123,5 @@ public record BenchmarkReport(List<BenchmarkRun> runs) {
     private static String original(int robots) {
         Double millis = MILLIS_OF_THE_ORIGINAL.get(robots);
         return millis == null ? "-" : millis + " ms";
-    }
-
-    private static JsonObject json(BenchmarkRun run) {
-        JsonObject object = new JsonObject();
-        object.addProperty("robots", run.robots());
-        object.addProperty("scene", run.scene().toString());
-        object.addProperty("threads", run.threads());
-        object.addProperty("realTimeFactor", run.realTimeFactor());
-        add(object, "cpuMillisPerCycle", run.cpuMillisPerCycle());
-        add(object, "allocatedBytesPerCycle", run.allocatedBytesPerCycle());
-        object.addProperty("cycles", run.cycles());
-        object.addProperty("peakMemoryBytes", run.peakMemoryBytes());
-        JsonArray heap = new JsonArray();
-        run.heap().forEach(sample -> heap.add(json(sample)));
-        object.add("heap", heap);
-        return object;
-    }
-
-    private static JsonObject json(HeapSample sample) {
-        JsonObject object = new JsonObject();
-        object.addProperty("seconds", sample.seconds());
-        object.addProperty("bytes", sample.bytes());
-        return object;
-    }
-
-    private static void add(JsonObject object, String name, OptionalDouble value) {
-        object.addProperty(name, value.isPresent() ? value.getAsDouble() : null);
     }
 }

@@ -9,10 +9,10 @@ import java.util.OptionalDouble;
  * @param robots number of robots
  * @param scene what the robots did
  * @param threads number of threads of the embedded server and the agents; 0 for a server in another process
- * @param cycles number of measured cycles of 20 ms
  * @param realTimeFactor simulated seconds per second, agents included
  * @param cpuMillisPerCycle processor time of the server alone per cycle in milliseconds; empty if unknown
  * @param allocatedBytesPerCycle memory that the server allocates per cycle; empty if unknown
+ * @param cycles number of measured cycles of 20 ms
  * @param peakMemoryBytes peak heap usage of this process
  * @param heap memory in use after garbage collections, sampled at intervals; empty unless the plan requests it
  */
@@ -20,10 +20,10 @@ public record BenchmarkRun(
         int robots,
         CrowdScene scene,
         int threads,
-        int cycles,
         double realTimeFactor,
         OptionalDouble cpuMillisPerCycle,
         OptionalDouble allocatedBytesPerCycle,
+        int cycles,
         long peakMemoryBytes,
         List<HeapSample> heap) {
 

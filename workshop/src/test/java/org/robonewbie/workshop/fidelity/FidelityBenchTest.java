@@ -118,15 +118,15 @@ class FidelityBenchTest {
         Files.writeString(directory.resolve("ball.jsonl"), BALL.replace("drop_h0.5", "spin"));
 
         assertThat(problem())
-                .isEqualTo("Unknown ball case \"spin\"."
-                        + " Expected a name such as roll_v3, drop_h0.5 or lob_4_4.");
+                .isEqualTo("Unknown ball case \"spin\". Expected a name such as roll_v3, drop_h0.5 or lob_4_4.");
     }
 
     @Test
     void asksForTorsoOrBall() throws IOException {
         Files.writeString(directory.resolve("empty.jsonl"), "{\"t\": 0.02, \"hj\": {\"hj1\": 0.0}}\n");
 
-        assertThat(problem()).isEqualTo("The recording empty contains neither torso nor ball positions. It needs one of them.");
+        assertThat(problem())
+                .isEqualTo("The recording empty contains neither torso nor ball positions. It needs one of them.");
     }
 
     @Test

@@ -109,9 +109,8 @@ class ReferenceRecorderTest {
 
             assertThatThrownBy(() -> recorder.record(ReferenceScenario.all().subList(0, 1), directory))
                     .isInstanceOf(IOException.class)
-                    .hasMessageContaining(
-                            "The server does not send a monitor message in each cycle. Set $monitorStep"
-                                    + " = 0.02 in spark.rb, or start robonewbie simulator with --monitor-step 0.02.");
+                    .hasMessageContaining("The server does not send a monitor message in each cycle. Set $monitorStep"
+                            + " = 0.02 in spark.rb, or start robonewbie simulator with --monitor-step 0.02.");
         }
     }
 

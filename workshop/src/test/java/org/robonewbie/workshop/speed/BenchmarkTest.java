@@ -180,6 +180,6 @@ class BenchmarkTest {
 
     private static BenchmarkRun run(int robots, CrowdScene scene, double millis, double factor) {
         return new BenchmarkRun(
-                robots, scene, 1, 500, factor, OptionalDouble.of(millis), OptionalDouble.empty(), 1, List.of());
+                robots, scene, 1, factor, OptionalDouble.of(millis), OptionalDouble.empty(), 500, 1, List.of());
     }
 }
