@@ -81,13 +81,23 @@ final class StudioRequestReader {
             case "playMode" -> new StudioRequest.Change("play mode changed", new Order.ChangePlayMode(playMode()));
             case "addPuppet" -> new StudioRequest.AddPuppet(side());
             case "removePuppet" -> new StudioRequest.RemovePuppet(player());
-            case "walk" ->
-                new PuppetOrder.To(player(), new PuppetOrder.Walk(part("forward"), part("left"), part("turn")));
-            case "perform" -> new PuppetOrder.To(player(), new PuppetOrder.Perform(text("motion")));
-            case "look" ->
-                new PuppetOrder.To(
-                        player(), new PuppetOrder.Look(number("yaw", -180, 180), number("pitch", -180, 180)));
-            case "hold" -> new PuppetOrder.To(player(), new PuppetOrder.Hold(joint(), number("degrees", -180, 180)));
+            case "walk" -> {
+                double forward = part("forward");
+                double left = part("left");
+                double turn = part("turn");
+                yield new PuppetOrder(player(), puppet -> puppet.walk(forward, left, turn));
+            }
+            case "perform" -> new PuppetOrder(player(), puppet -> puppet.perform(text("motion")));
+            case "look" -> {
+                double yaw = number("yaw", -180, 180);
+                double pitch = number("pitch", -180, 180);
+                yield new PuppetOrder(player(), puppet -> puppet.look(yaw, pitch));
+            }
+            case "hold" -> {
+                Joint joint = joint();
+                double degrees = number("degrees", -180, 180);
+                yield new PuppetOrder(player(), puppet -> puppet.hold(joint, degrees));
+            }
             default -> throw new IllegalArgumentException("Unknown command \"" + name + "\". Load the page again.");
         };
     }

@@ -66,33 +66,31 @@ public final class StudioViewer implements Viewer {
             SimulationControl simulation, int port, StudioFolders folders, PageService course, CompilerService compiler)
             throws IOException {
         AccessToken token = AccessToken.ofUser();
-        try {
-            return StudioServer.start(simulation, port == 0 ? DEFAULT_PORT : port, token, folders, course, compiler);
-        } catch (IOException inUse) {
-            if (port != 0) {
-                throw inUse;
-            }
-            return StudioServer.start(simulation, 0, token, folders, course, compiler);
-        }
+        return open(port, any -> StudioServer.start(simulation, any, token, folders, course, compiler));
     }
 
     private static StudioServer open(
             SimulationControl simulation, int port, StudioFolders folders, Optional<EventBus> board)
             throws IOException {
-        return port == 0
-                ? openAtUsual(DEFAULT_PORT, simulation, folders, board)
-                : StudioServer.start(simulation, port, AccessToken.ofUser(), folders, board);
+        AccessToken token = AccessToken.ofUser();
+        return open(port, any -> StudioServer.start(simulation, any, token, folders, board));
+    }
+
+    private static StudioServer open(int port, Start start) throws IOException {
+        return port == 0 ? openAtUsual(DEFAULT_PORT, start) : start.at(port);
     }
 
     /** Starts at a port, or at any other if that is in use. */
-    static StudioServer openAtUsual(
-            int port, SimulationControl simulation, StudioFolders folders, Optional<EventBus> board)
-            throws IOException {
-        AccessToken token = AccessToken.ofUser();
+    static StudioServer openAtUsual(int port, Start start) throws IOException {
         try {
-            return StudioServer.start(simulation, port, token, folders, board);
-        } catch (IOException e) {
-            return StudioServer.start(simulation, 0, token, folders, board);
+            return start.at(port);
+        } catch (IOException inUse) {
+            return start.at(0);
         }
+    }
+
+    /** Starts a server at a port; 0 for any free one. */
+    interface Start {
+        StudioServer at(int port) throws IOException;
     }
 }

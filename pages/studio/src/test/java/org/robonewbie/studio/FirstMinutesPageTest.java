@@ -88,13 +88,13 @@ class FirstMinutesPageTest {
         field.studio().telemetry().accept(new TelemetryMessage("Stars", 4, 1.5, mistake));
         field.studio().telemetry().accept(new TelemetryMessage("Stars", 4, 1.6, mistake));
 
-        browser.await("document.querySelector('#mistakes').checkVisibility()"
-                + " && document.querySelector('#mistakes li').textContent.includes('NECK_YAW')");
+        browser.await("document.querySelector('#diagnostics').checkVisibility()"
+                + " && document.querySelector('#diagnostics li').textContent.includes('NECK_YAW')");
 
-        assertThat(browser.evaluate("document.querySelectorAll('#mistakes li').length")
+        assertThat(browser.evaluate("document.querySelectorAll('#diagnostics li').length")
                         .getAsInt())
                 .isEqualTo(1);
-        browser.click("#mistakes > button");
-        browser.await("document.querySelector('#mistakes').hidden");
+        browser.click("#diagnostics > button");
+        browser.await("document.querySelector('#diagnostics').hidden");
     }
 }

@@ -215,12 +215,12 @@ class PuppetPageTest {
     @Test
     void foulIsShownBesideTheScore() {
         field.addPuppet();
-        browser.evaluate("new MutationObserver(() => { window.happenings = (window.happenings ?? '')"
-                + " + document.querySelector('.happenings').innerText; })"
-                + ".observe(document.querySelector('.happenings'), {childList: true})");
+        browser.evaluate("new MutationObserver(() => { window.matchEvents = (window.matchEvents ?? '')"
+                + " + document.querySelector('.event-list').innerText; })"
+                + ".observe(document.querySelector('.event-list'), {childList: true})");
 
         field.studio().feed().happened(new MatchEvent.FoulCalled(FoulType.CHARGING, TeamSide.LEFT, 1));
 
-        browser.await("window.happenings?.includes('Foul: Puppets 1 runs into an opponent')");
+        browser.await("window.matchEvents?.includes('Foul: Puppets 1 runs into an opponent')");
     }
 }

@@ -56,8 +56,9 @@ class StudioViewerTest {
     }
 
     private Viewer.View openAtUsual(int usualPort, TestSimulator simulation) throws IOException {
+        StudioFolders folders = new StudioFolders(home, Optional.empty());
         return StudioViewer.openAtUsual(
-                usualPort, simulation.control(), new StudioFolders(home, Optional.empty()), Optional.empty());
+                usualPort, port -> StudioServer.start(simulation.control(), port, AccessToken.ofUser(), folders));
     }
 
     @Test

@@ -39,7 +39,8 @@ import org.robonewbie.simulator.world.SoccerWorld;
  * in the previous cycle, steps the physics, runs the referee and generates the next messages (SimSpark: {@code
  * simulationserver.cpp}).
  *
- * <p>An agent's answer to message k is therefore read after message k + 1 is generated, and its effect shows in message k + 2.
+ * <p>An agent's answer to message k is therefore read after message k + 1 is generated, and its effect shows in message k + 2: a
+ * delay of two cycles.
  * Agents are served in the order of their connections or, for agents of other processes, in the {@link TurnOrder}, so that equal
  * answers give equal games.
  */

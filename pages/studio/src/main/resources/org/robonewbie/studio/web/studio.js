@@ -4,13 +4,13 @@ import { overSocket } from './live/connection.js';
 import { Session } from './live/session.js';
 import { Commentary } from './panels/commentary.js';
 import { CoursePanel } from './panels/course-panel.js';
+import { DiagnosticsList } from './panels/diagnostics-list.js';
 import { byId } from './panels/elements.js';
 import { watchFreeSpace } from './panels/free-space.js';
 import { FIELD_MOUSE, fieldActions, listenToKeys } from './panels/keys.js';
 import { FirstSteps } from './panels/first-steps.js';
-import { Happenings } from './panels/happenings.js';
+import { EventList } from './panels/event-list.js';
 import { banner, notes, reportMistakes, showBanner } from './panels/messages.js';
-import { Mistakes } from './panels/mistakes.js';
 import { PuppetPanel } from './panels/puppet-panel.js';
 import { RoomController } from './panels/room-controller.js';
 import { paced } from './panels/pace.js';
@@ -22,6 +22,7 @@ import { themeSwitch } from './panels/theme.js';
 import { timeLineActions, timeLinePanel } from './panels/time-line.js';
 import { timeActions, transportPanel } from './panels/transport.js';
 import { Workspace } from './panels/workspace.js';
+import { matchEventText } from './state/match-events.js';
 import { message } from './state/studio-state.js';
 
 /** Faster updates are unreadable, and text layout takes time that the picture needs. */
@@ -48,9 +49,9 @@ export class Studio {
     this.session = new Session({
       begun: () => (this.rooms?.forget(), this.field?.board.clear()),
       telemetry: (news) => this.rooms.receive(news),
-      happened: (event, teams) => this.happenings?.add(event, teams),
+      happened: (event, teams) => this.eventList?.show(matchEventText(event, teams)),
       drawn: (sets) => this.field.board.receive(sets),
-      diagnostic: (mistake) => this.mistakes?.add(mistake),
+      diagnostic: (diagnostic) => this.diagnostics?.add(diagnostic),
       note: this.note,
     });
     showBanner(message(this.state, 0));
@@ -189,9 +190,9 @@ export class Studio {
       banner(),
       (shown) => puppet.draw(shown),
     ];
-    this.happenings = new Happenings();
-    this.commentary = new Commentary(this.session, (text) => this.happenings?.show(text));
-    this.mistakes = new Mistakes(this.#lookInside);
+    this.eventList = new EventList();
+    this.commentary = new Commentary(this.session, (text) => this.eventList?.show(text));
+    this.diagnostics = new DiagnosticsList(this.#lookInside);
     this.puppet = puppet;
     this.course = new CoursePanel(this.note, this.goLive, this.field.showGhost);
     setShadows(shadows);

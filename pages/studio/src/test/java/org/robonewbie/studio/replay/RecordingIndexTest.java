@@ -196,7 +196,7 @@ class RecordingIndexTest {
 
         assertThatThrownBy(() -> read(file))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("no recording of version 1");
+                .hasMessageContaining("not a recording of version 1");
         assertThat(read(Files.writeString(folder.resolve("plain.rec"), "Hello"))
                         .summary()
                         .count())

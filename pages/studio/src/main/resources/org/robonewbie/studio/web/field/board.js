@@ -1,32 +1,19 @@
 /** RoboViz drawings of the teams, rendered as one mesh for all shapes and one sprite per text. */
 import * as THREE from 'three';
 import { boardTriangles } from '../state/board-shapes.js';
-import { textLook } from './drawings.js';
+import { DrawingGroup, textLook } from './drawings.js';
 
 /** @typedef {import('../state/board-shapes.js').BoardShape} BoardShape */
 
-const TEXT_SCALE = 0.021;
 const METRES_ABOVE_TORSO = 0.45;
 const MAX_TEXTS = 200;
 
-export class Board {
+export class Board extends DrawingGroup {
   /** Texts that are attached to robots. @type {Array<{sprite: THREE.Sprite, shape: BoardShape}>} */
   #above = [];
 
   constructor() {
-    const look = {
-      vertexColors: true,
-      transparent: true,
-      side: THREE.DoubleSide,
-      depthWrite: false,
-      toneMapped: false,
-    };
-    this.shapes = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial(look));
-    this.shapes.frustumCulled = false;
-    this.texts = new THREE.Group();
-    this.group = new THREE.Group();
-    this.group.name = 'board';
-    this.group.add(this.shapes, this.texts);
+    super('board', { transparent: true, depthWrite: false });
   }
 
   /** @param {readonly BoardShape[]} drawn all visible shapes */
@@ -45,11 +32,7 @@ export class Board {
         }
       });
     }
-    this.shapes.geometry.dispose();
-    this.shapes.geometry = new THREE.BufferGeometry();
-    this.shapes.geometry.setAttribute('position', new THREE.Float32BufferAttribute(places, 3));
-    this.shapes.geometry.setAttribute('color', new THREE.Float32BufferAttribute(colours, 4));
-    this.shapes.visible = places.length > 0;
+    this.fill(places, colours, 4);
     this.#write(drawn.filter(({ text }) => text !== '').slice(0, MAX_TEXTS));
   }
 
@@ -62,12 +45,7 @@ export class Board {
     this.texts.clear();
     this.#above = [];
     for (const shape of texts) {
-      const look = textLook(shape.text, shape.colour);
-      const sprite = new THREE.Sprite(look);
-      sprite.scale.set(TEXT_SCALE * look.userData.aspect, TEXT_SCALE, 1);
-      sprite.center.set(0.5, 0);
-      sprite.name = shape.text;
-      this.texts.add(sprite);
+      const sprite = this.addText(textLook(shape.text, shape.colour), shape.text);
       if (shape.shape === 'agent') {
         this.#above.push({ sprite, shape });
       } else {

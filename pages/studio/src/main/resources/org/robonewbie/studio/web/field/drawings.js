@@ -1,6 +1,6 @@
 /** Drawings of the robots on the ground, rendered as one mesh for all shapes and one sprite per text. */
 import * as THREE from 'three';
-import { isDrawable, onGround, trianglesOf } from '../state/drawing-shapes.js';
+import { isDrawable, onGround, raised, trianglesOf } from '../state/drawing-shapes.js';
 
 /**
  * @typedef {import('../state/drawing-shapes.js').Stand} Stand
@@ -16,18 +16,50 @@ const FONT_PIXELS = 44;
 const MAX_TEXTS = 300;
 const CODE = /^#([0-9a-f]{3,4}|[0-9a-f]{6}|[0-9a-f]{8})$/i;
 
-export class FieldDrawings {
-  /** Materials of the texts, by colour and content. @type {Map<string, THREE.SpriteMaterial>} */
-  #looks = new Map();
-
-  constructor() {
-    const material = new THREE.MeshBasicMaterial({ vertexColors: true, side: THREE.DoubleSide, toneMapped: false });
+/** A mesh for all shapes, and a group of sprites for the texts. */
+export class DrawingGroup {
+  /** @param {string} name @param {THREE.MeshBasicMaterialParameters} look */
+  constructor(name, look) {
+    const material = new THREE.MeshBasicMaterial({
+      vertexColors: true,
+      side: THREE.DoubleSide,
+      toneMapped: false,
+      ...look,
+    });
     this.shapes = new THREE.Mesh(new THREE.BufferGeometry(), material);
     this.shapes.frustumCulled = false;
     this.texts = new THREE.Group();
     this.group = new THREE.Group();
-    this.group.name = 'drawings';
+    this.group.name = name;
     this.group.add(this.shapes, this.texts);
+  }
+
+  /** @param {number[]} places x, y and z of each vertex @param {number[]} colours @param {3 | 4} channels of a colour */
+  fill(places, colours, channels) {
+    this.shapes.geometry.dispose();
+    this.shapes.geometry = new THREE.BufferGeometry();
+    this.shapes.geometry.setAttribute('position', new THREE.Float32BufferAttribute(places, 3));
+    this.shapes.geometry.setAttribute('color', new THREE.Float32BufferAttribute(colours, channels));
+    this.shapes.visible = places.length > 0;
+  }
+
+  /** Adds a text. @param {THREE.SpriteMaterial} look @param {string} text */
+  addText(look, text) {
+    const sprite = new THREE.Sprite(look);
+    sprite.center.set(0.5, 0);
+    sprite.scale.set(TEXT_SCALE * look.userData.aspect, TEXT_SCALE, 1);
+    sprite.name = text;
+    this.texts.add(sprite);
+    return sprite;
+  }
+}
+
+export class FieldDrawings extends DrawingGroup {
+  /** Materials of the texts, by colour and content. @type {Map<string, THREE.SpriteMaterial>} */
+  #looks = new Map();
+
+  constructor() {
+    super('drawings', {});
     this.show([]);
   }
 
@@ -48,16 +80,10 @@ export class FieldDrawings {
     for (const { stand, drawing } of placed) {
       const corners = trianglesOf(stand, drawing);
       const paint = new THREE.Color(knownColour(drawing.colour)).toArray();
-      for (let i = 0; i < corners.length; i += 2) {
-        places.push(corners[i], corners[i + 1], HEIGHT);
-        colours.push(...paint);
-      }
+      places.push(...raised(corners, HEIGHT));
+      corners.filter((_, i) => i % 2 === 0).forEach(() => colours.push(...paint));
     }
-    this.shapes.geometry.dispose();
-    this.shapes.geometry = new THREE.BufferGeometry();
-    this.shapes.geometry.setAttribute('position', new THREE.Float32BufferAttribute(places, 3));
-    this.shapes.geometry.setAttribute('color', new THREE.Float32BufferAttribute(colours, 3));
-    this.shapes.visible = places.length > 0;
+    this.fill(places, colours, 3);
   }
 
   /** @param {Placed[]} placed texts */
@@ -71,7 +97,9 @@ export class FieldDrawings {
       this.#looks.set(key, look);
       before.delete(key);
       const [x, y] = onGround(stand, drawing.place);
-      this.texts.add(textSprite(look, x, y, drawing.text));
+      const sprite = this.addText(look, drawing.text);
+      sprite.position.set(x, y, HEIGHT);
+      sprite.renderOrder = 2;
     }
     for (const gone of before.values()) {
       gone.map?.dispose();
@@ -87,17 +115,6 @@ function knownColour(colour) {
   }
   const name = colour.toLowerCase();
   return name in THREE.Color.NAMES ? name : 'magenta';
-}
-
-/** @param {THREE.SpriteMaterial} look @param {number} x @param {number} y @param {string} text */
-function textSprite(look, x, y, text) {
-  const sprite = new THREE.Sprite(look);
-  sprite.center.set(0.5, 0);
-  sprite.position.set(x, y, HEIGHT);
-  sprite.scale.set(TEXT_SCALE * look.userData.aspect, TEXT_SCALE, 1);
-  sprite.renderOrder = 2;
-  sprite.name = text;
-  return sprite;
 }
 
 /** A text with a dark outline, legible on grass and on lines. @param {string} text @param {string} colour */

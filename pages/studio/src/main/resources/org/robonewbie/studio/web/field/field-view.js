@@ -271,15 +271,20 @@ export class FieldView {
    * @returns {THREE.Ray}
    */
   rayAt(clientX, clientY) {
-    const box = this.stage.getBoundingClientRect();
-    const place = new THREE.Vector2(
-      (2 * (clientX - box.left)) / box.width - 1,
-      1 - (2 * (clientY - box.top)) / box.height,
-    );
-    const caster = new THREE.Raycaster();
-    caster.setFromCamera(place, this.camera);
-    return caster.ray;
+    return rayAt(this, clientX, clientY);
   }
+}
+
+/** @param {{stage: HTMLElement, camera: THREE.Camera}} view @param {number} clientX @param {number} clientY */
+export function rayAt({ stage, camera }, clientX, clientY) {
+  const box = stage.getBoundingClientRect();
+  const place = new THREE.Vector2(
+    (2 * (clientX - box.left)) / box.width - 1,
+    1 - (2 * (clientY - box.top)) / box.height,
+  );
+  const caster = new THREE.Raycaster();
+  caster.setFromCamera(place, camera);
+  return caster.ray;
 }
 
 /**

@@ -3,6 +3,7 @@
  * cheap unlit colours; real shadows fall on a transparent plane above it.
  */
 import * as THREE from 'three';
+import { raised, ring } from '../state/drawing-shapes.js';
 import { flatMaterial, screenColour, tinted } from './flat-material.js';
 
 /** @typedef {import('../live/state-frame.js').Field} Field */
@@ -132,17 +133,16 @@ function shadowSheet() {
  * @returns {number[]} x, y, z of each vertex
  */
 export function linePlaces(field) {
-  const { length, width, penaltyLength } = field;
+  const { length, width, penaltyLength, centreCircleRadius: radius } = field;
   const penaltyWidth = field.goalWidth + field.penaltyWidth;
-  const places = [
+  return [
     ...frame(-length / 2, -width / 2, length / 2, width / 2),
     ...rectangle(-LINE_WIDTH / 2, -width / 2, LINE_WIDTH / 2, width / 2),
-    ...ring(field.centreCircleRadius - LINE_WIDTH / 2, field.centreCircleRadius + LINE_WIDTH / 2, 64),
-    ...ring(0, 1.6 * LINE_WIDTH, 16),
+    ...raised(ring([0, 0], radius - LINE_WIDTH / 2, radius + LINE_WIDTH / 2, 64), 0),
+    ...raised(ring([0, 0], 0, 1.6 * LINE_WIDTH, 16), 0),
     ...frame(-length / 2, -penaltyWidth / 2, -length / 2 + penaltyLength, penaltyWidth / 2),
     ...frame(length / 2 - penaltyLength, -penaltyWidth / 2, length / 2, penaltyWidth / 2),
   ];
-  return places;
 }
 
 /**
@@ -169,22 +169,6 @@ function frame(left, low, right, high) {
  */
 function rectangle(left, low, right, high) {
   return [left, low, 0, right, low, 0, right, high, 0, left, low, 0, right, high, 0, left, high, 0];
-}
-
-/**
- * @param {number} inner
- * @param {number} outer
- * @param {number} corners
- */
-function ring(inner, outer, corners) {
-  const places = [];
-  for (let i = 0; i < corners; i++) {
-    const [a, b] = [i, i + 1].map((corner) => (2 * Math.PI * corner) / corners);
-    const [ax, ay, bx, by] = [Math.cos(a), Math.sin(a), Math.cos(b), Math.sin(b)];
-    places.push(inner * ax, inner * ay, 0, outer * ax, outer * ay, 0, outer * bx, outer * by, 0);
-    places.push(inner * ax, inner * ay, 0, outer * bx, outer * by, 0, inner * bx, inner * by, 0);
-  }
-  return places;
 }
 
 /** @param {number[]} places */

@@ -3,7 +3,7 @@ import { button, check, element } from '../panels/elements.js';
 import { postureNow } from '../state/motion/editor-state.js';
 import { JOINT_GROUPS, jointName, shortJointName } from '../state/motion/names.js';
 import { numberText } from '../state/motion/motion-text.js';
-import { numberOf } from '../state/numbers.js';
+import { fourDecimals, numberOf } from '../state/numbers.js';
 import { numberField, showNumber, takeTyped } from './number-field.js';
 
 /**
@@ -111,7 +111,7 @@ function listenToArrows(number, turn) {
       const step = (event.shiftKey ? 10 : 1) * (event.key === 'ArrowUp' ? 1 : -1);
       const degrees = numberOf(number.value);
       if (degrees !== undefined && Math.abs(degrees + step) <= MAX_DEGREES) {
-        turn(Math.round((degrees + step) * 1e4) / 1e4);
+        turn(fourDecimals(degrees + step));
       }
     }
   });
@@ -120,12 +120,7 @@ function listenToArrows(number, turn) {
 /** @param {Row} row @param {Body['joints'][number]} joint @param {number} degrees @param {boolean} isChosen */
 function drawRow({ line, slider, number }, { minDegrees, maxDegrees }, degrees, isChosen) {
   slider.value = String(degrees);
-  showNumber(number, shownAngle(degrees));
+  showNumber(number, numberText(fourDecimals(degrees)));
   line.classList.toggle('beyond', degrees < minDegrees || degrees > maxDegrees);
   line.classList.toggle('chosen', isChosen);
-}
-
-/** @param {number} degrees @returns {string} as written in the file, shortened between keyframes */
-function shownAngle(degrees) {
-  return numberText(Math.round(degrees * 1e4) / 1e4 + 0);
 }

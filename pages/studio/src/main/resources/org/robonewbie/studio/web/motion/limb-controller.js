@@ -1,6 +1,7 @@
 /** Pointer controller of the motion editor's picture: drags limbs, turns and moves the view. */
 import * as THREE from 'three';
-import { POSE, rotated } from '../state/kinematics.js';
+import { poseMatrix } from '../field/instanced-robots.js';
+import { rotated } from '../state/kinematics.js';
 import { pointOf, posesOf } from '../state/motion/body.js';
 import { farFrom, limitSign, stuckJoint } from './limit-sign.js';
 import { chainJoints, limbOf, ownJoints, followed, torsoMoved } from '../state/motion/reach.js';
@@ -176,7 +177,7 @@ export class LimbController {
     /** @type {{link: number, point: number[], local: number[], distance: number} | undefined} */
     let best;
     body.model.links.forEach((each, i) => {
-      const inverse = new THREE.Matrix4().copy(matrixOf(poses, i)).invert();
+      const inverse = poseMatrix(poses, i, new THREE.Matrix4()).invert();
       const local = ray.clone().applyMatrix4(inverse);
       const half = new THREE.Vector3(...each.size.map((edge) => Math.max(0.035, edge * 0.58)));
       const point = local.intersectBox(new THREE.Box3(half.clone().negate(), half), new THREE.Vector3());
@@ -198,7 +199,7 @@ export class LimbController {
    */
   #asLimb({ link, point }, poses) {
     const limb = limbOf(this.view.body, link);
-    const local = vector(point).applyMatrix4(new THREE.Matrix4().copy(matrixOf(poses, limb)).invert());
+    const local = vector(point).applyMatrix4(poseMatrix(poses, limb, new THREE.Matrix4()).invert());
     return { link: limb, point, local: local.toArray() };
   }
 }
@@ -222,14 +223,4 @@ function tenths(posture, before) {
 /** @param {number[]} list */
 function vector(list) {
   return new THREE.Vector3(list[0], list[1], list[2]);
-}
-
-/** @param {Float64Array} poses @param {number} link */
-function matrixOf(poses, link) {
-  const at = link * POSE;
-  return new THREE.Matrix4().compose(
-    new THREE.Vector3(poses[at], poses[at + 1], poses[at + 2]),
-    new THREE.Quaternion(poses[at + 4], poses[at + 5], poses[at + 6], poses[at + 3]),
-    new THREE.Vector3(1, 1, 1),
-  );
 }

@@ -13,7 +13,7 @@ const AT_LIMIT_DEGREES = 0.1;
  * @returns {(joint: number | undefined) => void} shows the joint at its limit, or hides the sign
  */
 export function limitSign(place, body) {
-  const sign = element('p', { class: 'panel limit-sign', role: 'status', hidden: '' });
+  const sign = element('p', { class: 'panel centred limit-sign', role: 'status', hidden: '' });
   place.append(sign);
   return (joint) => {
     sign.hidden = joint === undefined;

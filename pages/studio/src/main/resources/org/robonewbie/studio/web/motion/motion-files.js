@@ -1,4 +1,5 @@
 /** Client for the motion files of the studio's server. */
+import { ask } from '../live/server.js';
 import { decodeText, UTF_8 } from '../state/decoded-text.js';
 import { decode, encode } from '../state/motion/motion-text.js';
 import { pathPart } from '../state/path-part.js';
@@ -17,12 +18,12 @@ import { pathPart } from '../state/path-part.js';
 export class MotionFiles {
   /** @returns {Promise<any>} the robot's description */
   async robot() {
-    return (await this.#ask('GET', 'robot')).json();
+    return (await ask('robot')).json();
   }
 
   /** @returns {Promise<MotionList>} */
   async list() {
-    return (await this.#ask('GET', 'motions')).json();
+    return (await ask('motions')).json();
   }
 
   /**
@@ -31,7 +32,7 @@ export class MotionFiles {
    * @returns {Promise<{document: MotionDocument, version: string}>}
    */
   async read(collection, name) {
-    const answer = await this.#ask('GET', `${collection}/${pathPart(name)}`);
+    const answer = await ask(`${collection}/${pathPart(name)}`);
     const bytes = new Uint8Array(await answer.arrayBuffer());
     try {
       return { document: decode(bytes), version: answer.headers.get('Version') ?? '' };
@@ -48,31 +49,33 @@ export class MotionFiles {
    * @returns {Promise<string>} the new version
    */
   async write(name, document, known) {
-    const answer = await this.#ask('PUT', `motions/${pathPart(name)}`, encode(document), {
-      'Known-Version': known,
+    const answer = await ask(`motions/${pathPart(name)}`, {
+      method: 'PUT',
+      body: encode(document),
+      headers: { 'Known-Version': known },
     });
     return answer.headers.get('Version') ?? '';
   }
 
   /** @param {string} name @param {MotionDocument} document */
   async writeDraft(name, document) {
-    await this.#ask('PUT', `drafts/${pathPart(name)}`, encode(document));
+    await ask(`drafts/${pathPart(name)}`, { method: 'PUT', body: encode(document) });
   }
 
   /** @param {string} name */
   async removeDraft(name) {
-    await this.#ask('DELETE', `drafts/${pathPart(name)}`);
+    await ask(`drafts/${pathPart(name)}`, { method: 'DELETE' });
   }
 
   /** @returns {Promise<string>} */
   async postures() {
-    const answer = await this.#ask('GET', 'poses');
+    const answer = await ask('poses');
     return decodeText(new Uint8Array(await answer.arrayBuffer())).content;
   }
 
   /** @param {string} text */
   async writePostures(text) {
-    await this.#ask('PUT', 'poses', new TextEncoder().encode(text));
+    await ask('poses', { method: 'PUT', body: text });
   }
 
   /**
@@ -81,21 +84,7 @@ export class MotionFiles {
    * @returns {Promise<import('../state/motion/editor-state.js').Trial>}
    */
   async trial(document, start) {
-    return (await this.#ask('POST', 'trial', encode({ ...document, ...UTF_8 }), { Start: start })).json();
-  }
-
-  /**
-   * @param {string} method
-   * @param {string} path
-   * @param {Uint8Array} [body]
-   * @param {Record<string, string>} [headers]
-   */
-  async #ask(method, path, body, headers = {}) {
-    const content = /** @type {BodyInit | undefined} */ (body);
-    const answer = await fetch(`api/${path}`, { method, body: content, headers });
-    if (!answer.ok) {
-      throw Object.assign(new Error(await answer.text()), { status: answer.status });
-    }
-    return answer;
+    const body = encode({ ...document, ...UTF_8 });
+    return (await ask('trial', { method: 'POST', body, headers: { Start: start } })).json();
   }
 }

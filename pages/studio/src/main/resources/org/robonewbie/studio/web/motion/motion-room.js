@@ -205,34 +205,27 @@ class MotionRoom {
 
   #conflict() {
     const { editor, run } = this;
-    const reload = button('Load theirs', 'Undo restores your version', () => run(editor.reload()), {
-      id: 'load-theirs',
-    });
-    const mine = button('Keep mine', 'The next save replaces the file', () => editor.keepMine(), { id: 'keep-mine' });
-    const panel = element(
+    const reload = () => run(editor.reload());
+    return element(
       'div',
-      { id: 'disk-conflict', class: 'panel', role: 'alert' },
+      { id: 'disk-conflict', class: 'panel centred', role: 'alert', hidden: '' },
       element('p', {}, 'This file was changed by another program and also has unsaved changes here.'),
-      reload,
-      mine,
+      button('Load theirs', 'Undo restores your version', reload, { id: 'load-theirs' }),
+      button('Keep mine', 'The next save replaces the file', () => editor.keepMine(), { id: 'keep-mine' }),
     );
-    panel.hidden = true;
-    return panel;
   }
 
   #originalRule() {
     const { editor } = this;
     const old = () => editor.decideRule(true);
     const now = () => editor.decideRule(false);
-    const panel = element(
+    return element(
       'div',
-      { id: 'original-rule', class: 'panel', role: 'status' },
+      { id: 'original-rule', class: 'panel centred', role: 'status', hidden: '' },
       element('p', {}, 'This motion seems to be written for RoboNewbie 1.1, which played short keyframes differently.'),
       button('Play it as 1.1 did', 'Writes // play: 1.1 at its top', old, { id: 'play-original' }),
       button('Leave it', 'Agents play it like other motions', now, { id: 'play-usual' }),
     );
-    panel.hidden = true;
-    return panel;
   }
 
   #takePosture() {

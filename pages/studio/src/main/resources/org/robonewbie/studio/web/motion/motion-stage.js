@@ -1,7 +1,7 @@
 /** The picture of the motion editor: the robot, ghosts of the neighbouring keyframes, centre of mass and support polygon. */
 import * as THREE from 'three';
 import { CameraController } from '../field/camera-controller.js';
-import { opaqueRenderer } from '../field/field-view.js';
+import { opaqueRenderer, rayAt } from '../field/field-view.js';
 import { Light, PALETTES, roomReflections } from '../field/light.js';
 import { ghostMaterial } from '../field/materials.js';
 import { InstancedRobots } from '../field/instanced-robots.js';
@@ -123,14 +123,7 @@ export class MotionStage {
    * @returns {THREE.Ray}
    */
   rayAt(clientX, clientY) {
-    const box = this.stage.getBoundingClientRect();
-    const caster = new THREE.Raycaster();
-    const place = new THREE.Vector2(
-      (2 * (clientX - box.left)) / box.width - 1,
-      1 - (2 * (clientY - box.top)) / box.height,
-    );
-    caster.setFromCamera(place, this.camera);
-    return caster.ray;
+    return rayAt(this, clientX, clientY);
   }
 
   /** @param {number[]} point @returns {number[]} its position on the page */

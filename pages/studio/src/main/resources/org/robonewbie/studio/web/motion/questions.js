@@ -43,7 +43,6 @@ export function askChoice({ entries, ...question }) {
  */
 function opened({ title, label, action, hint }, field, problem) {
   const accept = element('button', { type: 'submit', class: 'primary', id: 'accept' }, action);
-  const cancel = element('button', { type: 'button' }, 'Cancel');
   const wrong = element('p', { class: 'wrong', role: 'status', id: 'answer-problem' });
   const form = element(
     'form',
@@ -52,14 +51,18 @@ function opened({ title, label, action, hint }, field, problem) {
     element('label', {}, element('span', {}, label), field),
     element('p', { class: 'faint' }, hint),
     wrong,
-    element('div', { class: 'dialog-buttons' }, cancel, accept),
+    element(
+      'div',
+      { class: 'dialog-buttons' },
+      button('Cancel', '', () => dialog.close()),
+      accept,
+    ),
   );
   const dialog = shown(title, form);
   field.addEventListener('input', () => {
     wrong.textContent = problem();
     accept.disabled = wrong.textContent !== '';
   });
-  cancel.addEventListener('click', () => dialog.close());
   form.addEventListener('submit', (event) => {
     event.preventDefault();
     if (problem() === '') {

@@ -1,4 +1,5 @@
 /** Pointer controller of the timeline: selects and moves keyframes, turns joints, draws a selection box, scrubs, zooms and scrolls. */
+import { setAttributes } from '../panels/drawing.js';
 import { moved, turnedBy } from '../state/motion/edits.js';
 import { atTime, documentOf, framesOf, selected, shownLength } from '../state/motion/editor-state.js';
 import { keyframesOf } from '../state/motion/motion-document.js';
@@ -257,9 +258,7 @@ export class TimelineController {
     const { box } = this.timeline;
     const sizes = { x: Math.min(from.x, to.x), y: Math.min(from.y, to.y) };
     const edges = { width: Math.abs(to.x - from.x), height: Math.abs(to.y - from.y) };
-    Object.entries({ ...sizes, ...edges, visibility: 'visible' }).forEach(([name, value]) =>
-      box.setAttribute(name, String(value)),
-    );
+    setAttributes(box, { ...sizes, ...edges, visibility: 'visible' });
   }
 
   /** @param {Spot} one @param {Spot} other @returns {import('../state/motion/selection.js').Box} */

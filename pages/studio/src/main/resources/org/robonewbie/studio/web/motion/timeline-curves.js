@@ -1,9 +1,9 @@
 /** Curves of the selected joints, with the angles that the physical robot reached. */
+import { label, shape } from '../panels/drawing.js';
 import { framesOf } from '../state/motion/editor-state.js';
 import { chosenFrames, chosenJoints } from '../state/motion/selection.js';
 import { timesOf } from '../state/motion/timing.js';
 import { roundStep } from '../state/numbers.js';
-import { node, text } from './svg.js';
 
 /**
  * @typedef {import('../state/motion/editor-state.js').EditorState} EditorState
@@ -52,7 +52,7 @@ export function angleScale(state, height, lag) {
 
 /** @param {EditorState} state @param {number} joint @returns {string} CSS class for the colour of its curve */
 export function curveColour(state, joint) {
-  return `joint-curve-${Math.max(0, chosenJoints(state).indexOf(joint)) % COLOURS}`;
+  return `curve-${Math.max(0, chosenJoints(state).indexOf(joint)) % COLOURS}`;
 }
 
 /**
@@ -67,7 +67,7 @@ export function drawCurves(state, scale, angles, lag) {
   return [
     ...drawGrid(scale, angles),
     ...(joints.length === 1 ? drawLimits(state, joints[0], scale, angles) : []),
-    ...joints.flatMap((joint) => drawCurve(state, joint, scale, angles, lag)),
+    ...joints.map((joint) => drawCurve(state, joint, scale, angles, lag)),
   ];
 }
 
@@ -77,8 +77,8 @@ function drawGrid({ width }, { low, high, y }) {
   const parts = [];
   for (let degrees = Math.ceil(low / step) * step; degrees <= high; degrees += step) {
     parts.push(
-      node('line', { class: 'tick', x1: 0, x2: width, y1: y(degrees), y2: y(degrees) }),
-      text(`${degrees}°`, { class: 'tick-text', x: 2, y: y(degrees) - 2 }),
+      shape('line', { class: 'tick', x1: 0, x2: width, y1: y(degrees), y2: y(degrees) }),
+      label(`${degrees}°`, 2, y(degrees) - 2, 'tick-text'),
     );
   }
   return parts;
@@ -88,7 +88,7 @@ function drawGrid({ width }, { low, high, y }) {
 function drawLimits({ body }, joint, { width }, { low, high, height, y }) {
   const { minDegrees, maxDegrees } = body.joints[joint];
   const beyond = (/** @type {number} */ from, /** @type {number} */ to) =>
-    node('rect', { class: 'out-of-range', x: 0, width, y: from, height: Math.max(0, to - from) });
+    shape('rect', { class: 'out-of-range', x: 0, width, y: from, height: Math.max(0, to - from) });
   return [
     ...(maxDegrees < high ? [beyond(0, y(maxDegrees))] : []),
     ...(minDegrees > low ? [beyond(y(minDegrees), height)] : []),
@@ -110,14 +110,15 @@ function drawCurve(state, joint, scale, angles, lag) {
     `${scale.x(time).toFixed(1)},${angles.y(degrees).toFixed(1)}`;
   const points = frames.map(({ degrees }, i) => place(times[i], degrees[joint]));
   const reached = lag?.reached.map((posture, i) => place(i * lag.frameMillis, posture[joint])) ?? [];
-  const group = node('g', { class: curveColour(state, joint), 'data-curve': String(joint) });
-  group.append(
-    node('polyline', { class: 'curve', points: points.join(' ') }),
-    ...(reached.length > 0 ? [node('polyline', { class: 'reached', points: reached.join(' ') })] : []),
+  const group = shape(
+    'g',
+    { class: curveColour(state, joint), 'data-curve': joint },
+    shape('polyline', { class: 'curve', points: points.join(' ') }),
+    ...(reached.length > 0 ? [shape('polyline', { class: 'reached', points: reached.join(' ') })] : []),
     ...points.map((each, i) => {
       const [cx, cy] = each.split(',');
-      return node('circle', { class: chosen.has(i) ? 'point chosen' : 'point', cx, cy, r: chosen.has(i) ? 5 : 3.5 });
+      return shape('circle', { class: chosen.has(i) ? 'point chosen' : 'point', cx, cy, r: chosen.has(i) ? 5 : 3.5 });
     }),
   );
-  return [group];
+  return group;
 }

@@ -1,10 +1,10 @@
 /** The header of the timeline: the ruler, keyframes with stick figures, and the marks of faults. */
+import { diamond, label, shape, title } from '../panels/drawing.js';
 import { framesOf } from '../state/motion/editor-state.js';
 import { roundStep } from '../state/numbers.js';
 import { chosenFrames } from '../state/motion/selection.js';
 import { secondsText, timesOf } from '../state/motion/timing.js';
 import { headOf, stickFigure } from './stick-figure.js';
-import { diamond, node, text, title } from './svg.js';
 import { SIDE } from './timeline-scale.js';
 
 /**
@@ -46,12 +46,12 @@ export function kindsOf(marks) {
 /** @param {TimeScale} scale @returns {SVGElement[]} */
 export function drawRuler(scale) {
   const step = Math.max(MIN_STEP, roundStep(TICK_GAP / scale.perMilli));
-  const parts = [node('rect', { class: 'ruler', x: 0, y: 0, width: '100%', height: RULER })];
+  const parts = [shape('rect', { class: 'ruler', x: 0, y: 0, width: '100%', height: RULER })];
   for (let time = Math.ceil(scale.from / step) * step; time <= scale.from + scale.span; time += step) {
     const x = scale.x(time);
-    parts.push(node('line', { class: 'tick', x1: x, x2: x, y1: RULER - 5, y2: HEAD_HEIGHT }));
+    parts.push(shape('line', { class: 'tick', x1: x, x2: x, y1: RULER - 5, y2: HEAD_HEIGHT }));
     if (x + TICK_TEXT_WIDTH < scale.width) {
-      parts.push(text(`${time / 1000} s`, { class: 'tick-text', x: x + 4, y: 13 }));
+      parts.push(label(`${time / 1000} s`, x + 4, 13, 'tick-text'));
     }
   }
   return parts;
@@ -71,17 +71,18 @@ export function drawKeyframes(state, scale) {
     const isChosen = chosen.includes(i);
     const hasFigure = x - lastFigure >= MIN_GAP || i === state.last;
     lastFigure = hasFigure ? x : lastFigure;
-    const group = node('g', {
-      class: `keyframe${isChosen ? ' chosen' : ''}`,
-      transform: `translate(${x.toFixed(1)} 0)`,
-      'data-keyframe': String(i),
-      role: 'img',
-      'aria-label': `Keyframe ${i + 1} at ${secondsText(times[i])}`,
-    });
-    group.append(
-      node('rect', { class: 'card', x: -15, y: RULER + 2, width: 30, height: 50, rx: 5 }),
+    const group = shape(
+      'g',
+      {
+        class: `keyframe${isChosen ? ' chosen' : ''}`,
+        transform: `translate(${x.toFixed(1)} 0)`,
+        'data-keyframe': i,
+        role: 'img',
+        'aria-label': `Keyframe ${i + 1} at ${secondsText(times[i])}`,
+      },
+      shape('rect', { class: 'card', x: -15, y: RULER + 2, width: 30, height: 50, rx: 5 }),
       ...(hasFigure ? [figureOf(state.body, frame.degrees)] : []),
-      node('path', { class: 'diamond', d: diamond(0, HEAD_HEIGHT - 6, 5) }),
+      shape('path', { class: 'diamond', d: diamond(0, HEAD_HEIGHT - 6, 5) }),
       title(keyframeHint(i, times[i], frame.millis, state.alone)),
     );
     return [group];
@@ -101,10 +102,10 @@ function keyframeHint(index, time, millis, alone) {
 
 /** @param {EditorState['body']} body @param {readonly number[]} degrees */
 function figureOf(body, degrees) {
-  const figure = node('g', { class: 'figure', transform: `translate(0 ${FIGURE_GROUND})` });
-  const [x, y] = headOf(body, degrees);
-  figure.append(node('path', { d: stickFigure(body, degrees) }), node('circle', { cx: x, cy: y, r: 3.4 }));
-  return figure;
+  const [cx, cy] = headOf(body, degrees);
+  const limbs = shape('path', { d: stickFigure(body, degrees) });
+  const attributes = { class: 'figure', transform: `translate(0 ${FIGURE_GROUND})` };
+  return shape('g', attributes, limbs, shape('circle', { cx, cy, r: 3.4 }));
 }
 
 /**
@@ -120,16 +121,8 @@ export function drawMarks(marks, rows, scale) {
     if (x > scale.width || x + width < 0 || !rows.includes(mark.kind)) {
       return [];
     }
-    const bar = node('rect', {
-      class: `mark ${mark.kind}`,
-      x,
-      y: rows.indexOf(mark.kind) * MARK_ROW + 2,
-      width,
-      height: MARK_ROW - 5,
-      rx: 2,
-      'data-mark': String(index),
-    });
-    bar.append(title(`${mark.text}. Click to go there.`));
-    return [bar];
+    const y = rows.indexOf(mark.kind) * MARK_ROW + 2;
+    const box = { class: `mark ${mark.kind}`, x, y, width, height: MARK_ROW - 5, rx: 2, 'data-mark': index };
+    return [shape('rect', box, title(`${mark.text}. Click to go there.`))];
   });
 }

@@ -10,19 +10,6 @@ import { scrolling, withWholeView, zooming } from './timeline-side.js';
 const FINE_MILLIS = 20;
 const COARSE_MILLIS = 100;
 
-/** Entries for the list of keys. */
-export const TIMELINE_KEYS = [
-  ['Shift ← →', 'on the timeline: choose several keyframes'],
-  ['↑ ↓', 'on the timeline: choose a joint, with Shift several'],
-  ['Ctrl ← →', 'on the timeline: move the chosen keyframes by 20 ms, with Shift by 100'],
-  ['Alt ← →', 'the same, but all others stay in place'],
-  ['Ctrl ↑ ↓', 'on the timeline: turn the chosen joints by 1°, with Shift by 10°'],
-  ['+ − 0', 'on the timeline: zoom in, zoom out, whole motion'],
-  ['Page up, down', 'on the timeline: scroll'],
-  ['Home, End', 'on the timeline: first and last keyframe'],
-  ['Esc', 'on the timeline: choose one keyframe with all its joints'],
-];
-
 /** @param {import('./timeline.js').Timeline} timeline */
 export function timelineKeys(timeline) {
   timeline.place.addEventListener('keydown', (event) => {

@@ -1,9 +1,9 @@
 /** Dope sheet: one row per joint, with a diamond at each keyframe that changes its angle. */
+import { diamond, shape } from '../panels/drawing.js';
 import { framesOf } from '../state/motion/editor-state.js';
 import { jointRows } from '../state/motion/names.js';
 import { chosenFrames } from '../state/motion/selection.js';
 import { timesOf } from '../state/motion/timing.js';
-import { diamond, node } from './svg.js';
 
 /**
  * @typedef {import('../state/motion/editor-state.js').EditorState} EditorState
@@ -30,30 +30,16 @@ export function drawRows(state, scale, lag) {
     const angles = frames.map(({ degrees }) => degrees[joint]);
     const is = (/** @type {number} */ i) => chosen.has(i) && isChosenRow;
     const turns = angles.map((_, i) => turnsAt(angles, xs, i));
-    const all = angles.map((_, i) => i);
+    /** @param {string} kind @param {(i: number) => boolean} isShown @param {number} size */
+    const diamonds = (kind, isShown, size) =>
+      shape('path', { class: kind, d: xs.map((x, i) => (isShown(i) ? diamond(x, y, size) : '')).join('') });
     return [
-      node('rect', { class: rowClass(state, joint), x: 0, y: row * ROW, width: '100%', height: ROW }),
+      shape('rect', { class: rowClass(state, joint), x: 0, y: row * ROW, width: '100%', height: ROW }),
       ...lagOf(lag, joint, y, scale),
-      node('path', { class: 'way', d: waysOf(angles, xs, y) }),
-      node('path', {
-        class: 'dot',
-        d: pathOf(
-          all.filter((i) => !turns[i] && !is(i)),
-          xs,
-          y,
-          2,
-        ),
-      }),
-      node('path', {
-        class: 'key',
-        d: pathOf(
-          all.filter((i) => turns[i] && !is(i)),
-          xs,
-          y,
-          4.5,
-        ),
-      }),
-      node('path', { class: 'key chosen', d: pathOf(all.filter(is), xs, y, 5) }),
+      shape('path', { class: 'way', d: waysOf(angles, xs, y) }),
+      diamonds('dot', (i) => !turns[i] && !is(i), 2),
+      diamonds('key', (i) => turns[i] && !is(i), 4.5),
+      diamonds('key chosen', is, 5),
     ];
   });
 }
@@ -61,11 +47,6 @@ export function drawRows(state, scale, lag) {
 /** @param {EditorState} state @param {number} joint */
 function rowClass(state, joint) {
   return state.rows.includes(joint) || state.joint === joint ? 'row chosen' : 'row';
-}
-
-/** @param {number[]} indices @param {number[]} xs @param {number} y @param {number} size */
-function pathOf(indices, xs, y, size) {
-  return indices.map((i) => diamond(xs[i], y, size)).join('');
 }
 
 /** Lines where the joint moves. @param {number[]} angles @param {number[]} xs @param {number} y */
@@ -101,5 +82,5 @@ function lagOf(lag, joint, y, scale) {
   const d = (lag?.late[joint] ?? [])
     .map(([from, to]) => `M${scale.x(from).toFixed(1)} ${y}H${scale.x(to).toFixed(1)}`)
     .join('');
-  return d === '' ? [] : [node('path', { class: 'late', d })];
+  return d === '' ? [] : [shape('path', { class: 'late', d })];
 }

@@ -1,9 +1,9 @@
 /** The timeline of a motion: keyframes and marks above, joints as rows or curves below, and the playhead across both. */
+import { shape } from '../panels/drawing.js';
 import { element } from '../panels/elements.js';
 import { shownLength } from '../state/motion/editor-state.js';
 import { jointRows } from '../state/motion/names.js';
 import { secondsText } from '../state/motion/timing.js';
-import { node } from './svg.js';
 import { angleScale, drawCurves } from './timeline-curves.js';
 import { TimelineController } from './timeline-controller.js';
 import { drawKeyframes, drawMarks, drawRuler, HEAD_HEIGHT, kindsOf, MARK_ROW } from './timeline-head.js';
@@ -32,12 +32,11 @@ export class Timeline {
   constructor(place, body, editor) {
     this.place = place;
     this.editor = editor;
-    this.head = node('svg', { class: 'timeline-head', height: HEAD_HEIGHT });
-    this.strip = node('svg', { class: 'mark-strip', height: 0 });
-    this.drawing = node('svg', { class: 'track-drawing' });
-    this.box = node('rect', { class: 'choice-box', visibility: 'hidden' });
-    this.still = node('g');
-    this.drawing.append(this.still, this.box);
+    this.head = shape('svg', { class: 'timeline-head', height: HEAD_HEIGHT });
+    this.strip = shape('svg', { class: 'mark-strip', height: 0 });
+    this.box = shape('rect', { class: 'choice-box', visibility: 'hidden' });
+    this.still = shape('g');
+    this.drawing = shape('svg', { class: 'track-drawing' }, this.still, this.box);
     this.side = timelineSide(editor);
     this.markNames = markNames(editor);
     this.names = jointNames(body, editor);

@@ -1,4 +1,5 @@
 /** Exercise panel: select an exercise, run a program on it, and watch the judge live. */
+import { ask } from '../live/server.js';
 import { hints, lessonLine, lessonTitle, progressText, trialText, likelyProgram } from '../state/course.js';
 import { CourseHelp } from './course-help.js';
 import { CourseStandings } from './course-standings.js';
@@ -216,11 +217,7 @@ export class CoursePanel {
 
   /** @param {string} path @param {string} [method] */
   async #ask(path, method = 'GET') {
-    const answer = await fetch(`api/${path}`, { method });
-    if (!answer.ok) {
-      throw new Error(await answer.text());
-    }
-    return answer.json();
+    return (await ask(path, { method })).json();
   }
 }
 
@@ -257,11 +254,8 @@ function words() {
 function controls() {
   const control = (/** @type {string} */ id, /** @type {string} */ title, text = '') =>
     element('button', { type: 'button', id, title }, text);
-  const trials = element('select', { id: 'course-trials', 'aria-label': 'Trials' });
-  setEntries(
-    trials,
-    TRIALS.map((count) => [count, count === '1' ? '1 trial' : `${count} trials`]),
-  );
+  const counts = TRIALS.map((count) => /** @type {const} */ ([count, count === '1' ? '1 trial' : `${count} trials`]));
+  const trials = choice({ id: 'course-trials', 'aria-label': 'Trials' }, counts, () => {});
   trials.value = DEFAULT_TRIALS;
   return {
     program: element('select', { id: 'course-program', 'aria-label': 'Program to run' }),

@@ -1,6 +1,6 @@
 /** Keyboard handling and the page that explains the keys. */
 import { CAMERAS } from '../field/camera-controller.js';
-import { byId, element } from './elements.js';
+import { button, byId, element } from './elements.js';
 
 /**
  * @typedef {object} Action
@@ -136,8 +136,7 @@ function hasCtrl(event) {
 function fillHelp(help, { actions, mouse }) {
   /** @param {string} key @param {string} text */
   const row = (key, text) => element('div', {}, element('dt', {}, element('kbd', {}, key)), element('dd', {}, text));
-  const close = element('button', { type: 'button', class: 'primary' }, 'Close');
-  close.addEventListener('click', () => help.close());
+  const close = button('Close', '', () => help.close(), { class: 'primary' });
   help.replaceChildren(
     element('h2', {}, 'Keys and mouse'),
     element(

@@ -31,10 +31,9 @@ export class PuppetPanel {
     this.padDown = new Set();
     this.padWalk = '';
     this.pad = element('p', { class: 'faint', id: 'gamepad', hidden: '' }, PAD_TEXT);
-    this.add = button('Add a puppet', 'A robot under your control', () => this.#add());
-    this.add.id = 'add-puppet';
-    this.away = button('Remove', 'Removes this puppet from the pitch', () => this.#order({ do: 'removePuppet' }));
-    this.away.id = 'remove-puppet';
+    this.add = button('Add a puppet', 'A robot under your control', () => this.#add(), { id: 'add-puppet' });
+    const remove = () => this.#order({ do: 'removePuppet' });
+    this.away = button('Remove', 'Removes this puppet from the pitch', remove, { id: 'remove-puppet' });
     this.stand = button('Stand', 'Releases all joints and stands up', () =>
       this.#order({ do: 'perform', motion: 'stand' }),
     );

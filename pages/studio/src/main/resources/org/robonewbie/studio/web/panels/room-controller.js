@@ -61,7 +61,7 @@ export class RoomController {
     this.motion = undefined;
     /** @type {Awaited<ReturnType<typeof import('../replay/replay-room.js').openReplayRoom>> | undefined} */
     this.replay = undefined;
-    /** @type {ReturnType<typeof import('../robot/robot-room.js').openRobotRoom> | undefined} */
+    /** @type {import('../robot/robot-room.js').RobotRoom | undefined} */
     this.robot = undefined;
     /** @type {Awaited<ReturnType<typeof import('../program/program-room.js').openProgramRoom>> | undefined} */
     this.program = undefined;
@@ -146,8 +146,8 @@ export class RoomController {
   }
 
   async #openRobot() {
-    const [{ openRobotRoom }] = await Promise.all([import('../robot/robot-room.js'), loadStyles(ROBOT_STYLES)]);
-    this.robot = openRobotRoom(this.surroundings);
+    const [{ RobotRoom }] = await Promise.all([import('../robot/robot-room.js'), loadStyles(ROBOT_STYLES)]);
+    this.robot = new RobotRoom(this.surroundings);
   }
 
   async #openReplay() {

@@ -1,15 +1,7 @@
 /** Scenes: saves the present state under a name and restores it any number of times. */
+import { ask } from '../live/server.js';
 import { pathPart } from '../state/path-part.js';
-import { button, byId, element, setEntries } from './elements.js';
-
-/** @param {string} path @param {RequestInit} [options] */
-async function ask(path, options) {
-  const answer = await fetch(`api/${path}`, options);
-  if (!answer.ok) {
-    throw new Error(await answer.text());
-  }
-  return answer.json();
-}
+import { button, byId, choice, element, setEntries } from './elements.js';
 
 /**
  * Describes how completely a scene was restored.
@@ -33,8 +25,8 @@ export function restoredText({ exact, agents }) {
  * @param {number} moment
  * @returns {Promise<{exact: boolean, agents: number}>}
  */
-export function startFrom(recording, moment) {
-  return ask(`start/${pathPart(recording)}?moment=${moment}`, { method: 'POST' });
+export async function startFrom(recording, moment) {
+  return (await ask(`start/${pathPart(recording)}?moment=${moment}`, { method: 'POST' })).json();
 }
 
 /**
@@ -63,7 +55,7 @@ class ScenePanel {
     this.goLive = goLive;
     const words = { placeholder: 'Name', 'aria-label': 'Name of the scene', maxlength: '60' };
     this.name = element('input', { id: 'scene-name', ...words });
-    this.list = element('select', { id: 'scene-list', 'aria-label': 'Saved scenes' });
+    this.list = choice({ id: 'scene-list', 'aria-label': 'Saved scenes' }, [], () => {});
     this.place = byId('scenes');
     const save = this.#control('scene-save', 'Save', 'Saves ball, robots, score and time', () => this.#save());
     this.back = this.#control('scene-restore', 'Restore', 'Restores the scene, with the clock stopped', () =>
@@ -105,7 +97,7 @@ class ScenePanel {
 
   async #refresh(chosen = this.list.value) {
     /** @type {{scenes: string[]}} */
-    const { scenes } = await ask('scenes');
+    const { scenes } = await (await ask('scenes')).json();
     setEntries(
       this.list,
       scenes.map((each) => [each, each]),
@@ -118,14 +110,14 @@ class ScenePanel {
 
   async #save() {
     const chosen = this.name.value.trim() || `Scene ${this.list.options.length + 1}`;
-    await this.#put(chosen);
+    await this.#ask(chosen, '', 'PUT');
     await this.#refresh(chosen);
     this.#forgetName(chosen);
     this.note(`Scene "${chosen}" is saved.`);
   }
 
   async #restore() {
-    const restored = await this.#ask(this.list.value, '', 'POST');
+    const restored = await (await this.#ask(this.list.value, '', 'POST')).json();
     this.goLive();
     this.note(restoredText(restored));
   }
@@ -136,7 +128,7 @@ class ScenePanel {
       this.name.focus();
       throw new Error('Enter the new name in the field above first.');
     }
-    await this.#put(to, `?was=${encodeURIComponent(from)}`);
+    await this.#ask(to, `?was=${encodeURIComponent(from)}`, 'PUT');
     await this.#refresh(to);
     this.#forgetName(to);
   }
@@ -146,11 +138,6 @@ class ScenePanel {
     await this.#ask(scene, '', 'DELETE');
     await this.#refresh();
     this.note(`Scene "${scene}" was deleted. Undo restores it.`);
-  }
-
-  /** @param {string} scene */
-  #put(scene, how = '') {
-    return this.#ask(scene, how, 'PUT');
   }
 
   /** @param {string} scene @param {string} how @param {string} method */

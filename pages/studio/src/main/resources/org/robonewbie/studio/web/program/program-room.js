@@ -1,6 +1,6 @@
 /** The program room: editor, compiler and the running program, beside the robot. */
-import { button, byId, element } from '../panels/elements.js';
-import { PANEL_TITLES } from '../state/layout.js';
+import { element } from '../panels/elements.js';
+import { sidePanel } from '../panels/side-panel.js';
 import { isOpenToChange, programAt } from '../state/program/documents.js';
 import { remarksText } from '../state/program/remarks.js';
 import { CodeEditor } from './code-editor.js';
@@ -37,8 +37,8 @@ class ProgramRoom {
   constructor(surroundings) {
     this.surroundings = surroundings;
     this.service = new ProgramService();
-    const code = this.#panel('code');
-    const said = this.#panel('said');
+    const code = sidePanel('program', 'code', surroundings.fold);
+    const said = sidePanel('program', 'said', surroundings.fold);
     this.bar = element('div', { class: 'program-bar' });
     this.notes = element('div', { class: 'program-notes' });
     const place = element('div', { id: 'program-editor' });
@@ -182,19 +182,6 @@ class ProgramRoom {
       boost: -i / 100,
     }));
     return { from: word.from, options, validFor: /^\w*$/ };
-  }
-
-  /** A panel below its title, which collapses it. @param {'code' | 'said'} name */
-  #panel(name) {
-    const title = PANEL_TITLES[name];
-    const fold = button(title, 'Collapse or expand', () => this.surroundings.fold(name), {
-      class: 'panel-title',
-      'aria-expanded': 'true',
-    });
-    const inside = element('div', { class: 'panel-inside', id: `program-${name}` });
-    const made = element('section', { class: 'side-panel', 'data-panel': name, 'aria-label': title }, fold, inside);
-    byId('program-room').append(made);
-    return inside;
   }
 }
 

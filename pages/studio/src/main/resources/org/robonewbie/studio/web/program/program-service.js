@@ -1,5 +1,6 @@
 /** Client for everything that the program room needs: files, compiler, processes, exercises. The only server access of the room. */
 
+import { ask } from '../live/server.js';
 import { decodeText, legibleText, UTF_8 } from '../state/decoded-text.js';
 
 /**
@@ -23,12 +24,12 @@ import { decodeText, legibleText, UTF_8 } from '../state/decoded-text.js';
 export class ProgramService {
   /** @returns {Promise<ProgramList>} */
   async list() {
-    return (await this.#ask('GET', 'programs')).json();
+    return (await ask('programs')).json();
   }
 
   /** @param {'own' | 'draft' | 'example'} kind @param {string} path @returns {Promise<ReadProgram>} */
   async read(kind, path) {
-    const answer = await this.#ask('GET', `programs/${kind}/${escaped(path)}`);
+    const answer = await ask(`programs/${kind}/${escaped(path)}`);
     const version = answer.headers.get('Version') ?? '';
     const bytes = new Uint8Array(await answer.arrayBuffer());
     try {
@@ -42,7 +43,7 @@ export class ProgramService {
   /** @param {string} path @param {string} [example] template @returns {Promise<string>} the text of a new program */
   async newProgram(path, example = '') {
     const how = new URLSearchParams({ example });
-    return (await this.#ask('GET', `programs/new/${escaped(path)}?${how}`)).text();
+    return (await ask(`programs/new/${escaped(path)}?${how}`)).text();
   }
 
   /**
@@ -53,7 +54,11 @@ export class ProgramService {
    */
   async write(path, bytes, known) {
     const content = /** @type {BodyInit} */ (bytes);
-    const answer = await this.#ask('PUT', `programs/own/${escaped(path)}`, content, { 'Known-Version': known });
+    const answer = await ask(`programs/own/${escaped(path)}`, {
+      method: 'PUT',
+      body: content,
+      headers: { 'Known-Version': known },
+    });
     return answer.headers.get('Version') ?? '';
   }
 
@@ -64,73 +69,68 @@ export class ProgramService {
    * @returns {Promise<string>} the new version
    */
   async writeDraft(path, text, known) {
-    const answer = await this.#ask('PUT', `programs/draft/${escaped(path)}`, text, { 'Known-Version': known });
+    const answer = await ask(`programs/draft/${escaped(path)}`, {
+      method: 'PUT',
+      body: text,
+      headers: { 'Known-Version': known },
+    });
     return answer.headers.get('Version') ?? '';
   }
 
   /** @param {string} path @param {string} known version to remove; any other is kept */
   async removeDraft(path, known) {
-    await this.#ask('DELETE', `programs/draft/${escaped(path)}`, undefined, { 'Known-Version': known });
+    await ask(`programs/draft/${escaped(path)}`, { method: 'DELETE', headers: { 'Known-Version': known } });
   }
 
   /** @param {string} path @param {string} text @returns {Promise<Remark[]>} */
   async check(path, text) {
-    return (await this.#ask('POST', `programs/check/${escaped(path)}`, text)).json();
+    return (await ask(`programs/check/${escaped(path)}`, { method: 'POST', body: text })).json();
   }
 
   /** @param {string} path @param {string} text @param {number} at @returns {Promise<Proposal[]>} */
   async complete(path, text, at) {
-    return (await this.#ask('POST', `programs/complete/${escaped(path)}?at=${at}`, text)).json();
+    return (await ask(`programs/complete/${escaped(path)}?at=${at}`, { method: 'POST', body: text })).json();
   }
 
   /** @param {string} path @param {'keep' | 'fresh'} world @returns {Promise<ProgramRun>} */
   async run(path, world) {
-    return (await this.#ask('POST', `programs/run/${escaped(path)}?world=${world}`)).json();
+    return (await ask(`programs/run/${escaped(path)}?world=${world}`, { method: 'POST' })).json();
   }
 
   /** @returns {Promise<ProgramRun>} */
   async state() {
-    return (await this.#ask('GET', 'programs/run')).json();
+    return (await ask('programs/run')).json();
   }
 
   /** @returns {Promise<ProgramRun>} */
   async stop() {
-    return (await this.#ask('DELETE', 'programs/run')).json();
+    return (await ask('programs/run', { method: 'DELETE' })).json();
   }
 
   /** @returns {Promise<Lesson[]>} */
   async lessons() {
-    return (await (await this.#ask('GET', 'course')).json()).lessons;
+    return (await (await ask('course')).json()).lessons;
   }
 
   /** Creates the starter program of an exercise. @param {string} lesson @returns {Promise<string>} its path */
   async createStarter(lesson) {
-    return (await this.#ask('PUT', `course/${lesson}`)).json();
+    return (await ask(`course/${lesson}`, { method: 'PUT' })).json();
   }
 
   /** @param {string} lesson @param {string} path @param {number} trials @returns {Promise<Attempt>} */
   async attempt(lesson, path, trials) {
     const how = new URLSearchParams({ program: path, trials: String(trials) });
-    return (await this.#ask('POST', `course/${lesson}?${how}`)).json();
+    return (await ask(`course/${lesson}?${how}`, { method: 'POST' })).json();
   }
 
   /** @returns {Promise<Attempt>} */
   async attemptNow() {
-    return (await this.#ask('GET', 'course/attempt')).json();
+    return (await ask('course/attempt')).json();
   }
 
   /** @returns {Promise<Attempt>} */
   async leaveAttempt() {
-    return (await this.#ask('DELETE', 'course/attempt')).json();
-  }
-
-  /** @param {string} method @param {string} path @param {BodyInit} [body] @param {Record<string, string>} [headers] */
-  async #ask(method, path, body, headers = {}) {
-    const answer = await fetch(`api/${path}`, { method, body, headers });
-    if (!answer.ok) {
-      throw Object.assign(new Error(await answer.text()), { status: answer.status });
-    }
-    return answer;
+    return (await ask('course/attempt', { method: 'DELETE' })).json();
   }
 }
 

@@ -13,41 +13,28 @@ const setSaid = StateEffect.define();
 /** @type {import('@codemirror/state').StateEffectType<readonly Value[]>} */
 const setValues = StateEffect.define();
 
-class SaidBelow extends WidgetType {
-  /** @param {Said} said */
-  constructor(said) {
+/** Shows an element in the text. */
+class ElementWidget extends WidgetType {
+  /** @param {HTMLElement} shown */
+  constructor(shown) {
     super();
-    this.said = said;
+    this.shown = shown;
   }
 
-  /** @param {SaidBelow} other */
+  /** @param {ElementWidget} other */
   eq(other) {
-    return other.said.text === this.said.text && other.said.hint === this.said.hint;
+    return other.shown.isEqualNode(this.shown);
   }
 
   toDOM() {
-    const { kind, text, hint } = this.said;
-    const said = element('div', { class: 'cm-said', 'data-kind': kind }, element('strong', {}, text));
-    said.append(hint === '' ? '' : `\n${hint}`);
-    return said;
+    return /** @type {HTMLElement} */ (this.shown.cloneNode(true));
   }
 }
 
-class ValueBehind extends WidgetType {
-  /** @param {string} text */
-  constructor(text) {
-    super();
-    this.text = text;
-  }
-
-  /** @param {ValueBehind} other */
-  eq(other) {
-    return other.text === this.text;
-  }
-
-  toDOM() {
-    return element('span', { class: 'cm-value' }, `= ${this.text}`);
-  }
+/** @param {Said} said */
+function saidBelow({ kind, text, hint }) {
+  const more = hint === '' ? '' : `\n${hint}`;
+  return new ElementWidget(element('div', { class: 'cm-said', 'data-kind': kind }, element('strong', {}, text), more));
 }
 
 /**
@@ -77,11 +64,12 @@ function fieldFor(effect, shown) {
 export const SAID_LINES = [
   fieldFor(setSaid, (said, line) => [
     ...(said.ran ? [Decoration.line({ class: 'cm-failed' }).range(line.from)] : []),
-    Decoration.widget({ widget: new SaidBelow(said), block: true, side: 1 }).range(line.to),
+    Decoration.widget({ widget: saidBelow(said), block: true, side: 1 }).range(line.to),
   ]),
-  fieldFor(setValues, (value, line) => [
-    Decoration.widget({ widget: new ValueBehind(value.text), side: 1 }).range(line.to),
-  ]),
+  fieldFor(setValues, ({ text }, line) => {
+    const widget = new ElementWidget(element('span', { class: 'cm-value' }, `= ${text}`));
+    return [Decoration.widget({ widget, side: 1 }).range(line.to)];
+  }),
 ];
 
 /** @param {EditorView} view @param {readonly Said[]} said */

@@ -1,7 +1,7 @@
 /** Bookmarks of the open recording: moments with notes, to jump to and to link to. */
 import { button, element, setText } from '../panels/elements.js';
 import { MOMENTS_PER_SECOND } from '../state/replay/replay-state.js';
-import { addBookmark, deleteBookmark } from './recording-api.js';
+import { addBookmark, attempt, deleteBookmark } from './recording-api.js';
 
 /**
  * @typedef {import('./recording-api.js').Bookmark} Bookmark
@@ -93,21 +93,21 @@ export class BookmarkList {
     const seconds = Math.round(this.actions.now()) / MOMENTS_PER_SECOND;
     const note = this.#field.value.trim();
     this.#field.value = '';
-    this.#act(() => addBookmark(this.recording, { seconds, note }));
+    attempt(() => addBookmark(this.recording, { seconds, note }), this.actions);
   }
 
   /** @param {Bookmark} bookmark */
   #remove(bookmark) {
     this.#deleted.push(bookmark);
     this.#undo.hidden = false;
-    this.#act(() => deleteBookmark(this.recording, bookmark.seconds));
+    attempt(() => deleteBookmark(this.recording, bookmark.seconds), this.actions);
   }
 
   #bringBack() {
     const bookmark = this.#deleted.pop();
     this.#undo.hidden = this.#deleted.length === 0;
     if (bookmark) {
-      this.#act(() => addBookmark(this.recording, bookmark));
+      attempt(() => addBookmark(this.recording, bookmark), this.actions);
     }
   }
 
@@ -121,15 +121,5 @@ export class BookmarkList {
     } catch {
       this.actions.note('The address of this moment is in the address bar; copy it from there.');
     }
-  }
-
-  /** @param {() => Promise<unknown>} action */
-  async #act(action) {
-    try {
-      await action();
-    } catch (error) {
-      this.actions.note(/** @type {Error} */ (error).message);
-    }
-    await this.actions.changed().catch(() => {});
   }
 }

@@ -1,5 +1,6 @@
 /** Selects a second run for comparison and shows the distances between the two. */
-import { element, setText } from '../panels/elements.js';
+import { shape } from '../panels/drawing.js';
+import { choice, element, setEntries, setText } from '../panels/elements.js';
 import { curveOf, differences, withGhosts } from '../state/replay/comparison.js';
 import { frameOf, sceneOf } from '../state/replay/replay-state.js';
 import { RecordingFile } from './recordings.js';
@@ -11,7 +12,6 @@ import { RecordingFile } from './recordings.js';
 
 const POINTS = 200;
 const HEIGHT = 26;
-const SVG = 'http://www.w3.org/2000/svg';
 
 export class ComparisonPanel {
   /**
@@ -23,22 +23,14 @@ export class ComparisonPanel {
     this.listener = listener;
     /** @type {RecordingFile | undefined} */
     this.file = undefined;
-    this.choice = element('select', {
-      id: 'compare-with',
-      'aria-label': 'Compare with',
-      title: 'Shows a second run as grey ghosts',
-    });
-    this.choice.addEventListener('change', () => this.#choose(this.choice.value));
+    const look = { id: 'compare-with', 'aria-label': 'Compare with', title: 'Shows a second run as grey ghosts' };
+    this.choice = choice(look, [], (name) => this.#choose(name));
     this.reading = element('span', { class: 'faint', id: 'compare-reading' });
-    this.svg = document.createElementNS(SVG, 'svg');
-    this.svg.setAttribute('class', 'compare-curve');
-    this.svg.setAttribute('viewBox', `0 0 ${POINTS} ${HEIGHT}`);
-    this.svg.setAttribute('preserveAspectRatio', 'none');
-    this.polyline = document.createElementNS(SVG, 'polyline');
+    this.polyline = shape('polyline');
+    const box = { class: 'compare-curve', viewBox: `0 0 ${POINTS} ${HEIGHT}`, preserveAspectRatio: 'none' };
     this.scale = element('span', { class: 'faint', title: 'Distance of ball and robots over time' });
-    this.svg.append(this.polyline);
-    this.line = element('div', { class: 'compare-line', hidden: '' });
-    this.line.append(this.scale, this.svg, this.reading);
+    const curve = shape('svg', box, this.polyline);
+    this.line = element('div', { class: 'compare-line', hidden: '' }, this.scale, curve, this.reading);
     this.listed = '';
     this.drawn = '';
     /** @type {{own: unknown, other: unknown, picture: Picture} | undefined} */
@@ -51,10 +43,7 @@ export class ComparisonPanel {
     const key = names.join('\n');
     if (key !== this.listed) {
       this.listed = key;
-      this.choice.replaceChildren(
-        element('option', { value: '' }, 'Compare with…'),
-        ...names.map((name) => element('option', { value: name }, name)),
-      );
+      setEntries(this.choice, [['', 'Compare with…'], ...names.map((name) => /** @type {const} */ ([name, name]))]);
     }
     this.choice.value = this.file?.name ?? '';
     this.choice.hidden = names.length === 0;

@@ -26,15 +26,18 @@
  * @typedef {import('../state/replay/recorded-run.js').Growth} Growth
  * @typedef {import('../state/replay/recorded-run.js').Summary} Summary
  */
+import { ask } from '../live/server.js';
 import { pathPart } from '../state/path-part.js';
 
-/** @param {string} path @param {string} [method] */
-async function ask(path, method = 'GET') {
-  const answer = await fetch(`api/${path}`, { method });
-  if (!answer.ok) {
-    throw new Error(await answer.text());
-  }
-  return answer;
+/**
+ * Runs a change, reports its failure, and has the list of recordings reloaded.
+ *
+ * @param {() => Promise<unknown>} change
+ * @param {{note: (text: string) => void, changed: () => Promise<void>}} listener
+ */
+export async function attempt(change, { note, changed }) {
+  await change().catch((error) => note(error.message));
+  await changed().catch(() => {});
 }
 
 /** @returns {Promise<{folder?: string, recordings: RecordingEntry[]}>} */
@@ -73,20 +76,22 @@ export async function loadNotes(name, skip) {
 }
 
 /** @param {string} from @param {string} to */
-export const renameRecording = (from, to) => ask(`recordings/${pathPart(to)}?was=${encodeURIComponent(from)}`, 'PUT');
+export const renameRecording = (from, to) =>
+  ask(`recordings/${pathPart(to)}?was=${encodeURIComponent(from)}`, { method: 'PUT' });
 
 /** @param {string} name */
-export const deleteRecording = (name) => ask(`recordings/${pathPart(name)}`, 'DELETE');
+export const deleteRecording = (name) => ask(`recordings/${pathPart(name)}`, { method: 'DELETE' });
 
 /** @param {string} name */
-export const bringBackRecording = (name) => ask(`recordings/${pathPart(name)}?removed=yes`, 'PUT');
+export const bringBackRecording = (name) => ask(`recordings/${pathPart(name)}?removed=yes`, { method: 'PUT' });
 
 /** @param {string} name @param {boolean} on */
-export const starRecording = (name, on) => ask(`stars/${pathPart(name)}`, on ? 'PUT' : 'DELETE');
+export const starRecording = (name, on) => ask(`stars/${pathPart(name)}`, { method: on ? 'PUT' : 'DELETE' });
 
 /** @param {string} name @param {Bookmark} bookmark */
 export const addBookmark = (name, { seconds, note }) =>
-  ask(`bookmarks/${pathPart(name)}?seconds=${seconds}&note=${encodeURIComponent(note)}`, 'PUT');
+  ask(`bookmarks/${pathPart(name)}?seconds=${seconds}&note=${encodeURIComponent(note)}`, { method: 'PUT' });
 
 /** @param {string} name @param {number} seconds */
-export const deleteBookmark = (name, seconds) => ask(`bookmarks/${pathPart(name)}?seconds=${seconds}`, 'DELETE');
+export const deleteBookmark = (name, seconds) =>
+  ask(`bookmarks/${pathPart(name)}?seconds=${seconds}`, { method: 'DELETE' });

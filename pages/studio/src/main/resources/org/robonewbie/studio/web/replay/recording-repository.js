@@ -1,6 +1,13 @@
 /** The recordings as cards, with their events and the paths of ball and robots. */
 import { button, byId, choice, element, setText } from '../panels/elements.js';
-import { bringBackRecording, deleteRecording, loadCard, renameRecording, starRecording } from './recording-api.js';
+import {
+  attempt,
+  bringBackRecording,
+  deleteRecording,
+  loadCard,
+  renameRecording,
+  starRecording,
+} from './recording-api.js';
 import { RecordingTile } from './recording-tile.js';
 
 /** @typedef {import('./recording-api.js').RecordingEntry} RecordingEntry */
@@ -25,7 +32,7 @@ export class RecordingRepository {
     'aria-label': 'Search recordings',
   });
   #filter = choice({ id: 'recording-filter', 'aria-label': 'Which recordings' }, FILTERS, () => this.#applyFilter());
-  #undo = button('Undo', 'Restores the last deleted recording', () => this.#act(() => this.#bringBack()), {
+  #undo = button('Undo', 'Restores the last deleted recording', () => attempt(() => this.#bringBack(), this.listener), {
     id: 'recording-undo',
     hidden: '',
   });
@@ -80,20 +87,10 @@ export class RecordingRepository {
   #actions(name) {
     return {
       open: () => this.listener.choose(name),
-      star: (on) => this.#act(() => starRecording(name, on)),
-      rename: (to) => this.#act(() => this.#rename(name, to)),
-      remove: () => this.#act(() => this.#remove(name)),
+      star: (on) => attempt(() => starRecording(name, on), this.listener),
+      rename: (to) => attempt(() => this.#rename(name, to), this.listener),
+      remove: () => attempt(() => this.#remove(name), this.listener),
     };
-  }
-
-  /** @param {() => Promise<unknown>} action */
-  async #act(action) {
-    try {
-      await action();
-    } catch (error) {
-      this.listener.note(/** @type {Error} */ (error).message);
-    }
-    await this.listener.changed().catch(() => {});
   }
 
   /** @param {string} from @param {string} to */

@@ -1,4 +1,5 @@
 /** Time line of a replay: event marks, the repeated section, and the shown moment. */
+import { setAttributes, shape, title } from '../panels/drawing.js';
 import { element } from '../panels/elements.js';
 import { MOMENTS_PER_SECOND } from '../state/replay/replay-state.js';
 
@@ -7,7 +8,6 @@ import { MOMENTS_PER_SECOND } from '../state/replay/replay-state.js';
  * @typedef {import('../state/replay/recording-reader.js').RecordedEvent} RecordedEvent
  */
 
-const SVG = 'http://www.w3.org/2000/svg';
 const SIDE = 12;
 const HEIGHT = 44;
 
@@ -32,32 +32,25 @@ export class ReplayLine {
   constructor(place, scrub) {
     this.place = place;
     this.scrub = scrub;
-    this.svg = node('svg', { height: String(HEIGHT), class: 'replay-drawing' });
-    this.marks = node('g', {});
-    this.loop = node('rect', { class: 'loop', y: '4', height: '24' });
-    this.track = node('rect', { class: 'track', x: String(SIDE), y: '26', height: '5', rx: '2.5' });
-    this.done = node('rect', { class: 'done', x: String(SIDE), y: '26', height: '5', rx: '2.5' });
-    this.knob = node('circle', { class: 'knob', cy: '28.5', r: '7' });
-    this.svg.append(this.loop, this.track, this.done, this.marks, this.knob);
+    this.marks = shape('g');
+    this.loop = shape('rect', { class: 'loop', y: 4, height: 24 });
+    this.track = shape('rect', { class: 'track', x: SIDE, y: 26, height: 5, rx: 2.5 });
+    this.done = shape('rect', { class: 'done', x: SIDE, y: 26, height: 5, rx: 2.5 });
+    this.knob = shape('circle', { class: 'knob', cy: 28.5, r: 7 });
+    const parts = [this.loop, this.track, this.done, this.marks, this.knob];
+    this.svg = shape('svg', { height: HEIGHT, class: 'replay-drawing' }, ...parts);
     place.append(this.svg);
     this.count = 1;
     this.drawn = '';
-    let pressed = false;
     const move = (/** @type {PointerEvent} */ event) => {
       const x = event.clientX - place.getBoundingClientRect().left - SIDE;
       this.scrub((x / Math.max(1, place.clientWidth - 2 * SIDE)) * (this.count - 1));
     };
     place.addEventListener('pointerdown', (event) => {
-      pressed = true;
       place.setPointerCapture(event.pointerId);
       move(event);
     });
-    place.addEventListener('pointermove', (event) => pressed && move(event));
-    for (const end of ['pointerup', 'pointercancel']) {
-      place.addEventListener(end, () => {
-        pressed = false;
-      });
-    }
+    place.addEventListener('pointermove', (event) => place.hasPointerCapture(event.pointerId) && move(event));
   }
 
   /** @param {ReplayState} state @param {readonly RecordedEvent[]} events */
@@ -66,38 +59,32 @@ export class ReplayLine {
     this.count = Math.max(2, state.count);
     const x = (/** @type {number} */ index) => SIDE + (width * index) / (this.count - 1);
     const [from, to] = state.loop ?? [0, 0];
-    set(this.svg, { width: String(width + 2 * SIDE) });
-    set(this.track, { width: String(width) });
-    set(this.done, { width: String(Math.max(0, x(state.index) - SIDE)) });
-    set(this.knob, { cx: String(x(state.index)) });
-    set(this.loop, { x: String(x(from)), width: String(Math.max(0, x(to) - x(from))) });
+    setAttributes(this.svg, { width: width + 2 * SIDE });
+    setAttributes(this.track, { width });
+    setAttributes(this.done, { width: Math.max(0, x(state.index) - SIDE) });
+    setAttributes(this.knob, { cx: x(state.index) });
+    setAttributes(this.loop, { x: x(from), width: Math.max(0, x(to) - x(from)) });
     const key = `${width} ${state.count} ${events.length}`;
     if (key !== this.drawn) {
       this.drawn = key;
-      this.marks.replaceChildren(...events.map((event) => this.#mark(event, x(event.index))));
+      this.marks.replaceChildren(...events.map((event) => markOf(event, x(event.index))));
     }
   }
+}
 
-  /** @param {RecordedEvent} event @param {number} x */
-  #mark(event, x) {
-    const mark = node('path', {
-      d: SHAPES[event.kind],
-      class: `event ${event.kind}`,
-      transform: `translate(${x.toFixed(1)} -7)`,
-    });
-    const title = document.createElementNS(SVG, 'title');
-    title.textContent = eventText(event);
-    mark.append(title);
-    return mark;
-  }
+/** @param {RecordedEvent} event @param {number} x */
+function markOf(event, x) {
+  const transform = `translate(${x.toFixed(1)} -7)`;
+  const look = { d: SHAPES[event.kind], class: `event ${event.kind}`, transform };
+  return shape('path', look, title(eventText(event)));
 }
 
 /** Legend of the marks. */
 export function legend() {
   const kinds = /** @type {Array<RecordedEvent['kind']>} */ (Object.keys(NAMES));
   const entries = kinds.map((kind) => {
-    const mark = node('svg', { viewBox: '-7 8 14 18', 'aria-hidden': 'true' });
-    mark.append(node('path', { d: SHAPES[kind], class: `event-sign ${kind}` }));
+    const sign = shape('path', { d: SHAPES[kind], class: `event-sign ${kind}` });
+    const mark = shape('svg', { viewBox: '-7 8 14 18', 'aria-hidden': 'true' }, sign);
     return element('span', {}, mark, NAMES[kind]);
   });
   return element('p', { class: 'replay-legend faint' }, ...entries);
@@ -106,18 +93,4 @@ export function legend() {
 /** @param {RecordedEvent} event @returns {string} */
 export function eventText({ kind, text, index }) {
   return `${(index / MOMENTS_PER_SECOND).toFixed(1)} s · ${NAMES[kind]}: ${text}`;
-}
-
-/** @param {string} name @param {Record<string, string>} attributes */
-function node(name, attributes) {
-  const made = document.createElementNS(SVG, name);
-  set(made, attributes);
-  return made;
-}
-
-/** @param {Element} target @param {Record<string, string>} attributes */
-function set(target, attributes) {
-  for (const [key, value] of Object.entries(attributes)) {
-    target.setAttribute(key, value);
-  }
 }

@@ -33,7 +33,7 @@ export async function standalonePage({ packed, name, pictures }, models) {
 <style>${styles}
 ${WHOLE_PAGE}</style>
 <script type="importmap">${JSON.stringify({ imports })}</script></head>
-<body><main id="field-room"><div id="stage"></div><section id="score-board" class="panel"></section><section id="drawings" class="panel" hidden></section><section id="replay" class="panel"></section></main>
+<body><main id="field-room"><div id="stage"></div><section id="score-board" class="panel centred"></section><section id="drawings" class="panel" hidden></section><section id="replay" class="panel"></section></main>
 <script type="application/json" id="models">${JSON.stringify(models)}</script>
 <script type="application/json" id="pictures">${JSON.stringify(pictures).replaceAll('<', '\\u003c')}</script>
 <script type="text/plain" id="recording">${base64(packed)}</script>

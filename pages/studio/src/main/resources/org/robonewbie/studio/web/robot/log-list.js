@@ -1,5 +1,5 @@
 /** Log of a robot: lines from a minimum level, with the line of the shown moment marked; a click jumps to the moment of a line. */
-import { element } from '../panels/elements.js';
+import { button, choice, element } from '../panels/elements.js';
 
 /** @typedef {import('../state/robot/telemetry.js').LogLine} LogLine */
 
@@ -14,11 +14,10 @@ const HALF_CYCLE = 0.01;
  * @returns {(log: readonly LogLine[], seconds: number) => void}
  */
 export function logList(place, goTo) {
-  const level = element('select', { id: 'log-level', 'aria-label': 'Minimum level' });
-  level.append(
-    ...LEVELS.map((each) =>
-      element('option', { value: each }, each === 'DEBUG' ? 'all lines' : `from ${each.toLowerCase()} on`),
-    ),
+  const level = choice(
+    { id: 'log-level', 'aria-label': 'Minimum level' },
+    LEVELS.map((each) => [each, each === 'DEBUG' ? 'all lines' : `from ${each.toLowerCase()} on`]),
+    () => {},
   );
   const list = element('ol', { class: 'log', 'aria-label': 'Log of the robot', tabindex: '0' });
   const silence = element('p', { class: 'faint' }, NOTHING_SAID);
@@ -59,11 +58,7 @@ function markLine(list, index) {
 
 /** @param {LogLine} line @param {(seconds: number) => void} goTo */
 function row({ seconds, level, text }, goTo) {
-  const link = element(
-    'button',
-    { type: 'button', class: 'quiet log-time', title: 'Show this moment' },
-    `${seconds.toFixed(2)} s`,
-  );
-  link.addEventListener('click', () => goTo(seconds));
+  const time = `${seconds.toFixed(2)} s`;
+  const link = button(time, 'Show this moment', () => goTo(seconds), { class: 'quiet log-time' });
   return element('li', { class: level.toLowerCase() }, link, ` ${level === 'INFO' ? '' : `${level} `}${text}`);
 }

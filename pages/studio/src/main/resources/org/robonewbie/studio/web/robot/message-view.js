@@ -47,18 +47,16 @@ function draw(place, message, wanted, unfolded) {
 /** @param {Expression} expression @param {string} wanted @param {Set<string>} unfolded @returns {HTMLElement} */
 function tree(expression, wanted, unfolded) {
   const text = writeExpression(expression);
-  const isFlat =
-    typeof expression === 'string' || !expression.some((each) => typeof each !== 'string' && each.length > 0);
-  if (isFlat) {
+  if (
+    typeof expression === 'string' ||
+    text.length < 64 ||
+    !expression.some((each) => typeof each !== 'string' && each.length > 0)
+  ) {
     return element('div', {}, text);
   }
   const name = String(expression[0]);
   const inner = expression.filter((each) => typeof each !== 'string');
   const words = expression.filter((each) => typeof each === 'string').join(' ');
-  const isShort = text.length < 64;
-  if (isShort) {
-    return element('div', {}, text);
-  }
   const summary = element('summary', {}, `(${words} … ${inner.length} parts)`);
   const folder = element('details', {}, summary);
   folder.open = unfolded.has(name) || (wanted !== '' && !name.toLowerCase().includes(wanted.toLowerCase()));

@@ -5,7 +5,7 @@ import { fixed } from '../state/numbers.js';
 import { unitOf } from '../state/robot/signals.js';
 import { tableOf } from '../state/robot/traces.js';
 import { loadPlotter, newPlot } from './plotter.js';
-import { valueTree } from './value-tree.js';
+import { ValueTree } from './value-tree.js';
 
 /**
  * @typedef {import('../state/robot/robot-watch.js').RobotMoment} RobotMoment
@@ -34,8 +34,8 @@ export class PlotController {
     /** @type {RobotMoment | undefined} */
     this.moment = undefined;
     this.list = element('div', { class: 'curves', id: 'curves' });
-    this.pause = button('Hold', 'Hold the curves; the simulation continues', () => this.hold());
-    this.pause.id = 'hold-curves';
+    const holding = 'Hold the curves; the simulation continues';
+    this.pause = button('Hold', holding, () => this.hold(), { id: 'hold-curves' });
     const zoom = choice(
       { id: 'curve-span', 'aria-label': 'Length of the curves', title: 'Time range of the curves' },
       SPANS.map((seconds) => [String(seconds), `${seconds} s`]),
@@ -48,7 +48,7 @@ export class PlotController {
     const more = button('+ Plot', 'Add a plot; choose its values in the tree', () => this.add([]), {
       id: 'add-plot',
     });
-    this.tree = valueTree((name) => this.toggle(name));
+    this.tree = new ValueTree((name) => this.toggle(name));
     const values = element(
       'details',
       { class: 'value-choice', id: 'value-choice' },
@@ -145,9 +145,8 @@ export class PlotController {
     const key = values.join('\n');
     if (row.head.dataset.key !== key || !row.head.hasChildNodes()) {
       row.head.dataset.key = key;
-      const remove = button('×', 'Remove this plot', () => this.#remove(row));
-      remove.className = 'quiet';
-      remove.setAttribute('aria-label', 'Remove this plot');
+      const hint = 'Remove this plot';
+      const remove = button('×', hint, () => this.#remove(row), { class: 'quiet', 'aria-label': hint });
       const parts = values.map((text, i) => element('span', { class: `curve-name curve-${i % 6}` }, ...named(text)));
       row.head.replaceChildren(
         ...(parts.length > 0 ? parts : [element('span', { class: 'faint' }, 'Choose values for this plot')]),

@@ -1,6 +1,6 @@
 /** The robot room: joints, senses, surroundings, beliefs, messages and plots of one robot. */
-import { button, byId, element, setText } from '../panels/elements.js';
-import { PANEL_TITLES } from '../state/layout.js';
+import { button, choice, element, setEntries, setText } from '../panels/elements.js';
+import { sidePanel } from '../panels/side-panel.js';
 import { fixed } from '../state/numbers.js';
 import { placeOf } from '../state/robot/robot-facts.js';
 import { RobotWatch } from '../state/robot/robot-watch.js';
@@ -23,24 +23,17 @@ import { surroundingsMap } from './surroundings-map.js';
 const PICTURE_MILLISECONDS = 90;
 const NO_SENSES = readSenses('');
 
-/** @param {Surroundings} surroundings */
-export function openRobotRoom(surroundings) {
-  return new RobotRoom(surroundings);
-}
-
-class RobotRoom {
+export class RobotRoom {
   /** @param {Surroundings} surroundings */
   constructor(surroundings) {
-    const { send, goTo } = surroundings;
-    this.surroundings = surroundings;
+    const { send, goTo, fold } = surroundings;
     this.watch = new RobotWatch(send);
     this.lastPicture = 0;
-    const joints = this.#panel('joints');
-    const middle = this.#panel('surroundings');
-    const words = this.#panel('words');
-    const right = this.#panel('curves');
-    this.choice = element('select', { id: 'robot-choice', 'aria-label': 'Robot' });
-    this.choice.addEventListener('change', () => this.choose(Number(this.choice.value)));
+    const joints = sidePanel('robot', 'joints', fold);
+    const middle = sidePanel('robot', 'surroundings', fold);
+    const words = sidePanel('robot', 'words', fold);
+    const right = sidePanel('robot', 'curves', fold);
+    this.choice = choice({ id: 'robot-choice', 'aria-label': 'Robot' }, [], (robot) => this.choose(Number(robot)));
     this.facts = element('p', { class: 'robot-facts', role: 'status' });
     this.motion = element('p', { class: 'robot-motion' });
     const camera = element('figure', {}, element('figcaption', { class: 'faint' }, 'What the camera sees'));
@@ -58,19 +51,6 @@ class RobotRoom {
     this.drawMap = surroundingsMap(map);
     this.drawSenses = sensesPanel(senses);
     this.plots = new PlotController(right, goTo);
-  }
-
-  /** A panel below its title, which collapses it. @param {import('../state/layout.js').PanelName} name */
-  #panel(name) {
-    const title = PANEL_TITLES[name];
-    const fold = button(title, 'Collapse or expand', () => this.surroundings.fold(name), {
-      class: 'panel-title',
-      'aria-expanded': 'true',
-    });
-    const inside = element('div', { class: 'panel-inside', id: `robot-${name}` });
-    const made = element('section', { class: 'side-panel', 'data-panel': name, 'aria-label': title }, fold, inside);
-    byId('robot-room').append(made);
-    return inside;
   }
 
   /** Tabs for the log and the messages. @param {(seconds: number) => void} goTo */
@@ -174,7 +154,10 @@ class RobotRoom {
   #listRobots(robots) {
     const names = robots.map(({ team, number }) => `${team} ${number}`.trim() || 'new robot');
     if ([...this.choice.options].map(({ text }) => text).join('\n') !== names.join('\n')) {
-      this.choice.replaceChildren(...names.map((name, i) => element('option', { value: String(i) }, name)));
+      setEntries(
+        this.choice,
+        names.map((name, i) => [String(i), name]),
+      );
     }
     this.choice.hidden = names.length === 0;
     this.choice.value = String(Math.min(this.watch.chosen, names.length - 1));

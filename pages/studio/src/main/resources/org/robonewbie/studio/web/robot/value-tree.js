@@ -3,15 +3,7 @@ import { element, setText } from '../panels/elements.js';
 
 /** @typedef {import('../state/robot/traces.js').Traces} Traces */
 
-/**
- * @param {(name: string) => void} toggle
- * @returns {{place: HTMLElement, draw: (traces: Traces, chosen: readonly string[]) => void}}
- */
-export function valueTree(toggle) {
-  return new ValueTree(toggle);
-}
-
-class ValueTree {
+export class ValueTree {
   /** @type {Map<string, HTMLInputElement>} */
   #boxes = new Map();
   /** @type {Map<string, HTMLElement>} */

@@ -10,6 +10,7 @@
  * @property {'left' | 'right'} [side] side of the team, for a text above a robot
  * @property {number} [number]
  */
+import { raised, ring } from './drawing-shapes.js';
 
 const METRES_PER_PIXEL = 0.012;
 const PARTS = 40;
@@ -19,13 +20,14 @@ const OVER_GROUND = 0.013;
 
 /** @param {BoardShape} shape @returns {number[]} x, y and z of three vertices per triangle; empty for a text */
 export function boardTriangles({ shape, numbers: n = [] }) {
+  const half = (METRES_PER_PIXEL * n[shape === 'line' ? 6 : 3]) / 2;
   switch (shape) {
     case 'circle':
-      return ring(n[0], n[1], n[2], METRES_PER_PIXEL * n[3]);
+      return raised(ring(n, Math.max(0, n[2] - half), n[2] + half, PARTS), OVER_GROUND);
     case 'line':
-      return beam([n[0], n[1], over(n[2])], [n[3], n[4], over(n[5])], (METRES_PER_PIXEL * n[6]) / 2);
+      return beam([n[0], n[1], over(n[2])], [n[3], n[4], over(n[5])], half);
     case 'point':
-      return octahedron([n[0], n[1], over(n[2])], (METRES_PER_PIXEL * n[3]) / 2);
+      return octahedron([n[0], n[1], over(n[2])], half);
     case 'sphere':
       return ball([n[0], n[1], n[2]], n[3]);
     case 'polygon':
@@ -38,18 +40,6 @@ export function boardTriangles({ shape, numbers: n = [] }) {
 /** Raises shapes on the ground, which would cause z-fighting. @param {number} z */
 function over(z) {
   return Math.abs(z) < OVER_GROUND ? OVER_GROUND : z;
-}
-
-/** @param {number} x @param {number} y @param {number} radius @param {number} thickness */
-function ring(x, y, radius, thickness) {
-  const at = (/** @type {number} */ part, /** @type {number} */ r) => {
-    const angle = (2 * Math.PI * part) / PARTS;
-    return /** @type {Point} */ ([x + r * Math.cos(angle), y + r * Math.sin(angle), OVER_GROUND]);
-  };
-  const [inner, outer] = [Math.max(0, radius - thickness / 2), radius + thickness / 2];
-  return Array.from({ length: PARTS }, (_, i) =>
-    quad(at(i, inner), at(i, outer), at(i + 1, inner), at(i + 1, outer)),
-  ).flat();
 }
 
 /** Two crossed ribbons, so that a line is visible from all sides. @param {Point} a @param {Point} b @param {number} half */

@@ -54,7 +54,7 @@ export function decodeText(bytes) {
 /**
  * @param {Source} source encoding of the file
  * @param {string} content the changed text
- * @returns {Uint8Array} in the same encoding, or in UTF-8 if the text is not representable
+ * @returns {Uint8Array<ArrayBuffer>} in the same encoding, or in UTF-8 if the text is not representable
  */
 export function encodeText(source, content) {
   const text = source.hasByteOrderMark ? MARK + content : content;
@@ -64,7 +64,7 @@ export function encodeText(source, content) {
     case 'UTF-16BE':
       return bytesOfUtf16(text, 1);
     case 'Windows-1252':
-      return /** @type {Uint8Array} */ (bytesOf1252(text));
+      return /** @type {Uint8Array<ArrayBuffer>} */ (bytesOf1252(text));
     default:
       return new TextEncoder().encode(text);
   }

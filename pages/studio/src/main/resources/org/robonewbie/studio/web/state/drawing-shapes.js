@@ -54,8 +54,19 @@ function ribbon([x, y], [toX, toY]) {
   return quad([x + sideX, y + sideY], [x - sideX, y - sideY], [toX + sideX, toY + sideY], [toX - sideX, toY - sideY]);
 }
 
-/** @param {number[]} centre @param {number} inner @param {number} outer @param {number} parts */
-function ring([x, y], inner, outer, parts) {
+/** @param {readonly number[]} places x and y of each vertex @param {number} z @returns {number[]} x, y and z of each vertex */
+export function raised(places, z) {
+  return places.flatMap((value, i) => (i % 2 === 0 ? [value] : [value, z]));
+}
+
+/**
+ * @param {number[]} centre
+ * @param {number} inner
+ * @param {number} outer
+ * @param {number} parts
+ * @returns {number[]} x and y of three vertices per triangle
+ */
+export function ring([x, y], inner, outer, parts) {
   const corner = (/** @type {number} */ radius, /** @type {number} */ part) => {
     const angle = (2 * Math.PI * part) / parts;
     return [x + radius * Math.cos(angle), y + radius * Math.sin(angle)];

@@ -1,5 +1,6 @@
 /** History of the state frames of the last minutes of the running simulation. */
 import { readFrame } from '../live/state-frame.js';
+import { partitionPoint } from './partition-point.js';
 
 /**
  * @typedef {import('../live/state-frame.js').Scene} Scene
@@ -41,16 +42,7 @@ export class LiveHistory {
 
   /** @param {number} cycle @returns {number} index of the last frame that is not later, or of the first one */
   indexOf(cycle) {
-    let [low, high] = [0, this.kept.length];
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (this.kept[middle].cycle <= cycle) {
-        low = middle + 1;
-      } else {
-        high = middle;
-      }
-    }
-    return Math.max(0, low - 1);
+    return Math.max(0, partitionPoint(this.kept.length, (i) => this.kept[i].cycle <= cycle) - 1);
   }
 
   /** @param {number} cycle @returns {{scene: Scene, frame: Frame} | undefined} the state at this cycle */

@@ -27,3 +27,8 @@ export function roundStep(min) {
   const decade = 10 ** Math.floor(Math.log10(min));
   return [1, 2, 5].map((each) => each * decade).find((each) => each >= min) ?? 10 * decade;
 }
+
+/** @param {number} degrees @returns {number} with four decimals, which exceeds the precision of any motor; never -0 */
+export function fourDecimals(degrees) {
+  return Math.round(degrees * 1e4) / 1e4 + 0;
+}

@@ -61,13 +61,7 @@ export function readCsv(text, body, start) {
     const all = cellsOf(row.text).map(decimal);
     const given = all[timeAt] ?? '';
     const moment = time.millis * numberIn(given, `a time for ${time.names[0]}`);
-    const expected = 'an angle in degrees, such as -12.5';
-    const next = postureOf(
-      { row, cells: angles(all), expected, toDegrees: (value) => value },
-      columns,
-      degrees,
-      remarks,
-    );
+    const next = postureOf(row, angles(all), 'degrees', columns, degrees, remarks);
     const way = time.isWay ? Math.round(time.millis * positiveIn(given, 'a time')) : wayTo(moment, row);
     degrees = next;
     return { millis: Math.max(1, way), degrees };

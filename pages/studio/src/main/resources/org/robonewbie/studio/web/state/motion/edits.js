@@ -9,6 +9,7 @@
  * @property {readonly Keyframe[]} frames
  * @property {readonly number[]} rows joints whose angles were copied, empty for whole keyframes
  */
+import { fourDecimals } from '../numbers.js';
 import { documentOf, edited, framesOf, posed, postureNow, selected, selectionOf } from './editor-state.js';
 import {
   keyframesOf,
@@ -84,7 +85,7 @@ function straightened(state) {
     }
     const part = after === before ? 0 : (times[i] - times[before]) / Math.max(1, times[after] - times[before]);
     const between = (/** @type {number} */ joint) =>
-      withoutNoise(
+      fourDecimals(
         frames[before].degrees[joint] + part * (frames[after].degrees[joint] - frames[before].degrees[joint]),
       );
     return { ...frame, degrees: withJoints(frame.degrees, state.rows, between) };
@@ -136,7 +137,7 @@ export function turnedBy(state, joints, by, { base = documentOf(state), gesture 
       ? {
           ...frame,
           degrees: withJoints(frame.degrees, [...turns.keys()], (joint) =>
-            withoutNoise(frame.degrees[joint] + (turns.get(joint) ?? 1) * amount),
+            fourDecimals(frame.degrees[joint] + (turns.get(joint) ?? 1) * amount),
           ),
         }
       : frame,
@@ -157,11 +158,6 @@ function withPartners({ body, symmetric }, joints) {
 /** @param {readonly number[]} degrees @param {readonly number[]} joints @param {(joint: number) => number} angleOf */
 function withJoints(degrees, joints, angleOf) {
   return degrees.map((angle, joint) => (joints.includes(joint) ? angleOf(joint) : angle));
-}
-
-/** @param {number} degrees @returns {number} without floating-point noise */
-function withoutNoise(degrees) {
-  return Math.round(degrees * 1e4) / 1e4 + 0;
 }
 
 /** @param {EditorState} state @param {-1 | 1} direction @returns {EditorState} */
@@ -185,7 +181,11 @@ export function timed(state, index, millis, gesture = '') {
 
 /** @param {EditorState} state @returns {EditorState} with left and right of the selected keyframes swapped */
 export function mirroredSelection(state) {
-  return mappedSelection(state, 'Mirror', (degrees) => mirrored(state.body, degrees));
+  const chosen = chosenFrames(state);
+  const document = mapKeyframes(documentOf(state), (frame, i) =>
+    chosen.includes(i) ? { ...frame, degrees: mirrored(state.body, frame.degrees) } : frame,
+  );
+  return edited(state, document, 'Mirror');
 }
 
 /** @param {EditorState} state @returns {EditorState} */
@@ -225,19 +225,6 @@ export function turned(state, joint, degrees, gesture = '') {
   const before = postureNow(state);
   const next = posed(state, before.with(joint, degrees), 'Turn a joint', gesture);
   return { ...next, symmetric: state.symmetric, joint };
-}
-
-/**
- * @param {EditorState} state
- * @param {string} label
- * @param {(degrees: readonly number[]) => number[]} change
- */
-function mappedSelection(state, label, change) {
-  const chosen = chosenFrames(state);
-  const document = mapKeyframes(documentOf(state), (frame, i) =>
-    chosen.includes(i) ? { millis: frame.millis, degrees: change(frame.degrees) } : frame,
-  );
-  return edited(state, document, label);
 }
 
 /** @param {EditorState} state @param {readonly Keyframe[]} frames @param {string} label */

@@ -23,6 +23,7 @@
  * @property {number} joint index in the order of the motion files
  * @property {number} sign 1, or -1 if the other program uses the opposite sign
  */
+import { fourDecimals } from '../numbers.js';
 import { EMPTY_DOCUMENT, newLine } from './motion-text.js';
 
 const MIN_WAY = 20;
@@ -149,17 +150,17 @@ export function withoutEmptyEnd(cells) {
 /**
  * Applies the angles of a row to a posture.
  *
- * @param {object} row
- * @param {Row} row.row
- * @param {readonly string[]} row.cells
- * @param {string} row.expected such as: an angle in degrees
- * @param {(value: number) => number} row.toDegrees
+ * @param {Row} row
+ * @param {readonly string[]} cells of its angles
+ * @param {'degrees' | 'radians'} unit
  * @param {Columns} columns
  * @param {readonly number[]} before angles for cells that are empty
  * @param {Remarks} remarks
  * @returns {number[]}
  */
-export function postureOf({ row, cells, expected, toDegrees }, { names, columns }, before, remarks) {
+export function postureOf(row, cells, unit, { names, columns }, before, remarks) {
+  const example = unit === 'degrees' ? '-12.5' : '-0.35';
+  const toDegrees = unit === 'degrees' ? 1 : 180 / Math.PI;
   const values = [...cells.slice(0, names.length), ...withoutEmptyEnd(cells.slice(names.length))];
   if (values.length !== names.length) {
     throw new UnreadableRow(`found ${values.length} angles, expected ${names.length}, one for each named joint`);
@@ -169,7 +170,9 @@ export function postureOf({ row, cells, expected, toDegrees }, { names, columns 
     if (column && values[i] === '') {
       remarks.add('If a cell is empty (#), the joint keeps its angle.', row);
     } else if (column && values[i] !== '*') {
-      next[column.joint] = fourDecimals(column.sign * toDegrees(numberIn(values[i], expected)));
+      next[column.joint] = fourDecimals(
+        column.sign * toDegrees * numberIn(values[i], `an angle in ${unit}, such as ${example}`),
+      );
     }
   });
   return next;
@@ -221,9 +224,4 @@ export function positiveIn(text, expected) {
 /** Keyframes for export: each duration takes at least one cycle, as when played. @param {readonly Keyframe[]} frames */
 export function playedFrames(frames) {
   return frames.map((frame) => ({ ...frame, millis: Math.max(MIN_WAY, frame.millis) }));
-}
-
-/** @param {number} degrees @returns {number} with four decimals, which exceeds the precision of any motor */
-export function fourDecimals(degrees) {
-  return Math.round(degrees * 1e4) / 1e4 + 0;
 }

@@ -147,9 +147,7 @@ function addKeyframe(net, row, cells, start) {
   if (net.postures.has(id)) {
     throw new UnreadableRow(`found keyframe ${id}, which is already defined`);
   }
-  const angles = { row, cells: cells.slice(4), expected: 'an angle in degrees, such as -12.5' };
-  const degrees = postureOf({ ...angles, toDegrees: (value) => value }, net.columns, start, net.remarks);
-  net.postures.set(id, degrees);
+  net.postures.set(id, postureOf(row, cells.slice(4), 'degrees', net.columns, start, net.remarks));
 }
 
 /** @param {string} name */

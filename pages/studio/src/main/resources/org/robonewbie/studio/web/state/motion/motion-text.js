@@ -37,7 +37,7 @@ export function decode(bytes) {
 
 /**
  * @param {MotionDocument} document
- * @returns {Uint8Array} the bytes of the file
+ * @returns {Uint8Array<ArrayBuffer>} the bytes of the file
  */
 export function encode(document) {
   return encodeText(document, contentOf(document));

@@ -164,9 +164,7 @@ function readAs(reading, { head, names, rows, separator }, start) {
     const isPlay = all[0] === PLAY;
     const moment = isPlay ? 0 : momentOf(all[0]);
     const cells = isPlay ? all.slice(1, -1) : all.slice(2);
-    const toDegrees = (/** @type {number} */ radians) => (radians * 180) / Math.PI;
-    const expected = 'an angle in radians, such as -0.35';
-    const next = postureOf({ row, cells, expected, toDegrees }, columns, degrees, remarks);
+    const next = postureOf(row, cells, 'radians', columns, degrees, remarks);
     const millis = isPlay ? 1000 * positiveIn(all[all.length - 1], 'the duration in seconds') : wayTo(moment, row);
     if (isPlay) {
       remarks.add('The number at the end of each line was read as its duration in seconds (from # on).', head);

@@ -21,6 +21,7 @@
  *
  * @typedef {{reader: RecordingReader, bytes: number, loading: Promise<void> | undefined}} Piece
  */
+import { partitionPoint } from '../partition-point.js';
 import { RecordingReader } from './recording-reader.js';
 
 /** At most about 40 megabytes. */
@@ -130,12 +131,7 @@ export class RecordedRun {
 
   /** @param {number} index @returns {number} the piece that contains a moment, -1 if there is none */
   #pieceOf(index) {
-    let [low, high] = [0, this.starts.length];
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      [low, high] = this.starts[middle] <= index ? [middle + 1, high] : [low, middle];
-    }
-    return low - 1;
+    return partitionPoint(this.starts.length, (piece) => this.starts[piece] <= index) - 1;
   }
 
   /** Loads a piece up to a moment, unless it is loaded. @param {number} number @param {number} index @returns {Promise<void>} */

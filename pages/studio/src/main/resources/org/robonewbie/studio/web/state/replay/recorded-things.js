@@ -10,8 +10,7 @@
  * @property {Int32Array} pose
  */
 
-const POSE_NUMBERS = 7;
-const STEPS_PER_METRE = 10_000;
+import { POSE_NUMBERS, STEPS_PER_METRE } from './recording-source.js';
 
 /** @param {Source} content content of a record of kind 8 @returns {RecordedThing[]} */
 export function readThings(content) {

@@ -28,22 +28,10 @@
 import { CYCLE_SECONDS } from '../cycle.js';
 import { CommandedSpeeds } from './commanded-speeds.js';
 import { readThings, withMoved } from './recorded-things.js';
-import { EndOfBytes, MAGIC, Source } from './recording-source.js';
+import { EndOfBytes, KIND, MAGIC, POSE_NUMBERS, SIDES, Source, VERSION } from './recording-source.js';
 
-const VERSION = 1;
-const HEADER = 1;
-const GAME = 2;
-const ROBOTS = 3;
-const COMMANDS = 4;
-const EVENT = 5;
-const CYCLE = 6;
-const STATE = 7;
-const THINGS = 8;
-const MOVED_THING = 9;
-const POSE_NUMBERS = 7;
 const MAX_HINGES = 24;
 const DEGREES_PER_STEP = 180 / Math.PI / 10_000;
-const SIDES = /** @type {const} */ (['', 'left', 'right']);
 
 export class RecordingReader {
   /**
@@ -123,30 +111,30 @@ export class RecordingReader {
   #record(source) {
     const kind = source.bytes(1)[0];
     const content = new Source(source.bytes(source.unsigned()));
-    if (kind === HEADER) {
+    if (kind === KIND.HEADER) {
       this.header = Object.fromEntries(
         content
           .text()
           .split('\n')
           .map((line) => line.split(/=(.*)/s).slice(0, 2)),
       );
-    } else if (kind === GAME) {
+    } else if (kind === KIND.GAME) {
       const playMode = content.text();
       const [half, scoreLeft, scoreRight] = [content.unsigned(), content.unsigned(), content.unsigned()];
       this.game = { playMode, half, scoreLeft, scoreRight, left: content.text(), right: content.text() };
-    } else if (kind === ROBOTS) {
+    } else if (kind === KIND.ROBOTS) {
       this.robots = this.#roster(content);
-    } else if (kind === COMMANDS) {
+    } else if (kind === KIND.COMMANDS) {
       this.#commands(content);
-    } else if (kind === EVENT) {
+    } else if (kind === KIND.EVENT) {
       this.#event(content.text());
-    } else if (kind === CYCLE) {
+    } else if (kind === KIND.CYCLE) {
       this.#cycle(content);
-    } else if (kind === STATE) {
+    } else if (kind === KIND.STATE) {
       this.#resume(content);
-    } else if (kind === THINGS) {
+    } else if (kind === KIND.THINGS) {
       this.things = readThings(content);
-    } else if (kind === MOVED_THING) {
+    } else if (kind === KIND.MOVED_THING) {
       this.things = withMoved(this.things, content);
     }
   }

@@ -1,6 +1,23 @@
 /** Primitive values of the recording format, see docs/recording-format.md. Pure. */
 
 export const MAGIC = 'RoboNewbie recording\n';
+export const VERSION = 1;
+
+/** Kinds of records. */
+export const KIND = {
+  HEADER: 1,
+  GAME: 2,
+  ROBOTS: 3,
+  COMMANDS: 4,
+  EVENT: 5,
+  CYCLE: 6,
+  STATE: 7,
+  THINGS: 8,
+  MOVED_THING: 9,
+};
+export const POSE_NUMBERS = 7;
+export const STEPS_PER_METRE = 10_000;
+export const SIDES = /** @type {const} */ (['', 'left', 'right']);
 
 /** Thrown when the bytes end within a value. */
 export class EndOfBytes extends Error {}

@@ -6,18 +6,9 @@
  * @typedef {import('./recording-reader.js').RecordedEvent} RecordedEvent
  */
 import { measuresOf } from './recorded-things.js';
-import { MAGIC } from './recording-source.js';
+import { KIND, MAGIC, POSE_NUMBERS, SIDES, VERSION } from './recording-source.js';
 
-const VERSION = 1;
-const HEADER = 1;
-const GAME = 2;
-const ROBOTS = 3;
-const EVENT = 5;
-const CYCLE = 6;
-const THINGS = 8;
-const POSE_NUMBERS = 7;
 const CYCLES_PER_SECOND = 50;
-const SIDES = ['', 'left', 'right'];
 
 export class RecordingWriter {
   #bytes = new Uint8Array(1 << 16);
@@ -33,27 +24,27 @@ export class RecordingWriter {
     this.#raw(new TextEncoder().encode(MAGIC));
     this.#unsigned(VERSION);
     const lines = Object.entries(header).map((entry) => entry.join('='));
-    this.#record(HEADER, () => this.#text(lines.join('\n')));
+    this.#record(KIND.HEADER, () => this.#text(lines.join('\n')));
   }
 
   /** @param {Moment} moment @param {readonly RecordedEvent[]} events events of this moment */
   write(moment, events) {
     for (const { kind, text } of events) {
-      this.#record(EVENT, () => this.#text(`${kind} ${text}`));
+      this.#record(KIND.EVENT, () => this.#text(`${kind} ${text}`));
     }
     const { game, robots } = moment;
     if (game !== this.#last?.game) {
-      this.#record(GAME, () => {
+      this.#record(KIND.GAME, () => {
         this.#text(game.playMode);
         [game.half, game.scoreLeft, game.scoreRight].forEach((each) => this.#unsigned(each));
         [game.left, game.right].forEach((each) => this.#text(each));
       });
     }
     if (robots !== this.#last?.robots) {
-      this.#record(ROBOTS, () => this.#roster(robots));
+      this.#record(KIND.ROBOTS, () => this.#roster(robots));
     }
     this.#standing(moment);
-    this.#record(CYCLE, () => this.#cycle(moment));
+    this.#record(KIND.CYCLE, () => this.#cycle(moment));
     this.#last = moment;
   }
 
@@ -76,7 +67,7 @@ export class RecordingWriter {
     if (things === this.#last?.things || (things.length === 0 && !this.#last?.things?.length)) {
       return;
     }
-    this.#record(THINGS, () => {
+    this.#record(KIND.THINGS, () => {
       this.#unsigned(things.length);
       for (const each of things) {
         this.#text(each.thing.name);

@@ -15,10 +15,10 @@
  * @property {[number, number] | undefined} loop first and last moment of the repeated section
  */
 
-const STEPS_PER_METRE = 10_000;
+import { POSE_NUMBERS, STEPS_PER_METRE } from './recording-source.js';
+
 const STEPS_PER_TURN = 20_000;
 const STEPS_PER_DEGREE = 100;
-const POSE_NUMBERS = 7;
 export const MOMENTS_PER_SECOND = 50;
 
 /** @type {ReplayState} */

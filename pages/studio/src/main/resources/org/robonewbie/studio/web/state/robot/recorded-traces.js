@@ -1,6 +1,6 @@
 /** Traces of one recorded robot around one moment. Pure. */
 import { frameOf, sceneOf } from '../replay/replay-state.js';
-import { commandedValues, trueValues } from './signals.js';
+import { jointValues, trueValues } from './signals.js';
 import { Traces } from './traces.js';
 
 /**
@@ -23,7 +23,7 @@ export function recordedTraces(moments, header, scene, id) {
       const model = scene.models[moment.robots[robot].type];
       const now = sceneOf(moment, header, scene.models, 0);
       traces.add(moment.cycle, trueValues(model, frameOf(moment, now), robot));
-      traces.add(moment.cycle, commandedValues(model, moment.speeds.get(id) ?? []));
+      traces.add(moment.cycle, jointValues(model, 'commanded speed', moment.speeds.get(id) ?? []));
     }
   }
   return traces;

@@ -19,6 +19,7 @@
  * @property {Exchange | undefined} exchange
  * @property {Exchange | undefined} picture the last exchange with camera data
  */
+import { partitionPoint } from '../partition-point.js';
 import { readTelemetry } from './telemetry.js';
 
 const MAX_LINES = 5000;
@@ -111,16 +112,7 @@ export function keep(list, item, max) {
 
 /** @param {ReadonlyArray<{seconds: number}>} list @param {number} seconds @returns {number} number of entries that are not later */
 function countUntil(list, seconds) {
-  let [low, high] = [0, list.length];
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (list[middle].seconds <= seconds + HALF_CYCLE) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low;
+  return partitionPoint(list.length, (i) => list[i].seconds <= seconds + HALF_CYCLE);
 }
 
 /** @template {{seconds: number}} T @param {T[]} list @param {number} seconds @returns {T | undefined} */

@@ -3,7 +3,7 @@ import { CYCLE_SECONDS } from '../cycle.js';
 import { readOrders, readSenses } from './senses.js';
 import { recordedTraces } from './recorded-traces.js';
 import { RobotMemory } from './robot-memory.js';
-import { commandedValues, measuredSpeeds, sensedValues, trueValues } from './signals.js';
+import { jointValues, sensedValues, trueValues } from './signals.js';
 import { robotKey } from './telemetry.js';
 import { Traces } from './traces.js';
 
@@ -70,13 +70,8 @@ export class RobotWatch {
       this.traces.add(cycle, sensedValues(readSenses(perceptors)));
       Object.assign(this.commanded, readOrders(effectors).speeds);
       if (this.model) {
-        this.traces.add(
-          cycle,
-          commandedValues(
-            this.model,
-            this.model.hinges.map(({ effector }) => this.commanded[effector] ?? 0),
-          ),
-        );
+        const speeds = this.model.hinges.map(({ effector }) => this.commanded[effector] ?? 0);
+        this.traces.add(cycle, jointValues(this.model, 'commanded speed', speeds));
       }
     }
   }
@@ -146,7 +141,7 @@ export class RobotWatch {
     const passed = before ? (cycle - before.cycle) * CYCLE_SECONDS : 0;
     if (before && passed > 0 && passed < 1 && before.degrees.length === degrees.length) {
       const speeds = Array.from(degrees, (angle, i) => (angle - before.degrees[i]) / passed);
-      this.traces.add(cycle, measuredSpeeds(model, speeds));
+      this.traces.add(cycle, jointValues(model, 'joint speed', speeds));
     }
     this.before = { cycle, degrees };
   }

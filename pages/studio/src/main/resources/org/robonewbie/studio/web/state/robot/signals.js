@@ -47,9 +47,7 @@ export function trueValues(model, frame, robot) {
     ['ball/y', frame.ball[1]],
     ['ball/height', frame.ball[2]],
     ['ball/distance', place.ball],
-    ...model.hinges.map(
-      ({ joint }, i) => /** @type {const} */ ([`joint angle/${jointName(joint)}`, frame.robots[robot].degrees[i]]),
-    ),
+    ...jointValues(model, 'joint angle', frame.robots[robot].degrees),
   ];
 }
 
@@ -78,20 +76,12 @@ export function sensedValues({ gyro, acceleration, feet }) {
 
 /**
  * @param {RobotModel} model
- * @param {ArrayLike<number>} speeds commanded, degrees per second, by hinge
+ * @param {'joint angle' | 'joint speed' | 'commanded speed'} group
+ * @param {ArrayLike<number>} numbers by hinge, degrees or degrees per second
  * @returns {Values}
  */
-export function commandedValues(model, speeds) {
-  return model.hinges.map(({ joint }, i) => /** @type {const} */ ([`commanded speed/${jointName(joint)}`, speeds[i]]));
-}
-
-/**
- * @param {RobotModel} model
- * @param {ArrayLike<number>} speeds measured, degrees per second, by hinge
- * @returns {Values}
- */
-export function measuredSpeeds(model, speeds) {
-  return model.hinges.map(({ joint }, i) => /** @type {const} */ ([`joint speed/${jointName(joint)}`, speeds[i]]));
+export function jointValues({ hinges }, group, numbers) {
+  return hinges.map(({ joint }, i) => /** @type {const} */ ([`${group}/${jointName(joint)}`, numbers[i]]));
 }
 
 /** @param {string} name @returns {string} unit of a value, empty if it is plotted by an agent */

@@ -1,6 +1,7 @@
 /** Time series of one robot's values: a table with one row per cycle and one column per name. */
 import { csvCell } from '../csv-cell.js';
 import { CYCLE_SECONDS } from '../cycle.js';
+import { partitionPoint } from '../partition-point.js';
 
 /** Five minutes. */
 const MAX_ROWS = 15_000;
@@ -94,16 +95,7 @@ export class Traces {
 
   /** @param {number} cycle */
   #countBefore(cycle) {
-    let [low, high] = [0, this.cycles.length];
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (this.cycles[middle] < cycle) {
-        low = middle + 1;
-      } else {
-        high = middle;
-      }
-    }
-    return low;
+    return partitionPoint(this.cycles.length, (i) => this.cycles[i] < cycle);
   }
 }
 

@@ -1,22 +1,13 @@
 /** Recent game events: fouls and goals, shown below the score board for some seconds. */
-import { foulText } from '../state/happenings.js';
 import { byId, element } from './elements.js';
 
 const SHOWN_MILLISECONDS = 6000;
 const MAX_ENTRIES = 4;
 
-export class Happenings {
+export class EventList {
   constructor() {
-    this.list = element('ul', { class: 'happenings', 'aria-live': 'polite' });
+    this.list = element('ul', { class: 'event-list', 'aria-live': 'polite' });
     byId('score-board').append(this.list);
-  }
-
-  /**
-   * @param {string} event in the format of recordings, such as `foul CHARGING left 3`
-   * @param {{left: string, right: string}} teams
-   */
-  add(event, teams) {
-    this.show(foulText(event, teams));
   }
 
   /** @param {string} text ignored if empty */

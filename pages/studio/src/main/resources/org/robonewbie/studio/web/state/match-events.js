@@ -1,4 +1,4 @@
-/** Game events in words. Pure. */
+/** Match events in words. Pure. */
 
 /** @type {Record<string, string>} */
 const FOULS = {
@@ -16,11 +16,11 @@ const FOULS = {
 };
 
 /**
- * @param {string} event in the format of recordings
+ * @param {string} event in the format of recordings, such as `foul CHARGING left 3`
  * @param {{left: string, right: string}} teams
  * @returns {string} a sentence, empty for events shown elsewhere
  */
-export function foulText(event, teams) {
+export function matchEventText(event, teams) {
   const [kind, first, side, number] = event.split(' ');
   if (kind === 'goal') {
     return `Goal for ${event.split(' ').slice(2).join(' ') || first}`;
