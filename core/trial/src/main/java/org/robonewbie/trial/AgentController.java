@@ -8,7 +8,7 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.effector.EffectorCommand;
 
-/** A controller for an in-process agent. */
+/** A controller that runs an in-process agent. */
 final class AgentController implements Controller {
 
     private final AgentDriver agent;

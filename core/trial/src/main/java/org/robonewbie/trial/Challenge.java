@@ -5,8 +5,8 @@ import java.util.function.Supplier;
 import org.robonewbie.simulator.recording.RecordingTarget;
 
 /**
- * A task for a program: the scene, the events in it, and the measure. Exercises are challenges, and any challenge can be a contest.
- * Each trial needs a new instance, since a challenge accumulates its observations.
+ * A task for a program: the scene, the events in it, and the measure. Every exercise is a challenge, and any challenge can be
+ * used as a contest. Each trial needs a new instance, because a challenge accumulates its observations.
  *
  * <pre>{@code
  * Challenge challenge = new KickTask();
@@ -19,13 +19,13 @@ public interface Challenge extends Measure, TrialHook {
     /**
      * Creates the scene. The program under test moves the robots of the team {@link RobotStart#TEAM}; all others hold still.
      *
-     * @param random source of everything that depends on the seed
+     * @param random source of everything in the scene that depends on the seed
      * @return the scene
      */
     Scene scene(RandomSource random);
 
     /**
-     * Completes the scene after the robots have taken their initial postures.
+     * Completes the scene once the robots have reached their initial postures. Does nothing by default.
      *
      * @param trial the trial at its start
      */
@@ -34,7 +34,7 @@ public interface Challenge extends Measure, TrialHook {
     @Override
     default void act(Trial trial) {}
 
-    /** {@return all results by name} */
+    /** {@return all measured values by name} */
     default Map<String, Double> figures() {
         return Map.of("value", value());
     }
@@ -45,7 +45,7 @@ public interface Challenge extends Measure, TrialHook {
      * @param seconds maximum simulated duration of the trial
      * @param seed seed of the trial
      * @param team name of the team under test
-     * @param contender creates the controller of each robot under test when it enters
+     * @param contender creates the controller of each robot under test when the robot enters the pitch
      * @param listener called after each cycle
      * @param recording receives a recording of the trial
      * @return simulated duration in seconds

@@ -6,7 +6,8 @@ import java.util.function.Supplier;
 import org.robonewbie.simulator.recording.RecordingTarget;
 
 /**
- * A trial of a {@link Challenge} that its owner steps manually, such as a page that displays it. It uses neither threads nor clocks.
+ * A trial of a {@link Challenge} that the caller steps manually, for example a page that displays it. It uses neither threads
+ * nor clocks.
  *
  * <pre>{@code
  * try (ChallengeTrial trial = new ChallengeTrial(challenge, 12, seed, RobotStart.TEAM, contender, TrialListener.NONE, RecordingTarget.NONE)) {
@@ -29,7 +30,7 @@ public final class ChallengeTrial implements AutoCloseable {
      * @param maxSeconds maximum simulated duration of the trial
      * @param seed seed of the trial
      * @param team name of the team under test
-     * @param contender creates the controller of each robot under test when it enters
+     * @param contender creates the controller of each robot under test when the robot enters the pitch
      * @param listener called after each cycle
      * @param recording receives a recording of the trial
      */
@@ -63,7 +64,7 @@ public final class ChallengeTrial implements AutoCloseable {
         return trial.seconds() >= maxSeconds || challenge.isDecided();
     }
 
-    /** Runs all controllers and the world for one cycle. */
+    /** Advances all controllers and the world by one cycle. */
     public void step() {
         challenge.see(trial.step());
     }

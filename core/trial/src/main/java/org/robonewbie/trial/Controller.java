@@ -12,11 +12,11 @@ import org.robonewbie.nao.motion.MotionPlayer;
 import org.robonewbie.protocol.effector.EffectorCommand;
 
 /**
- * The control of a robot in a {@link Trial}: an in-process agent, a program of another process, a motion, a walk, a policy or
- * joint speeds.
+ * Controls a robot in a {@link Trial}. The source of its commands may be an in-process agent, a program in another process, a
+ * motion, a walk, a policy or constant joint speeds.
  *
- * <p>A controller answers the sensor readings of each cycle with commands. It is stateful, so each robot of each trial needs its
- * own instance.
+ * <p>A controller responds to the sensor readings of each cycle with commands. It is stateful, so each robot of each trial
+ * needs its own instance.
  */
 @FunctionalInterface
 public interface Controller extends AutoCloseable {
@@ -32,7 +32,7 @@ public interface Controller extends AutoCloseable {
     }
 
     /**
-     * Returns a controller that plays a motion once and then holds the joints.
+     * Returns a controller that plays a motion once and then holds all joints still.
      *
      * @param motion the motion
      * @return the controller
@@ -42,7 +42,8 @@ public interface Controller extends AutoCloseable {
     }
 
     /**
-     * Returns a controller that plays the motion of a file once, with the interpolation of the file, and then holds the joints.
+     * Returns a controller that plays the motion in a file once, with the interpolation that the file specifies, and then holds
+     * all joints still.
      *
      * @param file the file, see {@link MotionPlayer#of}
      * @return the controller
@@ -78,7 +79,7 @@ public interface Controller extends AutoCloseable {
     /**
      * Returns a controller with constant joint speeds.
      *
-     * @param degreesPerSecond the speed of each joint in the order of {@link org.robonewbie.nao.Joint}; none to hold still
+     * @param degreesPerSecond the speed of each joint in the order of {@link org.robonewbie.nao.Joint}; omit them to hold still
      * @return the controller
      */
     static Controller ofSpeeds(double... degreesPerSecond) {
@@ -103,31 +104,32 @@ public interface Controller extends AutoCloseable {
     default void introduce(String team, int number, TeamSide side) {}
 
     /**
-     * Passes readings before the trial starts, so that programs of other processes can join the game. Their answers are ignored.
+     * Passes readings before the trial starts, so that programs in other processes can join the game. Commands that they send
+     * are ignored.
      *
      * @param readings the sensor readings
      */
     default void awake(SensorReadings readings) {}
 
     /**
-     * Answers the readings of one cycle.
+     * Computes the commands for the readings of one cycle.
      *
      * @param readings the sensor readings
      * @return the commands
      */
     List<EffectorCommand> respond(SensorReadings readings);
 
-    /** {@return whether the controller needs complete messages with camera pictures; a direct trial is faster without them} */
+    /** {@return whether the controller needs complete messages with camera images; a direct trial is faster without them} */
     default boolean readsMessages() {
         return true;
     }
 
-    /** {@return whether the controller has finished; always false for one without an end} */
+    /** {@return whether the controller has finished; always false for a controller without a defined end} */
     default boolean isFinished() {
         return false;
     }
 
-    /** Releases resources. */
+    /** Releases the controller's resources. */
     @Override
     default void close() {}
 }

@@ -18,8 +18,8 @@ import org.robonewbie.protocol.perceptor.Vision;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * Readings taken directly from the world. Single values are rounded as in messages; the complete message is encoded and parsed only
- * on demand.
+ * Readings taken directly from the world. Individual values are rounded as in messages; a complete message is encoded and
+ * parsed only on demand.
  */
 final class DirectReadings implements SensorReadings {
 

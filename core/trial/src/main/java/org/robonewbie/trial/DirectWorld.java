@@ -20,8 +20,8 @@ import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * The physics alone, stepped without messages and referee. As in a game, readings arrive one cycle late, and commands are rounded to
- * message precision and act in the next step.
+ * A world with physics only, stepped without messages or a referee. As in a game, readings arrive one cycle late, and commands
+ * are rounded to message precision and take effect in the next step.
  */
 final class DirectWorld implements World {
 
@@ -80,7 +80,7 @@ final class DirectWorld implements World {
         return simulator.match().state().playMode().simSparkName();
     }
 
-    /** Returns the camera picture of this cycle; as in a game, there is one in every third cycle. */
+    /** Returns the camera image of this cycle; as in a game, there is one only in every third cycle. */
     Optional<Vision> picture(Robot robot) {
         if (cycles % CameraSettings.CYCLES_PER_PICTURE != 0) {
             return Optional.empty();

@@ -6,7 +6,7 @@ import org.robonewbie.nao.motion.MotionPlayer;
 import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.protocol.effector.EffectorCommand;
 
-/** A controller that plays a motion like an agent and then holds the joints. */
+/** A controller that plays a motion, as an agent would, and then holds all joints still. */
 final class MotionController implements Controller {
 
     private final JointStates joints = new JointStates();

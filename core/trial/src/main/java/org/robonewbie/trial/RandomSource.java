@@ -5,14 +5,14 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 
-/** The random numbers of a scene, determined by the seed of the trial. */
+/** Source of the random numbers for a scene, determined by the seed of the trial. */
 public final class RandomSource {
 
     private final long seed;
     private final Random random;
 
     /**
-     * Creates the source of a trial.
+     * Creates the source for a trial.
      *
      * @param seed the seed of the trial
      */
@@ -42,7 +42,7 @@ public final class RandomSource {
         return random.nextBoolean() ? 1 : -1;
     }
 
-    /** {@return whether the seed is odd, which alternates from trial to trial} */
+    /** {@return whether the seed is odd; trials with consecutive seeds alternate} */
     public boolean isSeedOdd() {
         return seed % 2 != 0;
     }
@@ -51,7 +51,7 @@ public final class RandomSource {
      * Shuffles a list.
      *
      * @param elements the elements
-     * @param <T> their type
+     * @param <T> type of the elements
      * @return the elements in random order
      */
     public <T> List<T> shuffled(List<T> elements) {

@@ -8,13 +8,14 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 
 /**
- * The start of a robot in a {@link Scene}: team, number, robot type, pose, and the motions into its initial posture.
+ * The initial state of a robot in a {@link Scene}: team, number, robot type, pose, and the motions that bring it into its
+ * initial posture.
  *
  * @param team name of its team; the team of the first robot of a scene defends the left goal
  * @param number uniform number, 1 to 11
  * @param type robot type
  * @param place start pose, standing with all joints at 0
- * @param prelude motions that it plays before the trial starts, such as one into the stance
+ * @param prelude motions that it plays before the trial starts, such as one that moves it into the stance
  */
 public record RobotStart(String team, int number, RobotType type, Pose2d place, List<Motion> prelude) {
 
@@ -31,7 +32,7 @@ public record RobotStart(String team, int number, RobotType type, Pose2d place, 
      *
      * @param x metres from the centre towards the right goal
      * @param y metres from the centre to the left
-     * @return the start
+     * @return the initial state
      */
     public static RobotStart at(double x, double y) {
         return at(new Pose2d(x, y, 0));
@@ -41,7 +42,7 @@ public record RobotStart(String team, int number, RobotType type, Pose2d place, 
      * Places a robot of type 0, number 1 of the default team.
      *
      * @param place its pose
-     * @return the start
+     * @return the initial state
      */
     public static RobotStart at(Pose2d place) {
         return new RobotStart(TEAM, 1, RobotType.TYPE_0, place, List.of());
@@ -79,7 +80,7 @@ public record RobotStart(String team, int number, RobotType type, Pose2d place, 
     }
 
     /**
-     * Sets motions of the framework that the robot plays before the trial starts.
+     * Sets the built-in motions that the robot plays before the trial starts.
      *
      * @param motions names such as {@code stand}
      * @return a changed copy

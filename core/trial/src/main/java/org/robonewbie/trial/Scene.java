@@ -7,16 +7,16 @@ import org.robonewbie.simulator.landscape.Landscape;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
- * The start of a trial: pitch and rules, robots and ball. A scene is immutable and can be reused.
+ * The initial state of a trial: pitch and rules, robots and ball. A scene is immutable and can be reused.
  *
  * <pre>{@code
  * Scene scene = Scene.of(RobotStart.at(-3, 0)).withBall(-2.8, 0.04).withoutNoise();
  * }</pre>
  *
  * @param parameters the pitch and the referee's rules
- * @param noise whether cameras have the noise of the league
- * @param landscape objects on the pitch besides goals and ball
- * @param robots the robots in the order in which they enter
+ * @param noise whether camera readings have the noise that the league specifies
+ * @param landscape objects on the pitch in addition to goals and ball
+ * @param robots the robots in the order in which they enter the pitch
  * @param ball initial position of the ball, whose height is ignored; empty for the centre spot
  */
 public record Scene(
@@ -35,9 +35,9 @@ public record Scene(
     }
 
     /**
-     * Creates a scene on the beginners' pitch, with noise and the ball on the centre spot.
+     * Creates a scene on the beginners' pitch, with camera noise, and with the ball on the centre spot.
      *
-     * @param robots the robots in the order in which they enter
+     * @param robots the robots in the order in which they enter the pitch
      * @return the scene
      */
     public static Scene of(RobotStart... robots) {
@@ -66,7 +66,7 @@ public record Scene(
     }
 
     /**
-     * Changes pitch and rules.
+     * Changes the pitch and the rules.
      *
      * @param other the parameters
      * @return a changed copy

@@ -34,15 +34,16 @@ public interface SensorReadings {
     /** {@return the angular velocity of the torso in degrees per second, about SimSpark's axes: right, forward, up} */
     Vector3 gyro();
 
-    /** {@return the proper acceleration of the torso in metres per second squared, along SimSpark's axes: right, forward, up} */
+    /**
+     * {@return the specific force at the torso, as measured by an accelerometer, in metres per second squared, along SimSpark's
+     * axes: right, forward, up}
+     */
     Vector3 acceleration();
 
     /** {@return the contact forces on the feet, along SimSpark's axes} */
     FootForces feet();
 
-    /**
-     * {@return the camera picture of this cycle, empty if there is none; not rounded in a direct trial}
-     */
+    /** {@return the camera image of this cycle, empty if there is none; not rounded in a direct trial} */
     Optional<Vision> picture();
 
     /** {@return the complete parsed message} */

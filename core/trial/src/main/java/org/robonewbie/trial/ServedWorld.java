@@ -3,7 +3,7 @@ package org.robonewbie.trial;
 import java.util.List;
 import org.robonewbie.simulator.cycle.SteppedSimulator;
 
-/** The complete simulation cycle, with messages in both directions and a referee. */
+/** A world with the complete simulation cycle, including a referee and messages in both directions. */
 final class ServedWorld implements World {
 
     private final SteppedSimulator simulator;

@@ -24,8 +24,8 @@ import org.robonewbie.simulator.world.Ball;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * A deterministic simulation of a {@link Scene} with a {@link Controller} for each of its robots and a seed. Equal trials are
- * bit-identical; the simulation waits for every controller.
+ * A deterministic simulation of a {@link Scene}, with a {@link Controller} for each of its robots. Trials with the same scene,
+ * controllers and seed are bit-identical, because the simulation waits for every controller.
  *
  * <pre>{@code
  * try (Trial trial = Trial.direct(Scene.of(RobotStart.at(-3, 0)), 1, Controller.ofMotion(kick))) {
@@ -36,8 +36,8 @@ import org.robonewbie.simulator.world.Robot;
  * }</pre>
  *
  * <p>In a <em>served</em> trial, robots exchange messages with a complete simulator including the referee. In a <em>direct</em>
- * trial, they join in the same way, but then only the physics runs, which is faster, without referee and hearing. Without noise, a
- * robot behaves identically in both. Not thread-safe.
+ * trial, they join in the same way, but then only the physics runs. This is faster, but there is no referee, and robots do not
+ * hear messages. Without noise, a robot behaves identically in both. Not thread-safe.
  */
 public final class Trial implements AutoCloseable {
 
@@ -49,7 +49,10 @@ public final class Trial implements AutoCloseable {
     /** A robot appears in the first cycle and gets its first message after the third. */
     private static final int CYCLES_TO_APPEAR = 3;
 
-    /** Messages with the robot's number; with {@link #CYCLES_TO_WAKE}, a program gets the 17 messages that it needs to start. */
+    /**
+     * Number of messages that contain the robot's number. Together with {@link #CYCLES_TO_WAKE}, they make up the 17 messages
+     * that a program needs to start.
+     */
     private static final int CYCLES_TO_JOIN = 3;
 
     private final Scene scene;
@@ -76,10 +79,10 @@ public final class Trial implements AutoCloseable {
     /**
      * Starts a trial with a complete simulator.
      *
-     * @param scene the start of the trial
+     * @param scene the initial state of the trial
      * @param seed seed of all noise
      * @param controllers the controller of each robot of the scene
-     * @return the trial at its start
+     * @return the trial, which has not advanced yet
      */
     public static Trial served(Scene scene, long seed, Controller... controllers) {
         Iterator<Controller> all = each(scene, controllers);
@@ -89,12 +92,12 @@ public final class Trial implements AutoCloseable {
     /**
      * Starts a trial with a complete simulator, a listener and a recording.
      *
-     * @param scene the start of the trial
+     * @param scene the initial state of the trial
      * @param seed seed of all noise
      * @param listener called after each cycle
      * @param recording receives a recording of the trial
-     * @param cast creates the controller of a robot when it enters
-     * @return the trial at its start
+     * @param cast creates the controller of a robot when the robot enters the pitch
+     * @return the trial, which has not advanced yet
      */
     public static Trial observed(
             Scene scene,
@@ -110,10 +113,10 @@ public final class Trial implements AutoCloseable {
     /**
      * Starts a trial with physics only.
      *
-     * @param scene the start of the trial
+     * @param scene the initial state of the trial
      * @param seed seed of all noise
      * @param controllers the controller of each robot of the scene
-     * @return the trial at its start
+     * @return the trial, which has not advanced yet
      */
     public static Trial direct(Scene scene, long seed, Controller... controllers) {
         Iterator<Controller> all = each(scene, controllers);
@@ -207,14 +210,15 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
-     * Allows robots to beam under the rules of the referee. By default beams are ignored, since the scene defines the start poses.
+     * Allows robots to beam, subject to the referee's rules. By default beams are ignored, because the scene defines the start
+     * poses.
      */
     public void allowBeams() {
         bodies.forEach(TrialBody::allowBeams);
     }
 
     /**
-     * Runs all controllers and the world for one cycle.
+     * Advances all controllers and the world by one cycle.
      *
      * @return the true state afterwards
      */
@@ -226,7 +230,7 @@ public final class Trial implements AutoCloseable {
         return now();
     }
 
-    /** Makes the current state the start of the trial, to which {@link #reset} returns. */
+    /** Saves the current state as the start of the trial, to which {@link #reset} returns. */
     public void keep() {
         cycles = 0;
         world.keep();
@@ -237,7 +241,7 @@ public final class Trial implements AutoCloseable {
      * Resets a direct trial to its start, which is much faster than creating a new one.
      *
      * @param seed new seed of all noise
-     * @param controllers the new controller of each robot
+     * @param controllers a new controller for each robot
      */
     public void reset(long seed, Controller... controllers) {
         Iterator<Controller> all = each(scene, controllers);
@@ -265,7 +269,8 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
-     * Executes an order of the human referee, such as a kick-off, before the next cycle. Only served trials have a referee.
+     * Executes an order that a human referee could give, such as a kick-off, before the next cycle. Requires a served trial,
+     * because only these have a referee.
      *
      * @param order the order
      */
@@ -274,7 +279,7 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
-     * Runs until the time is up or a measure is decided. The measures first observe the current state.
+     * Runs until the time is up or a measure is decided. The first state that the measures observe is the current one.
      *
      * @param seconds end of the run, in simulated seconds since the start of the trial
      * @param measures the measures
@@ -311,7 +316,7 @@ public final class Trial implements AutoCloseable {
     /**
      * Scales the friction of all surfaces until the trial ends or is reset.
      *
-     * @param factor above 0; 1 as in SimSpark, with 0.5 feet slip twice as fast under the same force
+     * @param factor friction relative to SimSpark's, above 0; with 0.5, feet slip twice as fast under the same force
      */
     public void setGrip(double factor) {
         simulator.world().setGrip(factor);
@@ -333,7 +338,7 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
-     * Returns the readings that a robot's controller answers in the next cycle.
+     * Returns the readings to which a robot's controller responds in the next cycle.
      *
      * @param index its index in the scene
      * @return the readings, valid until the next cycle
@@ -367,10 +372,10 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
-     * Returns the message that a robot said in this cycle.
+     * Returns the voice message that a robot sent in this cycle.
      *
      * @param index its index in the scene
-     * @return the text; empty if it said nothing
+     * @return the text; empty if it sent none
      */
     public Optional<String> said(int index) {
         return bodies.get(index).commands().stream()

@@ -33,7 +33,7 @@ final class TrialBody {
         receive();
     }
 
-    /** Requests a robot. */
+    /** Sends the command that creates a robot. */
     static void create(AgentLink link, RobotType type) {
         MessageBuffer message = new MessageBuffer();
         new EffectorMessageWriter(message).write(CreateRobot.of(type.ordinal())).synchronise();
@@ -73,7 +73,7 @@ final class TrialBody {
         mayBeam = true;
     }
 
-    /** Gets the controller's answer to the current readings. Beams are ignored unless the trial allows them. */
+    /** Gets the controller's commands for the current readings. Removes beams unless the trial allows them. */
     void perform() {
         commands = controller.respond(readings).stream()
                 .filter(command -> !(command instanceof EffectorCommand.Synchronise))

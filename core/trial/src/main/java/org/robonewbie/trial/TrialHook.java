@@ -5,7 +5,7 @@ package org.robonewbie.trial;
 public interface TrialHook {
 
     /**
-     * Called after each cycle, before measures observe it.
+     * Called after each cycle, before measures observe the new state.
      *
      * @param trial the trial
      */

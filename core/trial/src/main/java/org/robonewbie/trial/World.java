@@ -2,10 +2,10 @@ package org.robonewbie.trial;
 
 import java.util.List;
 
-/** The exchange of commands and readings with the simulated world. */
+/** The simulated world, which exchanges commands for readings in each cycle. */
 interface World {
 
-    /** Runs one cycle of 20 ms with the commands of all robots. */
+    /** Executes the commands of all robots for one cycle of 20 ms and sets their new readings. */
     void cycle(List<TrialBody> bodies);
 
     /** Saves the current state as the start of the trial. */

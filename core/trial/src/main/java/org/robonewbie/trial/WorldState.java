@@ -9,17 +9,17 @@ import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.simulator.landscape.Thing;
 
 /**
- * The true state of a trial, without noise and delay, which is the only input of measures. The world frame has its origin at the
+ * The true state of a trial, without noise or delay; it is the only input to measures. The world frame has its origin at the
  * centre spot, x towards the right goal, y to the left and z up.
  *
  * @param seconds simulated time since the start of the trial
  * @param robots the robots in the order of the scene
  * @param ball centre of the ball, metres
  * @param ballVelocity metres per second
- * @param things other objects on the pitch at their current poses
+ * @param things other objects on the pitch, at their current poses
  * @param playMode the play mode
  * @param leftGoals goals of the left team, which plays towards the right
- * @param rightGoals goals of the other team
+ * @param rightGoals goals of the right team
  */
 public record WorldState(
         double seconds,

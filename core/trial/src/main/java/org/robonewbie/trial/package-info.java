@@ -1,6 +1,6 @@
 /**
- * Deterministic trials with measures of the true results, the basis of exercises, contests, learning and measurements. Read {@link
- * org.robonewbie.trial.Trial} first. A trial, a motion and two measures:
+ * Deterministic trials, measured on the ground truth; exercises, contests, learning and experiments are based on them. Read
+ * {@link org.robonewbie.trial.Trial} first. An example that measures a motion:
  *
  * <pre>{@code
  * Scene scene = Scene.of(RobotStart.at(-3, 0).after(stand)).withBall(-2.8, 0.04);

@@ -33,8 +33,8 @@ import org.robonewbie.trial.batch.BatchRunner;
 import org.robonewbie.trial.batch.ThreadRunner;
 
 /**
- * Runner of a contest, from the first trial to the table. Each finished trial is saved in the result folder; running the same contest
- * again in the same folder runs only the missing trials.
+ * Runs a contest, from the first trial to the final table. Each finished trial is saved in the result folder; running the same
+ * contest again in the same folder runs only the missing trials.
  *
  * <pre>{@code
  * Table table = new Competition(contest, teams, settings, System.out).hold();
@@ -56,7 +56,7 @@ public final class Competition {
      * @param contest the contest
      * @param teams participating teams
      * @param settings seeds, limits and folders
-     * @param out output for progress
+     * @param out stream to which progress is printed
      */
     public Competition(Contest contest, List<TeamEntry> teams, CompetitionSettings settings, PrintStream out) {
         this.contest = contest;
@@ -101,7 +101,7 @@ public final class Competition {
         }
     }
 
-    /** Returns notes on how the programs were isolated. */
+    /** Returns notes for the table on how the programs were isolated. */
     private List<String> notes() {
         if (settings.sandbox().isUp()) {
             return List.of(
@@ -142,7 +142,7 @@ public final class Competition {
         }
     }
 
-    /** {@return the teams whose files were refused, after the contest; all other teams played} */
+    /** {@return the teams whose files were refused; all other teams played. Call this after {@link #hold}} */
     public List<String> refusedTeams() {
         return List.copyOf(refused);
     }

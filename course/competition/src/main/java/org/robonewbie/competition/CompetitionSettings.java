@@ -9,13 +9,13 @@ import org.robonewbie.programs.process.Sandbox;
 /**
  * Settings of a contest.
  *
- * @param seed seed of all random numbers, printed in the table
- * @param results folder for results
- * @param teamsFolder base folder of relative paths of teams
- * @param examples class names of the examples, by short name
+ * @param seed seed of all random numbers, which is printed in the table
+ * @param results folder in which results are stored
+ * @param teamsFolder folder to which the paths of teams are relative
+ * @param examples class names of the examples by simple name
  * @param parallelTrials number of trials that run in parallel
- * @param limits resource limits per program
- * @param sandbox sandbox of the programs
+ * @param limits resource limits for each program
+ * @param sandbox sandbox in which the programs run
  * @param spectators live viewers
  */
 public record CompetitionSettings(

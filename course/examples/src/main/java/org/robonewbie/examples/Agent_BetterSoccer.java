@@ -14,10 +14,10 @@ import org.robonewbie.nao.geometry.Pose2d;
  * A soccer player that scores about twenty times as fast as {@link Agent_SimpleSoccer}.
  *
  * <p>Improvements: it walks in any direction without stopping, makes a decision in each cycle instead of after each motion,
- * localises itself and so knows the direction of the goal without seeing it, compensates its own movement in the ball's
- * position, and keeps the ball in view. Behind the ball it just walks on: its feet push the ball along.
+ * localises itself and so knows the direction of the goal without seeing it, corrects the ball's position for its own movement,
+ * and keeps the ball in view. Once it is behind the ball, it just keeps walking: its feet push the ball along.
  *
- * <p>Ideas: kick when the path is free; consider the opponents; pass.
+ * <p>Ideas: kick when the path is clear; consider the opponents; pass.
  */
 public class Agent_BetterSoccer extends Agent {
 
@@ -60,7 +60,7 @@ public class Agent_BetterSoccer extends Agent {
         }
     }
 
-    /** Whether only the other team may play the ball, for example in a goal kick; pushing it would be a foul. */
+    /** Returns whether only the other team may play the ball, for example in a goal kick; touching it would be a foul. */
     private boolean isBallForbidden() {
         TeamSide opponent = nao.getTeamSide().opponent();
         return nao.getPlayMode().kicker().filter(opponent::equals).isPresent();
@@ -83,7 +83,7 @@ public class Agent_BetterSoccer extends Agent {
         bring(ballNow, goal);
     }
 
-    /** Turns the head to the ball; the vertical field of view is large enough without a change of pitch. */
+    /** Turns the head towards the ball. The vertical field of view is large enough to keep the pitch constant. */
     private void watch(Vector3 ball) {
         double bearing = Math.toDegrees(Math.atan2(ball.y(), ball.x()));
         nao.setJointAngle(Joint.NECK_YAW, Math.max(-80, Math.min(80, bearing)), 180);
@@ -91,7 +91,7 @@ public class Agent_BetterSoccer extends Agent {
     }
 
     /**
-     * Gets behind the ball, as seen from the goal, and then walks through it towards the goal.
+     * Gets behind the ball, as seen from the goal, and then pushes it towards the goal by walking on.
      *
      * @param ball position of the ball in the robot's frame, in metres
      * @param goal target of the ball in the robot's frame, in metres
@@ -115,10 +115,10 @@ public class Agent_BetterSoccer extends Agent {
     }
 
     /**
-     * Walks to a point: a near one without turning away, a distant one facing it.
+     * Walks to a point. It faces a distant point; a near one is reached by stepping in any direction.
      *
      * @param place target in the robot's frame, in metres
-     * @param turn angle to turn by if the target is near, in degrees; positive is left
+     * @param turn angle by which to turn if the target is near, in degrees; positive is left
      */
     protected final void walkTo(Vector3 place, double turn) {
         nao.drawPoint(place, "red");

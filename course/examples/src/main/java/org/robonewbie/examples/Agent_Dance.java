@@ -10,8 +10,8 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * A dancer, without soccer. The motion is created by the program instead of a file: a sequence of postures, each with the time
- * to reach it.
+ * A robot that dances instead of playing soccer. The program creates the motion instead of reading it from a file: a sequence
+ * of postures, each with the time in which to reach it.
  *
  * <p>Create your own dance: which joints can the robot move without falling, and how fast?
  */

@@ -12,7 +12,7 @@ import org.robonewbie.nao.motion.file.ShippedMotions;
 
 /**
  * Plays a motion repeatedly while you edit it: save {@code motions/my-motion.txt} in the motion editor or any text editor, and
- * the robot plays the new version as soon as the current motion is over. If the robot falls, it gets up.
+ * the robot plays the new version as soon as the current one has finished. If the robot falls, it gets up.
  *
  * <p>{@code Agent_KeyframeDeveloper my-kick} plays another file. A file that does not exist yet is created as a copy of {@code
  * wave}.

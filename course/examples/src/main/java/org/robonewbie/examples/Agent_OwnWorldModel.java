@@ -10,14 +10,14 @@ import org.robonewbie.agent.perception.LocalFieldView;
 import org.robonewbie.nao.Vector3;
 
 /**
- * An agent with its own world model instead of the local field view: it predicts the ball while the robot moves and the head
- * looks elsewhere, and draws the prediction (orange) beside the field view's memory (grey).
+ * An agent with its own world model instead of the local field view: it predicts the ball while the robot moves or its head is
+ * turned away, and draws the prediction (orange) beside the field view's memory (grey).
  *
- * <p>A world model is any class that is updated in {@link #sense} after the framework has read all sensors; that takes one
- * line. Kick the ball in the studio and watch how long the two circles agree.
+ * <p>A world model can be any class. One line in {@link #sense} updates it after the framework has read all sensors. Kick the
+ * ball in the studio and watch how long the two circles agree.
  *
  * <p>Ideas: model the friction of the ball; discard it when the camera looks at its predicted position and does not see it; ask
- * team mates.
+ * teammates.
  */
 public final class Agent_OwnWorldModel extends Agent {
 
@@ -58,7 +58,7 @@ public final class Agent_OwnWorldModel extends Agent {
         }
     }
 
-    /** Estimate of the ball's position while robot and ball move. */
+    /** Estimates the ball's position while both robot and ball move. */
     private static final class WorldModel {
 
         private static final double SMOOTHING = 0.3;
@@ -89,7 +89,7 @@ public final class Agent_OwnWorldModel extends Agent {
             seenSeconds = ball.lastSeenSeconds();
         }
 
-        /** Returns the predicted ball in the robot's frame. */
+        /** Returns the predicted position of the ball in the robot's frame. */
         Vector3 ball(double seconds) {
             return odometry.pose().fromFrame(place.plus(velocity.times(seconds - seenSeconds)));
         }

@@ -9,11 +9,12 @@ import org.robonewbie.nao.motion.MotionFile;
 import org.robonewbie.nao.motion.file.MotionFiles;
 
 /**
- * A penalty taker: it gets behind the ball as {@link Agent_BetterSoccer} does, but then kicks it hard.
+ * A penalty taker: it gets behind the ball as {@link Agent_BetterSoccer} does, but then kicks it hard instead of pushing it.
  *
  * <p>A kick requires precision. The robot stops with the ball right in front of a foot, stands still, checks the ball's
- * position again, and only then plays the motion. The comment {@code // ball:} of the motion file states the required position.
- * The tilt of the torso, from the accelerometer, is used to convert the sighting from the head's to the torso's frame.
+ * position again, and only then plays the motion. The comment {@code // ball:} in the motion file specifies the required
+ * position. The robot sees the ball in the frame of its head; the accelerometer measures the tilt that is needed to convert the
+ * position to the frame of its torso.
  *
  * <p>Start {@link Agent_PenaltyGoalkeeper} in the same simulator. Ideas: aim at the corner that the goalkeeper leaves open.
  */
@@ -86,14 +87,14 @@ public final class Agent_PenaltyAttacker extends Agent_BetterSoccer {
         }
     }
 
-    /** Converts a position from the head's frame to a horizontal frame below the torso. */
+    /** Converts a position from the head's frame to a horizontal frame whose origin is below the torso. */
     private Vector3 fromTorso(Vector3 ball) {
         double lean = Math.toRadians(leanDegrees);
         double up = ball.z() + HEAD_ABOVE_TORSO_METRES;
         return new Vector3(ball.x() * Math.cos(lean) + up * Math.sin(lean), ball.y(), 0);
     }
 
-    /** Required position of the ball for a kick with the left foot. */
+    /** Returns the required position of the ball for a kick with the left foot. */
     private static Translation2d ballBeforeKick() {
         try {
             return MotionFiles.library()

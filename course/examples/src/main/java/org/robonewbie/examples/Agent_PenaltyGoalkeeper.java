@@ -10,11 +10,11 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Pose2d;
 
 /**
- * A goalkeeper against {@link Agent_PenaltyAttacker}: it observes the ball, predicts where it will cross the goal line, and
- * dives for a fast ball. Afterwards it gets up and walks back to its position.
+ * A goalkeeper that plays against {@link Agent_PenaltyAttacker}: it watches the ball, predicts where it will cross the goal
+ * line, and dives if the ball is fast. Afterwards it gets up and walks back to its position.
  *
- * <p>No sensor measures the velocity of the ball: it is computed from two camera pictures. Ideas: come out of the goal to
- * reduce the angle; do not dive if a side step is enough.
+ * <p>No sensor measures the velocity of the ball: it is computed from two camera images. Ideas: come out of the goal to narrow
+ * the angle; do not dive if a side step is enough.
  */
 public final class Agent_PenaltyGoalkeeper extends Agent {
 
@@ -90,7 +90,10 @@ public final class Agent_PenaltyGoalkeeper extends Agent {
         shotPictures = isShot(ball) ? shotPictures + 1 : 0;
     }
 
-    /** Whether the ball is fast enough to reach the goal. Friction of the grass stops it: it rolls 0.67 m for each m/s. */
+    /**
+     * Returns whether the ball is fast enough to reach the goal. The friction of the grass stops it after 0.67 m for each m/s
+     * of its speed.
+     */
     private boolean isShot(Vector3 ball) {
         double approach = -ballVelocity.x();
         return approach > FAST_METRES_PER_SECOND
@@ -98,18 +101,21 @@ public final class Agent_PenaltyGoalkeeper extends Agent {
                 && Math.abs(crossing(fieldView.ball())) < self.field().goalWidth() / 2 + 0.1;
     }
 
-    /** Lateral distance at which the ball will pass the robot, in metres to the left. */
+    /** Returns the lateral distance at which the ball will pass the robot, in metres to the left. */
     private double crossing(FieldItem item) {
         Vector3 ball = item.position();
         return ball.y() + ballVelocity.y() * ball.x() / Math.max(0.01, -ballVelocity.x());
     }
 
-    /** The position one step in front of the centre of the own goal, which depends on the field. */
+    /** Returns the position one step in front of the centre of the team's own goal. */
     private Pose2d place() {
         return new Pose2d(BEFORE_LINE_METRES - self.field().length() / 2, 0, 0);
     }
 
-    /** Lateral position on the line from the ball to the centre of the goal, in metres to the left. */
+    /**
+     * Returns the lateral position at which the robot is on the line from the ball to the centre of the goal, in metres to the
+     * left.
+     */
     private double coveringY(FieldItem ball) {
         if (ball.ageSeconds() > MEMORY_SECONDS) {
             return 0;

@@ -11,11 +11,12 @@ import org.robonewbie.nao.PlayMode;
  * A soccer player with a simple decision tree: find the ball, walk to it, get behind it, and push it into the goal. It plays
  * poorly on purpose, so that there is much to improve.
  *
- * <p>The head scans all the time. Sightings stay in the field view, and count as known for the duration of one scan. Decisions
- * are made only when the last motion is over and the head looks down in front of the feet, where the field view is exact.
+ * <p>The head scans continuously. The field view remembers what it has seen, and an object counts as known for the duration of
+ * one scan. The robot decides only when the last motion is over and its head points at the ground in front of its feet, because
+ * the field view is accurate there.
  *
- * <p>Ideas: the player wants the ball nearly straight ahead, but all its turns have the same size: turn by the required angle;
- * stop less often; kick; walk around the ball instead of side-stepping.
+ * <p>Ideas: the player wants the ball nearly straight ahead, but always turns by the same angle: turn by the required one; stop
+ * less often; kick; walk around the ball instead of side-stepping.
  */
 public class Agent_SimpleSoccer extends Agent {
 
@@ -85,7 +86,7 @@ public class Agent_SimpleSoccer extends Agent {
         }
     }
 
-    /** Side-steps until the goal comes into view; changes direction after many steps, since a goal post may be in the way. */
+    /** Side-steps until the goal comes into view; changes direction after many steps, because a goal post may be in the way. */
     private void goAroundTheBall() {
         boolean left = stepsAround / MANY_STEPS % 2 == 0;
         motions.start(left ? "side-step-left" : "side-step-right");
@@ -93,8 +94,8 @@ public class Agent_SimpleSoccer extends Agent {
     }
 
     /**
-     * Whether the head looks down straight ahead; with a head that is turned and tilted at the same time, the field view is
-     * inaccurate.
+     * Returns whether the head points straight ahead and down; the field view is inaccurate while the head is both turned and
+     * tilted.
      */
     private boolean looksAtFeet() {
         return Math.abs(nao.getJointAngle(Joint.NECK_YAW)) < 10 && nao.getJointAngle(Joint.NECK_PITCH) < -25;

@@ -5,8 +5,8 @@ import org.robonewbie.agent.Options;
 import org.robonewbie.agent.perception.FieldItem;
 
 /**
- * Walks to the ball and stops there. It decides whenever the last motion is over: turn until the ball is ahead, walk until it
- * is near.
+ * Walks to the ball and stops there. It makes a decision whenever the last motion is over: it turns until the ball is ahead,
+ * then walks until it is near.
  *
  * <p>The head scans far enough down to see the ball even right in front of the feet.
  */

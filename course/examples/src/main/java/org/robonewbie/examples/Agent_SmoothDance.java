@@ -7,8 +7,8 @@ import org.robonewbie.nao.motion.Interpolation;
 import org.robonewbie.nao.motion.KeyframeInterval;
 
 /**
- * Plays the dance with smooth curves instead of straight lines between keyframes, by a custom interpolation in a dozen lines.
- * Watch how the arms pass through a keyframe instead of changing speed abruptly.
+ * Plays the dance with smooth curves instead of straight lines between keyframes, using a custom interpolation of a dozen
+ * lines. Watch how the arms pass through a keyframe instead of changing speed abruptly.
  *
  * <p>With the argument {@code linear} it uses the default interpolation, for comparison.
  */
@@ -38,8 +38,8 @@ public final class Agent_SmoothDance extends Agent {
     }
 
     /**
-     * Cubic Catmull-Rom spline through all keyframes: at each keyframe the joint has the mean velocity of the adjacent
-     * sections.
+     * Cubic Catmull-Rom spline through all keyframes: at each keyframe the joint has the mean velocity of the two adjacent
+     * segments.
      */
     static final class Spline implements Interpolation {
 

@@ -8,10 +8,10 @@ import org.robonewbie.agent.perception.HeardMessage;
 
 /**
  * A team with roles: number 1 keeps the goal, the nearest other player to the ball attacks as {@link Agent_SimpleSoccer} does,
- * and the rest keeps the ball in view. The players broadcast their distances to find out which one is nearest.
+ * and the others keep the ball in view. The players broadcast their distances to the ball to find out which of them is nearest.
  *
- * <p>{@code Agent_SoccerTeam 3 --team Blue} starts three players with one command. Start it a second time with another team
- * name for opponents.
+ * <p>{@code Agent_SoccerTeam 3 --team Blue} starts three players with one command. Start it again with another team name to add
+ * opponents.
  */
 public final class Agent_SoccerTeam extends Agent_SimpleSoccer {
 

@@ -14,15 +14,15 @@ import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.Vector3;
 
 /**
- * Logs the contents of the field view while the head scans, twice per second for five seconds, and compares them with the
- * truth.
+ * Logs the contents of the field view while the head scans, twice per second for five seconds, and compares them with the true
+ * positions.
  *
  * <p>Watch how objects stay known when the head turns away, and how their age increases. Start {@link Agent_Dummy} in the same
  * simulator to see another robot.
  *
- * <p>A real robot cannot know the truth; the simulator sends it for this experiment (option {@code --truth}). The field view
- * adds the angles of neck and camera, which is simple but not exact. How large is the error, and at which head angles is it
- * largest? With the argument {@code exact} the robot uses the forward kinematics of its neck.
+ * <p>A real robot cannot know the true positions; the simulator sends them for this experiment (option {@code --truth}). The
+ * field view adds the angles of neck and camera, which is a simple approximation. How large is the error, and at which head
+ * angles is it largest? With the argument {@code exact} the robot uses the forward kinematics of its neck.
  */
 public final class Agent_TestLocalFieldView extends Agent {
 
@@ -65,7 +65,7 @@ public final class Agent_TestLocalFieldView extends Agent {
         }
     }
 
-    /** Compares the estimated with the true position of the ball, whenever it is visible. */
+    /** Compares the estimated position of the ball with the true one whenever the ball is visible. */
     private void compare(CameraPicture.Truth places) {
         FieldItem ball = fieldView.ball();
         if (ball.isVisible()) {

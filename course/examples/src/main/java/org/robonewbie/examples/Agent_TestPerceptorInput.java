@@ -9,10 +9,10 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 
 /**
- * Logs all sensor readings in each of 50 cycles. The log is printed when the run is over, since printing within a cycle would
- * take too long.
+ * Logs all sensor readings in each of 50 cycles. The log is printed after the run, because printing during a cycle would take
+ * too long.
  *
- * <p>Start {@link Agent_Dummy} in the same simulator for messages and a robot in view.
+ * <p>Start {@link Agent_Dummy} in the same simulator to receive messages and to have a robot in view.
  */
 public final class Agent_TestPerceptorInput extends Agent {
 

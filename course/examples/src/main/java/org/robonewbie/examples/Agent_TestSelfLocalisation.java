@@ -8,10 +8,11 @@ import org.robonewbie.agent.perception.CameraTransformation;
 import org.robonewbie.nao.geometry.Pose2d;
 
 /**
- * Localises itself on the field while it walks, and compares the result with the truth.
+ * Localises itself on the field while it walks, and compares its estimated pose with the true one.
  *
- * <p>This is beyond what a beginner needs: goal posts and flags determine pose and field, gyroscope and legs the movement in
- * between; see {@link SelfLocalisation}. The studio draws the estimated pose next to the robot.
+ * <p>A beginner does not need this. Pose and field size are determined from goal posts and flags, and the movement between
+ * sightings from the gyroscope and the legs; see {@link SelfLocalisation}. The studio draws the estimated pose next to the
+ * robot.
  */
 public final class Agent_TestSelfLocalisation extends Agent {
 

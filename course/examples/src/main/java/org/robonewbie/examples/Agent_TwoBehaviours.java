@@ -10,7 +10,7 @@ import org.robonewbie.nao.Joint;
 
 /**
  * Two concurrent behaviours in separate threads: the head follows the ball while the left arm swings. Both run once in each
- * cycle, and {@code think} waits for both, so that all commands belong to the same message.
+ * cycle, and {@code think} waits for both, so that all commands are sent in the same message.
  *
  * <p>The behaviours move different joints. What happens if both move the same one?
  */

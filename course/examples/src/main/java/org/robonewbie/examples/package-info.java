@@ -1,5 +1,5 @@
 /**
- * Example agents of the lessons. Read {@link org.robonewbie.examples.Agent_Wave} first, then {@link
+ * Example agents for the lessons. Read {@link org.robonewbie.examples.Agent_Wave} first, then {@link
  * org.robonewbie.examples.Agent_BasicStructure} and {@link org.robonewbie.examples.Agent_SimpleSoccer}.
  *
  * <p><strong>Internal</strong>: not part of the API, may change with every version.

@@ -12,7 +12,7 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
-/** Raise the arm on the side of another robot, which changes its position every three seconds. */
+/** Task: raise the arm on the side of another robot, which changes its position every three seconds. */
 final class ArmBySideTask implements Task {
 
     private static final Pose2d STUDENT = new Pose2d(-3, 0, 0);
@@ -77,7 +77,7 @@ final class ArmBySideTask implements Task {
                                 + " the side. Up is above 50°, down below 20°.");
     }
 
-    /** Returns the number of phases with correct arms while the other robot was on a side. */
+    /** Returns the number of phases in which the other robot was on the given side and the arms were correct. */
     private int right(int side) {
         return (int) IntStream.range(0, wrong.length)
                 .filter(i -> sides.get(i) == side && !wrong[i])

@@ -9,7 +9,7 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 
-/** Walk once around the ball without touching or losing it. */
+/** Task: walk once around the ball without touching it or moving too far away from it. */
 final class AroundTheBallTask implements Task {
 
     private static final Pose2d STUDENT = new Pose2d(-0.8, 0, 0);

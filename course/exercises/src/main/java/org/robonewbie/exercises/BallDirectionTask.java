@@ -22,8 +22,8 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Report the direction of the ball while the head turns and the body leans. Neither the sum of neck and camera angles nor the
- * kinematics of the neck, which assume an upright torso, are accurate enough.
+ * Task: report the direction of the ball while the head turns and the body leans. Neither the sum of neck and camera angles nor
+ * the kinematics of the neck, which assume an upright torso, are accurate enough.
  */
 final class BallDirectionTask implements Task {
 
@@ -54,7 +54,7 @@ final class BallDirectionTask implements Task {
                 .withBall(STUDENT.point(random.between(1, 2), bearing, 0));
     }
 
-    /** Returns a motion that leans forward at the hips; the ankles keep the weight over the feet. */
+    /** Returns a motion that leans forward at the hips; the ankles keep the centre of mass above the feet. */
     private static Motion leaning(double degrees) {
         double hip = 35 + (1 + ANKLE_SHARE) * degrees;
         double ankle = 37 - ANKLE_SHARE * degrees;

@@ -14,9 +14,9 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Pass to the teammate with a free passing lane, twice. An opponent first blocks the nearer teammate, then the farther one; between
- * the passes all robots are moved back. After the ball has hit the opponent, its path no longer counts, since a deflection to the
- * free teammate would be luck.
+ * Task: pass to the teammate with a free passing lane, twice. An opponent first blocks the nearer teammate, then the farther
+ * one; between the passes all robots are moved back to their start poses. After the ball has hit the opponent, its path no
+ * longer counts, because a deflection to the free teammate would be luck.
  */
 final class BetterPassTask implements Task {
 
@@ -30,7 +30,7 @@ final class BetterPassTask implements Task {
     private static final double STOPPED_METRES = 0.3;
     private static final int OPPONENT = 3;
 
-    /** Start poses of passer, both teammates and opponent, by pass. */
+    /** Start poses of the passer, both teammates and the opponent, for each of the two passes. */
     private final List<List<Pose2d>> starts = new ArrayList<>();
 
     private final double[] nearest = new double[PASSES];
@@ -38,7 +38,7 @@ final class BetterPassTask implements Task {
     private boolean stopped;
     private double strayed;
 
-    /** Creates the task of one trial. */
+    /** Creates the task for one trial. */
     public BetterPassTask() {
         Arrays.fill(nearest, Double.POSITIVE_INFINITY);
     }
@@ -66,7 +66,7 @@ final class BetterPassTask implements Task {
                 180 + degrees);
     }
 
-    /** Returns the pose of an opponent that blocks the lane to a teammate. */
+    /** Returns the pose of an opponent that blocks the passing lane to a teammate. */
     private static Pose2d before(Pose2d mate) {
         Vector3 way = mate.point(0, 0, 0).minus(BALL);
         Vector3 place = BALL.plus(way.times(OPPONENT_METRES / way.length()));
@@ -99,7 +99,7 @@ final class BetterPassTask implements Task {
         }
     }
 
-    /** Returns the index of the free teammate: first the farther one, then the nearer one. */
+    /** Returns the index of the free teammate: the farther one in the first pass, the nearer one in the second. */
     private static int freeMate(int number) {
         return 2 - number;
     }

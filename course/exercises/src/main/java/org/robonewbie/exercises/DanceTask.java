@@ -18,10 +18,11 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Dance on the spot to the beat of a swinging ball, with at least three limbs and without a fall.
+ * Task: dance on the spot to the beat of a swinging ball, with at least three limbs and without a fall.
  *
- * <p>A joint is in rhythm if at least half of the variance of its angle lies at the frequency of the ball, or at half or twice that
- * frequency. The variance is computed from the Fourier coefficients of these three frequencies over a whole number of swings.
+ * <p>A joint counts as moving to the beat if at least half of the variance of its angle lies at the frequency of the ball, or
+ * at half or twice that frequency. The variance is computed from the Fourier coefficients of these three frequencies over a
+ * whole number of swings.
  */
 final class DanceTask implements Task {
 
@@ -40,7 +41,7 @@ final class DanceTask implements Task {
     private double travelled;
     private boolean fallen;
 
-    /** Limb and the range that one of its joints must move through; legs bend less. */
+    /** A limb, with the range through which one of its joints must move; it is smaller for legs. */
     private enum Limb {
         HEAD(30),
         LEFT_ARM(30),
@@ -148,7 +149,7 @@ final class DanceTask implements Task {
         return highest - lowest >= least;
     }
 
-    /** Returns the share of the variance at the three frequencies, 0 to 1. */
+    /** Returns the share of an angle's variance that lies at the three frequencies, 0 to 1. */
     private double share(List<Double> degrees) {
         double whole = 2 * period * Math.floor(JUDGED_SECONDS / (2 * period));
         int count = Math.min(degrees.size(), (int) Math.round(whole / Cycle.SECONDS));

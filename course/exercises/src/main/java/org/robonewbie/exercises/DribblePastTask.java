@@ -8,7 +8,10 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 
-/** Dribble past an opponent on its left without kicking or touching it. The direct path leads past it on the right. */
+/**
+ * Task: dribble past an opponent on its left without touching the opponent or kicking the ball. The direct path would pass it
+ * on the right.
+ */
 final class DribblePastTask implements Task {
 
     private static final double START_X = -2.5;

@@ -8,7 +8,7 @@ import java.util.Objects;
 import java.util.function.Supplier;
 
 /**
- * An exercise with its goal, start code and grading.
+ * An exercise with its goal, starter code and grading.
  *
  * <pre>{@code
  * Exercise kick = Exercises.find("kick").orElseThrow();
@@ -17,11 +17,11 @@ import java.util.function.Supplier;
  *
  * @param number position in the course, from 1
  * @param name name, such as {@code arm-by-side}
- * @param className name of the class in the start code, such as {@code ArmBySide}
+ * @param className name of the class in the starter code, such as {@code ArmBySide}
  * @param title heading of the worksheet
  * @param minutes approximate working time of a student
- * @param goal goal of the robot, as a sentence
- * @param seconds length of a trial, simulated seconds
+ * @param goal what the robot has to do, as a sentence
+ * @param seconds length of a trial in simulated seconds
  * @param task supplies a new task for each trial
  */
 public record Exercise(
@@ -49,13 +49,13 @@ public record Exercise(
         return minutes <= ADVANCED ? "advanced" : "challenge";
     }
 
-    /** {@return the number and name, as in the file names of worksheets, such as {@code 03-arm-by-side}} */
+    /** {@return the number and name, as used in the file names of worksheets, such as {@code 03-arm-by-side}} */
     public String fullName() {
         return String.format("%02d-%s", number, name);
     }
 
     /**
-     * Returns the start code, which compiles and runs but does not solve the exercise.
+     * Returns the starter code, which compiles and runs but does not solve the exercise.
      *
      * @return source of a Java file with the class {@link #className}
      */

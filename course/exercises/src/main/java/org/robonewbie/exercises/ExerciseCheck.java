@@ -25,7 +25,7 @@ public final class ExerciseCheck {
      *
      * @param exercise name or number of the exercise
      * @param student creates an agent with the program
-     * @throws AssertionError if it does not; the message contains the grade and hints
+     * @throws AssertionError if the program does not solve it; the message contains the grade and hints
      * @throws IllegalArgumentException if there is no such exercise
      */
     public static void assertSolved(String exercise, Supplier<? extends Agent> student) {

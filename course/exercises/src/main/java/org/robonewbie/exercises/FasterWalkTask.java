@@ -9,7 +9,10 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 
-/** Walk farther in 10 seconds than the standard walk does with its default parameters. The built-in fast walk does not count. */
+/**
+ * Task: walk farther in 10 seconds than the standard walk does with its default parameters. The built-in fast walk does not
+ * count.
+ */
 final class FasterWalkTask implements Task {
 
     private static final double FAR_METRES = 6.3;

@@ -8,7 +8,7 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.SustainedCondition;
 
-/** Find a ball that is out of view and face it for a second. */
+/** Task: find a ball that is out of view and face it for a second. */
 final class FindTheBallTask implements Task {
 
     private static final Pose2d STUDENT = new Pose2d(-0.5, 0, 30);

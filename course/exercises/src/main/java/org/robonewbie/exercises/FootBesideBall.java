@@ -9,7 +9,7 @@ import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.simulator.world.BallProperties;
 
-/** Position of a foot that missed the ball, relative to the ball, at the most forward point of its swing. */
+/** Observes where a foot that misses the ball is, relative to the ball, at the most forward point of its swing. */
 final class FootBesideBall {
 
     private final Pose2d start;
@@ -53,7 +53,7 @@ final class FootBesideBall {
         return Math.max(-most, Math.min(most, value));
     }
 
-    /** {@return the miss as text, such as "the foot stayed 2.1 cm above it"} */
+    /** {@return a description of the miss, such as "the foot stayed 2.1 cm above it"} */
     String finding() {
         double gap = Math.max(0, nearest.distanceTo(ball) - BallProperties.STANDARD.radius());
         double behind = start.ahead(ball) - start.ahead(nearest);

@@ -13,8 +13,8 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Form up three players around a ball without touching it: one at the ball, one between ball and own goal, one free for a pass. Then
- * the ball is moved.
+ * Task: position three players around a ball without touching it: one at the ball, one between the ball and the team's own
+ * goal, and one open for a pass. Halfway through the trial the ball is moved.
  */
 final class FormationTask implements Task {
 
@@ -40,7 +40,7 @@ final class FormationTask implements Task {
     private boolean touched;
     private double seconds;
 
-    /** Creates the task of one trial. */
+    /** Creates the task for one trial. */
     public FormationTask() {
         Arrays.fill(balls, Vector3.ZERO);
     }
@@ -62,7 +62,7 @@ final class FormationTask implements Task {
         return RobotStart.at(new Pose2d(x, y, 0)).after("stand").withTeam(RobotStart.TEAM, number);
     }
 
-    /** Returns the pose of an opponent between the ball and its goal. */
+    /** Returns the pose of an opponent between the ball and the opponents' goal. */
     private static Pose2d opponent(Vector3 ball) {
         Vector3 way = THEIR_GOAL.minus(ball);
         Vector3 place = ball.plus(way.times(OPPONENT_METRES / way.length()));

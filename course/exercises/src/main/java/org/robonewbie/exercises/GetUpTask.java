@@ -12,7 +12,8 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.SustainedCondition;
 
 /**
- * Report how the robot lies, get up, and report standing. It lies on its back with odd seeds and on its front with even ones.
+ * Task: report whether the robot lies on its back or its front, get up, and report that it stands. It lies on its back with odd
+ * seeds and on its front with even ones.
  */
 final class GetUpTask implements Task {
 

@@ -10,7 +10,7 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.SustainedCondition;
 
-/** Walk to the ball, stop in front of it without touching it, and raise the arm. */
+/** Task: walk to the ball, stop in front of it without touching it, and raise the arm. */
 final class GoToTheBallTask implements Task {
 
     private static final double NEAR_METRES = 0.5;

@@ -12,7 +12,8 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Save two shots that would pass a standing robot, one on each side. Between them the robot is moved back to the middle of its goal.
+ * Task: save two shots that a standing robot would miss, one on each side. Between the shots the robot is moved back to the
+ * middle of its goal.
  */
 final class GoalkeeperTask implements Task {
 

@@ -71,7 +71,7 @@ public record Grade(String exercise, List<SeededScore> trials) {
      * Returns the grade as text.
      *
      * @param language language of the text
-     * @return a line per trial, the result, and each hint once
+     * @return one line per trial, the result, and each distinct hint
      */
     public String text(Language language) {
         List<SeededScore> told = trials.stream()

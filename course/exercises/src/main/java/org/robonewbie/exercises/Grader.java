@@ -22,8 +22,9 @@ import org.robonewbie.trial.batch.Job;
 import org.robonewbie.trial.batch.ThreadRunner;
 
 /**
- * Grader of solutions in this process, on the ground truth of the simulated world, for tests. A program that throws or never returns
- * fails its trial, see {@link ProgressWatchdog}. {@code robonewbie grade} judges in the same way a program in a child process.
+ * Grades solutions in this process, using the ground truth of the simulated world. Intended for tests. A program that throws or
+ * never returns fails its trial, see {@link ProgressWatchdog}. {@code robonewbie grade} grades in the same way, but runs the
+ * program in a child process.
  */
 public final class Grader {
 
@@ -37,14 +38,14 @@ public final class Grader {
     /**
      * Creates a grader.
      *
-     * @param threads the number of trials at the same time, at least 1
+     * @param threads the number of trials to run in parallel, at least 1
      */
     public Grader(int threads) {
         this.threads = threads;
     }
 
     /**
-     * Grades a solution on the seeds 1, 2, 3 and so on.
+     * Grades a solution with the seeds 1, 2, 3 and so on.
      *
      * @param exercise the exercise
      * @param student creates a robot with the student's program; called once for each robot
@@ -61,7 +62,7 @@ public final class Grader {
      * @param exercise the exercise
      * @param student creates a robot with the student's program; called once for each robot, from several threads
      * @param seeds the seeds
-     * @param recording file for a recording of the first seed, for the studio; empty for none
+     * @param recording file for a recording of the trial with the first seed, to be opened in the studio; empty for none
      * @return the grade
      */
     public Grade grade(
@@ -74,12 +75,12 @@ public final class Grader {
     }
 
     /**
-     * Grades a solution. After a step that never returns, the other trials are skipped.
+     * Grades a solution. If a step never returns, the remaining trials are skipped.
      *
      * @param exercise the exercise
      * @param seeds the seeds
-     * @param trial plays the trial of a seed
-     * @param scores receives each score as soon as it is known
+     * @param trial runs the trial with a given seed
+     * @param scores receives each score as soon as it is available
      * @return the grade
      */
     public Grade grade(
@@ -105,7 +106,7 @@ public final class Grader {
         return new Grade(exercise.fullName(), trials);
     }
 
-    /** Plays a trial in another thread, which is abandoned when the program makes no progress. */
+    /** Runs a trial in another thread, which is abandoned if the program makes no progress. */
     private static Score watchedTrial(
             Exercise exercise, Supplier<? extends Agent> student, long seed, Optional<Path> recording) {
         ProgressWatchdog watchdog = new ProgressWatchdog();

@@ -11,7 +11,7 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.SustainedCondition;
 
-/** Walk up a slope and stand still at the top. */
+/** Task: walk up a slope and stand still at the top. */
 final class HillTask implements Task {
 
     private static final Thing TOP = Landscape.SLOPE.things().get(1);
@@ -47,7 +47,10 @@ final class HillTask implements Task {
                 && Math.abs(place.y() - TOP.centre().y()) < TOP.size().y() / 2;
     }
 
-    /** Returns whether the robot stays near the anchor, which follows a robot that walks on. */
+    /**
+     * Returns whether the robot stands still on the top: it stays near the anchor, which is moved to the robot whenever it
+     * walks away.
+     */
     private boolean isStandingOnTop(WorldState state) {
         Pose2d place = state.place();
         boolean still = place.distance(new Vector3(anchor.x(), anchor.y(), 0)) <= STILL_METRES;

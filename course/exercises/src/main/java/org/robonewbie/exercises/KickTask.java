@@ -15,8 +15,8 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Kick a ball with a new motion. The ball lies in front of the left foot with odd seeds and of the right one with even seeds. Walking
- * into the ball and the built-in kicks do not count.
+ * Task: kick a ball with a new motion. The ball lies in front of the left foot with odd seeds and in front of the right one
+ * with even seeds. Walking into the ball and the built-in kicks do not count.
  */
 final class KickTask implements Task {
 

@@ -7,8 +7,8 @@ import java.util.Optional;
 /**
  * Language of worksheets, goals, hints and findings. Names and messages of programs are always English.
  *
- * <p>Tasks produce English text. {@code hints-de.txt} translates goals and hints, {@code findings-de.txt} findings, with placeholders
- * for the figures.
+ * <p>Tasks produce English text. {@code hints-de.txt} translates goals and hints, {@code findings-de.txt} findings, with
+ * placeholders for the measured values.
  *
  * <pre>{@code
  * Language.GERMAN.translated(score.hint());
@@ -42,7 +42,7 @@ public enum Language {
     /**
      * Finds a language.
      *
-     * @param name ISO 639-1 code or a locale that starts with it, such as {@code de_AT}
+     * @param name ISO 639-1 code, or a locale that starts with it, such as {@code de_AT}
      * @return the language; empty if it is not supported
      */
     public static Optional<Language> of(String name) {
@@ -53,7 +53,7 @@ public enum Language {
     }
 
     /**
-     * Translates a goal, a hint or a finding.
+     * Translates a goal, hint or finding.
      *
      * @param english English text
      * @return the text in this language; parts without a translation stay English

@@ -11,7 +11,7 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 
-/** Walk through two gates of a wall and a post to the ball without touching them. */
+/** Task: walk to the ball through two gates, each between a wall and a post, without touching them. */
 final class ObstacleCourseTask implements Task {
 
     private static final double MOVED_METRES = 0.02;

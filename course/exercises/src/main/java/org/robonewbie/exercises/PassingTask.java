@@ -9,7 +9,10 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
-/** Pass between two robots of the student: number 1 kicks the ball, number 2 walks to meet it. */
+/**
+ * Task: pass the ball between two robots, both controlled by the student's program: number 1 kicks the ball, number 2 walks to
+ * meet it.
+ */
 final class PassingTask implements Task {
 
     private static final double BALL_AHEAD = 0.187;

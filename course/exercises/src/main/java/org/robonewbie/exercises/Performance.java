@@ -13,12 +13,10 @@ import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.TrialListener;
 
-/**
- * Trial of an exercise from the empty pitch to the score, used by the command line, tests, the studio and competitions.
- */
+/** Runs one trial of an exercise and scores it. Used by the command line, tests, the studio and competitions. */
 public final class Performance {
 
-    /** Prefix of the finding about a step that does not return. */
+    /** Beginning of the finding that reports a step that does not return. */
     public static final String ENDLESS = "think() has not returned";
 
     private static final String FIX_FIRST = "Fix this first; the remaining checks were skipped.";
@@ -29,14 +27,14 @@ public final class Performance {
     private Performance() {}
 
     /**
-     * Plays one trial to its end in this thread.
+     * Runs one trial to its end in this thread.
      *
      * @param exercise the exercise
      * @param seed seed of the random numbers
      * @param student creates a robot with the student's program; called once for each robot
      * @param recording file for a recording for the studio; empty for none
      * @param listener observes the trial
-     * @return the score; 0 points for a program that throws or leaves
+     * @return the score; 0 points if the program throws an exception or its robots leave
      */
     public static Score of(
             Exercise exercise,
@@ -77,7 +75,7 @@ public final class Performance {
      * Returns the score of a program that has thrown an exception.
      *
      * @param mistake the exception
-     * @return the score, with the line of the program
+     * @return the score, whose finding names the line of the program
      */
     public static Score ofMistake(Throwable mistake) {
         return ofThrown(ProgramPlace.of(mistake));
@@ -88,10 +86,10 @@ public final class Performance {
     }
 
     /**
-     * Returns the score of a trial whose robots have left early or failed in a step.
+     * Adjusts the score of a trial whose robots have left early or whose program failed in a step.
      *
-     * @param score the score without that
-     * @param why why they have left
+     * @param score the score without regard to the departure
+     * @param why the reason
      * @return the score
      */
     public static Score of(Score score, Departure why) {
@@ -111,7 +109,7 @@ public final class Performance {
      * Returns the score of a program whose step does not return.
      *
      * @param howLong the duration, such as {@code " for 4 s"}; empty if unknown
-     * @param place the current line; empty if unknown
+     * @param place the line that the program is executing; empty if unknown
      * @return the score
      */
     public static Score ofEndlessStep(String howLong, Optional<String> place) {
@@ -125,7 +123,7 @@ public final class Performance {
     }
 
     /**
-     * Returns the score of a program that has ended its process.
+     * Returns the score of a program that has terminated its own process.
      *
      * @param exitCode the exit code
      * @return the score

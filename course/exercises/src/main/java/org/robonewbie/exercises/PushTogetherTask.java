@@ -9,7 +9,9 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 
-/** Push a wide box over a line with two robots without rotating it; one of them starts farther away. */
+/**
+ * Task: push a wide box over a line with two robots without rotating it. One of the robots starts farther away than the other.
+ */
 final class PushTogetherTask implements Task {
 
     private static final double LINE_METRES = -1.2;

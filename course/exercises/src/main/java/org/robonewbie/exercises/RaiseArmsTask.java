@@ -8,7 +8,7 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 
-/** Raise the left arm to 60° and the right arm to 45°; the last half second counts. */
+/** Task: raise the left arm to 60° and the right arm to 45°; only the last half second counts. */
 final class RaiseArmsTask implements Task {
 
     private static final double LEFT_DEGREES = 60;
@@ -21,7 +21,7 @@ final class RaiseArmsTask implements Task {
     private final Arm left = new Arm(Joint.LEFT_SHOULDER_PITCH, LEFT_DEGREES);
     private final Arm right = new Arm(Joint.RIGHT_SHOULDER_PITCH, RIGHT_DEGREES);
 
-    /** Signed worst error and range of motion of one shoulder in the last half second. */
+    /** The largest error (signed) and the range of motion of one shoulder in the last half second. */
     private static final class Arm {
         private final Joint joint;
         private final double goal;

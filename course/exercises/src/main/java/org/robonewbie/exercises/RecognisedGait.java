@@ -15,8 +15,8 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 
 /**
- * Detector for the built-in fast walk, by mean and amplitude of each leg joint. A walk that is more similar to the fast walk than to the
- * standard walk was derived from it.
+ * Detects the built-in fast walk by the mean and amplitude of each leg joint's angle. A walk that is more similar to the fast
+ * walk than to the standard walk is considered to be derived from it.
  */
 final class RecognisedGait {
 

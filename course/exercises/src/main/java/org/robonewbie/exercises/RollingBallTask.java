@@ -14,7 +14,7 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
-/** Report the position of a ball that rolls past and out of view, once on each side. */
+/** Task: report the position of a ball that rolls past the robot and out of view, once on each side. */
 final class RollingBallTask implements Task {
 
     private static final Pose2d STUDENT = new Pose2d(-1, 0, 0);

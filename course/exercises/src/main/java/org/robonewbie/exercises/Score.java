@@ -15,7 +15,7 @@ public record Score(boolean passed, int points, String finding, String hint) {
     /** Maximum points of a trial. */
     public static final int MOST_POINTS = 10;
 
-    /** Creates a score; negative zeros in the finding are written as zero. */
+    /** Creates a score. A negative zero in the finding is written without its sign. */
     public Score {
         finding = NegativeZeroFormat.removed(finding);
     }
@@ -45,7 +45,7 @@ public record Score(boolean passed, int points, String finding, String hint) {
     /**
      * Returns the score of an unsolved exercise.
      *
-     * @param points partial credit, 0 to 9
+     * @param points points for partial success, 0 to 9
      * @param finding measured result
      * @param hint what to try next
      * @return the score

@@ -12,9 +12,7 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 
-/**
- * Score a goal past a wall of three standing robots. Pushing one of them away ends the trial.
- */
+/** Task: score a goal past a wall of three standing robots. Pushing one of them away ends the trial. */
 final class ScoreAGoalTask implements Task {
 
     private static final Pose2d STUDENT = new Pose2d(-0.5, 0.4, -40);
@@ -24,7 +22,7 @@ final class ScoreAGoalTask implements Task {
     private static final double QUICK_SECONDS = 45;
     private static final double SECONDS_PER_POINT = 20;
 
-    /** A trial without movement for this long is stopped. */
+    /** Time in seconds without any movement after which the trial is stopped. */
     private static final double SECONDS_OF_PATIENCE = 30;
 
     private static final double STAYED_METRES = 0.1;

@@ -11,8 +11,8 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Play a motion of the left shoulder through its keyframes without sudden changes of speed, which linear interpolation has at each
- * keyframe.
+ * Task: play a motion of the left shoulder through its keyframes without the sudden changes of speed that linear interpolation
+ * causes at each keyframe.
  */
 final class SmoothMotionTask implements Task {
 
@@ -59,7 +59,10 @@ final class SmoothMotionTask implements Task {
                         : "The curve must go through all keyframes: fraction 0 gives section.from(), fraction 1 section.to().");
     }
 
-    /** Returns the smallest distance to a keyframe around its time; commands take effect two cycles later. */
+    /**
+     * Returns the smallest difference in degrees from a keyframe's angle around the keyframe's time; commands take effect two
+     * cycles later.
+     */
     private double nearest(double seconds, double degrees) {
         int expected = (int) Math.round(seconds / Cycle.SECONDS) + 2;
         double best = Double.POSITIVE_INFINITY;

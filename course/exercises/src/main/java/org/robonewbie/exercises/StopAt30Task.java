@@ -12,8 +12,8 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Stop the left shoulder at 30° ± 1° from a random start angle. Commands take effect two cycles later, so a controller that ignores
- * the delay overshoots.
+ * Task: stop the left shoulder at 30° ± 1° from a random start angle. Commands take effect two cycles later, so a controller
+ * that ignores the delay overshoots.
  */
 final class StopAt30Task implements Task {
 

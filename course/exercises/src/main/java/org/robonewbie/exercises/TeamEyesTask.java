@@ -10,7 +10,10 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
-/** Number 2 reports the ball behind number 1; number 1, which may not look around, raises the arm on the side of the ball. */
+/**
+ * Task: let robot 2 report on which side the ball lies behind robot 1. Robot 1, which may not look around, raises the arm on
+ * that side.
+ */
 final class TeamEyesTask implements Task {
 
     private static final Pose2d BLIND = new Pose2d(-1, 0, 0);
@@ -49,7 +52,9 @@ final class TeamEyesTask implements Task {
         }
     }
 
-    /** Sides of the ball: A, B, B, A, so that blind alternation fails. */
+    /**
+     * Returns the side of the ball in a phase. The order of the sides is A, B, B, A, so that alternating arms blindly fails.
+     */
     private int side(int number) {
         return number == 0 || number == PHASES - 1 ? firstSide : -firstSide;
     }

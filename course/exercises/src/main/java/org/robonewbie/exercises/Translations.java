@@ -17,8 +17,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * Dictionary of phrases. A phrase may contain placeholders {@code %s}, whose content is translated too. A text without an entry is split
- * at commas, semicolons and colons.
+ * Dictionary of phrases. A phrase may contain placeholders {@code %s}, whose content is translated too. A text without an entry
+ * is split at commas, semicolons and colons, and its parts are translated.
  */
 final class Translations {
 
@@ -56,7 +56,7 @@ final class Translations {
     /**
      * Loads a dictionary, in which each phrase is followed by its translation on the next line.
      *
-     * @param files paths of resources
+     * @param files paths of resource files
      * @return the dictionary
      */
     static Translations read(String... files) {

@@ -13,7 +13,7 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
-/** Follow a moving ball with the head while swinging the left arm once in two seconds. */
+/** Task: follow a moving ball with the head while swinging the left arm once every two seconds. */
 final class TwoBehavioursTask implements Task {
 
     private static final Pose2d STUDENT = new Pose2d(-3, 0, 0);

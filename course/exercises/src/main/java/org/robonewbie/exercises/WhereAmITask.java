@@ -14,7 +14,7 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
-/** Report the position of the robot on the pitch; halfway through the trial it is moved. */
+/** Task: report the position of the robot on the pitch; halfway through the trial the robot is moved. */
 final class WhereAmITask implements Task {
 
     private static final Pattern WORDS = Pattern.compile("at:(-?\\d+(?:\\.\\d+)?):(-?\\d+(?:\\.\\d+)?)");

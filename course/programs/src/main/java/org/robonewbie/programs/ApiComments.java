@@ -12,13 +12,13 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import org.robonewbie.programs.completion.CommentCollector;
 
-/** Documentation comments of the framework, read from its packaged sources. */
+/** Reads the framework's Javadoc comments from its packaged sources. */
 final class ApiComments {
 
-    /** Resource folder of the packaged sources. */
+    /** Resource folder that contains the packaged sources. */
     static final String FOLDER = "/META-INF/sources/";
 
-    /** Comments by class and member, such as {@code setJointSpeed/2}. */
+    /** Comments that have been read, by class and member, such as {@code setJointSpeed/2}. */
     private static final Map<String, Map<String, String>> READ = new ConcurrentHashMap<>();
 
     private ApiComments() {}

@@ -20,14 +20,15 @@ import java.util.stream.Stream;
 import org.robonewbie.nao.file.TemporaryFiles;
 
 /**
- * Class path of a Java process. The option {@code -cp} cannot express paths that contain its separator or a character beyond 16 bits,
- * such as an emoji. If there is such a path, an empty temporary jar refers to all entries by URLs in its manifest.
+ * Class path of a Java process. The option {@code -cp} cannot express a path that contains its separator or a character that
+ * needs more than 16 bits, such as an emoji. If there is such a path, the option names an empty temporary jar instead, whose
+ * manifest lists all entries as URLs.
  *
  * @param places absolute paths of folders and jars
  */
 public record ClassPath(List<Path> places) {
 
-    /** The temporary jars, which are kept until this process ends, since child processes read them. */
+    /** The temporary jars, which are kept until this process ends, because child processes read them. */
     private static final Map<ClassPath, Path> JARS = new ConcurrentHashMap<>();
 
     /** Makes all paths absolute. */
@@ -36,7 +37,7 @@ public record ClassPath(List<Path> places) {
                 places.stream().map(place -> place.toAbsolutePath().normalize()).toList();
     }
 
-    /** {@return the class path of this program; if the launcher has started it by a temporary jar, its own jar} */
+    /** {@return the class path of this program; if it was started through a temporary jar, only its own jar} */
     public static ClassPath ofThisProgram() {
         Path own = ownPlace();
         return new ClassPath(
@@ -74,7 +75,7 @@ public record ClassPath(List<Path> places) {
         return new ClassPath(Stream.concat(places.stream(), more.stream()).toList());
     }
 
-    /** {@return the entries as URLs, see {@link #read}} */
+    /** {@return the entries as URLs in one string, which {@link #read} parses} */
     public String text() {
         return places.stream().map(place -> place.toUri().toASCIIString()).collect(Collectors.joining(" "));
     }
@@ -94,10 +95,10 @@ public record ClassPath(List<Path> places) {
     }
 
     /**
-     * Returns the argument of the option {@code -cp}.
+     * Returns the argument for the option {@code -cp}.
      *
      * @return the argument
-     * @throws CalledWronglyException if the path of the temporary folder cannot be expressed either
+     * @throws CalledWronglyException if the path of the temporary folder cannot be expressed in this option either
      */
     public String option() {
         return files().stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator));
@@ -112,7 +113,7 @@ public record ClassPath(List<Path> places) {
                 .toList();
     }
 
-    /** {@return the files and folders that the option names} */
+    /** {@return the files and folders that the argument of {@code -cp} names} */
     List<Path> files() {
         return places.stream().allMatch(ClassPath::canBeOption)
                 ? places

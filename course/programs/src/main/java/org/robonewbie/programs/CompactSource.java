@@ -7,7 +7,7 @@ import java.util.regex.Pattern;
 /** Compact source file: a {@code void main()} without a class, which Java 25 permits (JEP 512). */
 final class CompactSource {
 
-    /** Comments and literals, whose braces do not count. */
+    /** Matches comments and literals, in which braces have no meaning. */
     private static final Pattern OPAQUE = Pattern.compile(
             "//[^\\n]*|/\\*.*?\\*/|\"\"\".*?\"\"\"|\"(?:\\\\.|[^\"\\\\\\n])*\"|'(?:\\\\.|[^'\\\\\\n])*'",
             Pattern.DOTALL);
@@ -18,11 +18,11 @@ final class CompactSource {
     private CompactSource() {}
 
     /**
-     * Explains why this Java cannot run a file.
+     * Explains why this version of Java cannot run a file.
      *
      * @param text the source file
      * @param className the simple name of the expected class
-     * @return the reason and a remedy; empty if the file has a class or this Java supports the form
+     * @return the reason and a remedy; empty if the file has a class or this version of Java supports compact source files
      */
     static Optional<String> trouble(String text, String className) {
         return trouble(text, className, Runtime.version().feature());
@@ -36,13 +36,16 @@ final class CompactSource {
                 : Optional.empty();
     }
 
-    /** The beginning of a sentence about a form that only newer versions of Java support. */
+    /** Returns a sentence that says which version of Java a feature needs, without its full stop. */
     static String needsNewerJava(String what, int javaVersion) {
         return what + " needs Java " + Program.JAVA_OF_SHORT_FORMS + " or newer, and this is Java " + javaVersion
                 + ". Install a JDK " + Program.JAVA_OF_SHORT_FORMS + ", for example from https://adoptium.net";
     }
 
-    /** With a surplus brace, a main method seems to be outside of its class; but then a class precedes it. */
+    /**
+     * Returns whether a text is a compact source file. If a class precedes the main method, it is not: a surplus brace may only
+     * make the method seem to be outside the class.
+     */
     private static boolean is(String text, String className) {
         String code = OPAQUE.matcher(text).replaceAll(" ");
         for (String outer = ""; !outer.equals(code); ) {

@@ -17,7 +17,7 @@ import javax.tools.JavaFileManager;
 import javax.tools.JavaFileObject;
 import javax.tools.SimpleJavaFileObject;
 
-/** In-memory class files of a compilation, and a class loader for them. */
+/** Keeps the class files of a compilation in memory, and loads them. */
 final class CompiledClasses extends ForwardingJavaFileManager<JavaFileManager> {
 
     private final Map<String, ByteArrayOutputStream> byteCode = new TreeMap<>();
@@ -58,7 +58,7 @@ final class CompiledClasses extends ForwardingJavaFileManager<JavaFileManager> {
                 .toList();
     }
 
-    /** Creates a class loader for these classes and for the class path. */
+    /** Creates a class loader for these classes and those on the class path. */
     ClassLoader loader(List<Path> classPath) {
         URLClassLoader others = ProgramFinder.loaderOf(classPath);
         return new URLClassLoader(others.getURLs(), others.getParent()) {

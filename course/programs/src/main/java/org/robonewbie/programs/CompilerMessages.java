@@ -19,9 +19,7 @@ import javax.tools.JavaFileObject;
 import org.robonewbie.programs.hint.FrameworkNames;
 import org.robonewbie.programs.hint.Hints;
 
-/**
- * Diagnostics of a compilation, with suggestions for misspelt names of the framework and for missing imports.
- */
+/** Collects the diagnostics of a compilation and adds suggestions for missing imports and misspelt framework names. */
 final class CompilerMessages implements DiagnosticListener<JavaFileObject> {
 
     private static final Hints HINTS = new Hints(frameworkNames());
@@ -117,7 +115,7 @@ final class CompilerMessages implements DiagnosticListener<JavaFileObject> {
         return new Hints.Remark(String.valueOf(mistake.getCode()), text(mistake), mistake.getMessage(Locale.ROOT));
     }
 
-    /** Returns the underlined text. */
+    /** Returns the source text that a diagnostic underlines. */
     private static String text(Diagnostic<? extends JavaFileObject> mistake) {
         JavaFileObject source = mistake.getSource();
         if (source == null || mistake.getStartPosition() == Diagnostic.NOPOS) {

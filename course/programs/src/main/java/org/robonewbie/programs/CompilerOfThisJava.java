@@ -4,12 +4,12 @@ import java.util.Optional;
 import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
 
-/** Compiler of the Java installation that runs RoboNewbie. A JDK has one, a run-time (JRE) has none. */
+/** Provides the compiler of the Java installation that runs RoboNewbie. A JDK contains one, a JRE does not. */
 public final class CompilerOfThisJava {
 
     private CompilerOfThisJava() {}
 
-    /** {@return whether there is one} */
+    /** {@return whether this installation contains a compiler} */
     public static boolean isThere() {
         try {
             return find().isPresent();
@@ -21,7 +21,7 @@ public final class CompilerOfThisJava {
     /**
      * Requires a compiler. Call before any use of {@code javax.tools}.
      *
-     * @throws CalledWronglyException if there is none
+     * @throws CalledWronglyException if this installation contains none
      */
     static void require() {
         if (!isThere()) {

@@ -22,7 +22,7 @@ public final class ExampleCatalogue {
 
     private ExampleCatalogue() {}
 
-    /** {@return the examples on the class path: simple name to class name} */
+    /** {@return the full class names of the examples on the class path, by simple name} */
     public static SortedMap<String, String> classNames() {
         SortedMap<String, String> classNames = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
         try {

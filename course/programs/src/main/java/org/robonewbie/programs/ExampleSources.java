@@ -6,7 +6,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.SortedMap;
 
-/** Source code of the examples, and templates of new programs. */
+/** Source code of the examples, and templates for new programs. */
 public final class ExampleSources {
 
     private static final String SHORTEST = """
@@ -29,7 +29,7 @@ public final class ExampleSources {
 
     private final SortedMap<String, String> classNames = ExampleCatalogue.classNames();
 
-    /** Reads the catalogue of the examples. */
+    /** Looks up the examples on the class path. */
     public ExampleSources() {}
 
     /** {@return names of the examples with source code} */
@@ -52,7 +52,7 @@ public final class ExampleSources {
     /**
      * Creates a new program.
      *
-     * @param file its file, which determines class and package
+     * @param file file of the new program, which determines its class and package
      * @param example source code of an example; empty for the shortest program that moves a robot
      * @return its source code
      */

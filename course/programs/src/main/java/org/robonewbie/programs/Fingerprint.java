@@ -19,7 +19,7 @@ public final class Fingerprint {
 
     private final MessageDigest digest;
 
-    /** Creates an empty checksum. */
+    /** Creates the checksum of no data. */
     public Fingerprint() {
         try {
             digest = MessageDigest.getInstance("SHA-256");
@@ -82,7 +82,7 @@ public final class Fingerprint {
         return HexFormat.of().formatHex(digest.digest());
     }
 
-    /** {@return the checksum of everything that has been added; call once} */
+    /** {@return the checksum of everything that has been added; call this only once} */
     public String text() {
         return HexFormat.of().formatHex(digest.digest()).substring(0, DIGITS);
     }

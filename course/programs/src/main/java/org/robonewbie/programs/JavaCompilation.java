@@ -17,20 +17,20 @@ import javax.tools.StandardLocation;
 /**
  * Compilation of Java files in memory, against this program and a class path. No code of the files runs.
  *
- * @param name name of the files in messages
+ * @param name how messages refer to the files
  * @param sourcePath folders in which the compiler looks for further sources
  * @param classPath folders and jars
  */
 record JavaCompilation(String name, List<Path> sourcePath, List<Path> classPath) {
 
-    /** The file manager of the last compilation, kept because it has indexed the jars of the class path. */
+    /** File manager of the last compilation, kept for reuse because it has indexed the jars on the class path. */
     private static final AtomicReference<Optional<StandardJavaFileManager>> KEPT =
             new AtomicReference<>(Optional.empty());
 
     private static final List<String> OPTIONS =
             List.of("-g", "-XDshould-stop.ifError=FLOW", "-parameters", "-proc:none", "-implicit:class");
 
-    /** Work with the compiler. */
+    /** Work to be done with a compiler. */
     interface Work<T> {
         T of(JavacTask task, CompiledClasses classes) throws IOException;
     }
@@ -73,7 +73,7 @@ record JavaCompilation(String name, List<Path> sourcePath, List<Path> classPath)
                 + ", since an expression or a block in it is nested too deeply. Split it into several shorter ones.");
     }
 
-    /** Closes the file manager of a concurrent compilation. */
+    /** Closes a file manager that cannot be kept, because a concurrent compilation has left its own. */
     private static void close(StandardJavaFileManager other) {
         try {
             other.close();

@@ -21,9 +21,7 @@ import org.robonewbie.programs.completion.PartialWord;
 import org.robonewbie.programs.completion.Proposal;
 import org.robonewbie.programs.hint.FrameworkNames;
 
-/**
- * Java file of a student, compiled in memory together with the other files of its folder that it uses.
- */
+/** A student's Java file. It is compiled in memory together with those files in its folder that it uses. */
 public final class JavaSource {
 
     private static final Pattern PACKAGE = Pattern.compile("^\\s*package\\s+([\\w.]+)\\s*;", Pattern.MULTILINE);
@@ -55,9 +53,9 @@ public final class JavaSource {
     }
 
     /**
-     * Creates a source from a text that may not have been saved.
+     * Creates a source from text that may not have been saved yet.
      *
-     * @param file its file
+     * @param file the file to which the text belongs
      * @param text the text
      * @return the source
      */
@@ -65,7 +63,7 @@ public final class JavaSource {
         return new JavaSource(file, text);
     }
 
-    /** {@return the full name of the class with the name of the file} */
+    /** {@return the full name of the class that the file is named after} */
     public String className() {
         return packageName.isEmpty() ? simpleName() : packageName + "." + simpleName();
     }
@@ -75,10 +73,10 @@ public final class JavaSource {
     }
 
     /**
-     * Compiles the file. Its class can be loaded repeatedly, each time with its own static fields.
+     * Compiles the file. The returned supplier loads the class anew in each call, so that each copy has its own static fields.
      *
      * @param classPath the user's folders and jars
-     * @return loads the class of the file
+     * @return a supplier that loads the class of the file
      * @throws CompilationFailedException if it has errors, which have been printed
      */
     Supplier<Class<?>> load(List<Path> classPath) {
@@ -102,7 +100,7 @@ public final class JavaSource {
      * @param folder folder for the class files
      * @return whether it has no errors, see {@link #check}
      * @throws IOException if the folder cannot be written
-     * @throws CalledWronglyException if the file exhausts the compiler; the message says what to do
+     * @throws CalledWronglyException if the compiler runs out of memory or stack; the message says what to do
      */
     public boolean compile(List<Path> classPath, Path folder) throws IOException {
         CompilerOfThisJava.require();
@@ -148,7 +146,7 @@ public final class JavaSource {
      *
      * @param classPath the user's folders and jars
      * @param at index of the cursor
-     * @return proposals that complete the word before the cursor
+     * @return proposals for completing the word before the cursor
      */
     public List<Proposal> complete(List<Path> classPath, int at) {
         CompilerOfThisJava.require();

@@ -15,12 +15,12 @@ import org.robonewbie.agent.log.StudentCode;
 import org.robonewbie.agent.running.RobotsOfProcess;
 
 /**
- * Program with a main method: {@code public static void main(String[] args)}, or from Java 25 on also one that is not public, not
- * static or has no parameter (JEP 512).
+ * A program with a main method: {@code public static void main(String[] args)}. From Java 25 on, the method may also be
+ * non-public, non-static or without a parameter (JEP 512).
  */
 public final class Program {
 
-    /** First version of Java with the short forms. */
+    /** First version of Java that supports short forms of the main method. */
     static final int JAVA_OF_SHORT_FORMS = 25;
 
     private final Class<?> type;
@@ -64,7 +64,7 @@ public final class Program {
                 .orElseThrow(() -> ProgramFinder.withoutMain(type));
     }
 
-    /** Returns whether a newer version of Java could launch the class. */
+    /** Returns whether the class has a main method that only a newer version of Java can launch. */
     static boolean isShort(Class<?> type) {
         return of(type, JAVA_OF_SHORT_FORMS).isPresent();
     }
@@ -96,10 +96,10 @@ public final class Program {
     }
 
     /**
-     * Runs the program in this thread. The stack trace of an exception is reduced to lines of the program.
+     * Runs the program in this thread. The stack trace of an exception is printed with lines of the program only.
      *
-     * @param options the arguments of its {@code main}
-     * @return the exit code: 0, or 1 after an exception or a failure of a robot
+     * @param options the arguments for its {@code main}
+     * @return the exit code: 0, or 1 if the program threw an exception or a robot failed
      */
     public int run(List<String> options) {
         Thread.currentThread().setContextClassLoader(type.getClassLoader());

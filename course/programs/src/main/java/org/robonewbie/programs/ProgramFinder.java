@@ -21,7 +21,7 @@ public final class ProgramFinder {
     private final List<Path> classPath;
 
     /**
-     * Creates a finder. Examples take precedence over the user's classes.
+     * Creates a finder. Examples take precedence over the user's classes of the same name.
      *
      * @param classPath folders and jars with the user's own classes
      */
@@ -41,10 +41,11 @@ public final class ProgramFinder {
     }
 
     /**
-     * Finds a class that can be loaded repeatedly, each time with its own static fields unless it belongs to RoboNewbie.
+     * Finds a class and returns a supplier that loads it anew in each call, so that each copy has its own static fields.
+     * Classes of RoboNewbie are not loaded anew.
      *
      * @param name simple name of an example, a class or a Java file
-     * @return loads the class
+     * @return a supplier of the class
      * @throws CalledWronglyException if there is none; the message lists the examples
      */
     public Supplier<Class<?>> findClass(String name) {
@@ -59,10 +60,11 @@ public final class ProgramFinder {
     }
 
     /**
-     * Finds a program that can be run repeatedly, each time with its own static fields unless it belongs to RoboNewbie.
+     * Finds a program and returns a supplier that loads it anew in each call, so that each copy has its own static fields.
+     * Classes of RoboNewbie are not loaded anew.
      *
      * @param name simple name of an example, a class or a Java file
-     * @return loads the program
+     * @return a supplier of the program
      * @throws CalledWronglyException if there is none; the message lists the examples
      */
     public Supplier<Program> findRepeatedly(String name) {
@@ -81,7 +83,7 @@ public final class ProgramFinder {
     }
 
     /**
-     * Finds a program by the name of its class only.
+     * Finds a program by the full name of its class.
      *
      * @param className full name of the class
      * @return the program

@@ -8,6 +8,6 @@ package org.robonewbie.programs;
  * @param line line number from 1; 0 if it has no position in this file
  * @param serious whether it prevents the program from running
  * @param text the compiler's message
- * @param hint advice for beginners; may be empty
+ * @param hint advice for beginners; empty if there is none
  */
 public record Remark(int from, int to, int line, boolean serious, String text, String hint) {}

@@ -9,12 +9,12 @@ import java.nio.file.FileSystems;
 import java.nio.file.Path;
 import java.util.Map;
 
-/** Reader of class path folders, on disk and in jars. */
+/** Reads folders on the class path, whether on disk or in a jar. */
 public final class ResourceFolder {
 
     private ResourceFolder() {}
 
-    /** Receives an open folder. */
+    /** Reads the files in an open folder. */
     public interface Reader {
 
         /**
@@ -29,7 +29,7 @@ public final class ResourceFolder {
     /**
      * Opens a folder, passes it to the reader and closes it.
      *
-     * @param place URL from the class loader
+     * @param place URL of the folder, as returned by the class loader
      * @param name its name on the class path, with slashes
      * @param reader receives the folder
      * @throws IOException if it cannot be read

@@ -14,8 +14,8 @@ import javax.tools.StandardJavaFileManager;
 import org.robonewbie.nao.file.TextFile;
 
 /**
- * File manager that decodes Java files by {@link TextFile}, independently of the system's encoding: those to compile and those on the
- * source path.
+ * File manager that uses {@link TextFile} to decode the Java files to compile and those on the source path, so that the
+ * system's default encoding does not matter.
  */
 public final class SourceFiles extends ForwardingJavaFileManager<StandardJavaFileManager> {
 

@@ -10,8 +10,8 @@ import java.util.stream.Stream;
 import org.robonewbie.nao.file.SubmittedFolder;
 
 /**
- * Folder with Java sources: a Maven project, or just files. It is compiled against RoboNewbie and the jars in its folder {@code lib},
- * without running any of its code. The compiler reads no sources outside of the folder.
+ * Folder with Java sources, either a Maven project or just files. The sources are compiled against RoboNewbie and the jars in
+ * the subfolder {@code lib}. Compilation runs none of their code and reads no sources outside the folder.
  *
  * @param folder the folder
  * @param deep whether subfolders are included, as in a project

@@ -7,14 +7,14 @@ import java.util.function.Supplier;
 import org.robonewbie.agent.Agent;
 
 /**
- * Factory of robots with a student's program, each with its own static fields.
+ * Creates robots that run a student's program, each with its own copy of the static fields.
  *
- * @param types loads the class, each time with another class loader
+ * @param types loads the class, with a new class loader in each call
  */
 public record StudentsAgents(Supplier<Class<?>> types) implements Supplier<Agent> {
 
     /**
-     * Checks the class.
+     * Checks that the class is an agent that can be created.
      *
      * @throws CalledWronglyException if it is not an agent that can be created; the message says why
      */

@@ -1,5 +1,5 @@
 /**
- * Programs of students: finding, compiling and starting them. Start with {@link org.robonewbie.programs.ProgramFinder}.
+ * Finding, compiling and starting students' programs. Start with {@link org.robonewbie.programs.ProgramFinder}.
  *
  * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */

@@ -28,8 +28,9 @@ import org.robonewbie.team.world.Situation;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * A player of the example team for the league. In each cycle it updates its world model ({@link WorldModel}), makes a decision
- * ({@link Strategy}), moves (the classes in {@code skill}) and communicates with its team mates ({@link TeamMessage}).
+ * A player of the example team, which plays by the league's rules. In each cycle it updates its world model ({@link
+ * WorldModel}), makes a decision ({@link Strategy}), moves (the classes in {@code skill}) and communicates with its teammates
+ * ({@link TeamMessage}).
  *
  * <p>{@code Agent_Team 11 --team Blue} starts eleven players with one command, {@code Agent_Team --number 4} only number 4.
  * They play on fields of any size.
@@ -61,7 +62,7 @@ public class Agent_Team extends Agent {
     private List<Translation2d> way = List.of();
     private double beamedSeconds = Double.NEGATIVE_INFINITY;
 
-    /** Creates a player with any free number. */
+    /** Creates a player that gets any free number. */
     public Agent_Team() {
         this(0);
     }
@@ -80,7 +81,7 @@ public class Agent_Team extends Agent {
     /**
      * Starts the players.
      *
-     * @param args number of players, 1 to 11, and options such as {@code --team Blue}; with {@code --number}, a single player
+     * @param args number of players, 1 to 11, and options such as {@code --team Blue}; {@code --number} starts a single player
      */
     public static void main(String[] args) {
         int option = Arrays.asList(args).indexOf("--number");
@@ -93,8 +94,8 @@ public class Agent_Team extends Agent {
     }
 
     /**
-     * Returns the robot type of a player. The league allows seven robots of one type and nine of any two types in a team, and
-     * requires three types among eleven robots.
+     * Returns the robot type of a player. The league allows a team at most seven robots of one type and at most nine of any two
+     * types, and requires at least three types among eleven robots.
      *
      * @param number player number, 1 to 11, or 0 for any
      * @return type 0 for the first seven, then two each of types 2 and 4, whose legs are as long as those of type 0
@@ -106,7 +107,7 @@ public class Agent_Team extends Agent {
         return number <= MAX_OF_TWO_TYPES ? RobotType.TYPE_2 : RobotType.TYPE_4;
     }
 
-    /** Invalid numbers are refused later, with the other options. */
+    /** Returns the player number in an argument. Invalid numbers are rejected later, together with the other options. */
     private static int numberAfter(int option, String... args) {
         String number = option + 1 < args.length ? args[option + 1] : "";
         return number.matches(NUMBER) ? Integer.parseInt(number) : 0;

@@ -11,8 +11,8 @@ import org.robonewbie.team.world.BallFilter;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * Drawing of a player's beliefs and decisions in the studio: role, path, ball and its predicted path, target of the ball, and
- * receiver of a pass. Each option of the striker is a ray at the ball: the longer, the higher its gain.
+ * Draws a player's beliefs and decisions in the studio: role, path, ball and its predicted path, target of the ball, and
+ * receiver of a pass. Each of the striker's options is a ray from the ball: the longer the ray, the higher the gain.
  */
 final class DecisionDrawing {
 
@@ -56,7 +56,7 @@ final class DecisionDrawing {
         nao.drawPoint(seen(plan.target()), colour);
     }
 
-    /** Draws the ball and the place where it will come to rest. */
+    /** Draws the ball and the position at which it will come to rest. */
     private void showBall() {
         Translation2d rest = world.ball().plus(world.ballVelocity().times(BallFilter.ROLLING_SECONDS));
         nao.drawCircle(seen(world.ball()), 0.15, "orange");

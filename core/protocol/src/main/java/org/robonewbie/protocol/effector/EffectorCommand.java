@@ -10,7 +10,7 @@ public sealed interface EffectorCommand {
      * Creates the robot: {@code (scene rsg/agent/nao/nao_hetero.rsg 0)}. The first command of each agent.
      *
      * @param path scene file that describes the robot
-     * @param parameters further words, such as the number of the robot type
+     * @param parameters further arguments, such as the robot type
      */
     record CreateRobot(String path, List<String> parameters) implements EffectorCommand {
 
@@ -41,19 +41,19 @@ public sealed interface EffectorCommand {
     /**
      * Joins a team: {@code (init (unum 1)(teamname Stars))}.
      *
-     * @param number requested shirt number, 1 to 11; 0 lets the simulator choose
+     * @param number requested shirt number, 1 to 11, or 0 to let the simulator choose
      * @param team name of the team; empty if the message has none
      */
     record JoinTeam(int number, String team) implements EffectorCommand {}
 
     /**
-     * Places the robot in its own half before a kick-off: {@code (beam -1 0.5 90)}.
+     * Places the robot at a pose in its own half before a kick-off: {@code (beam -1 0.5 90)}.
      *
-     * @param pose pose in the team's frame, where the own half has negative x
+     * @param pose pose in the team's frame, in which its own half has negative x
      */
     record Beam(Pose2d pose) implements EffectorCommand {
 
-        /** {@return the command in the format of recordings} */
+        /** {@return the command in the format used in recordings} */
         @Override
         public String toString() {
             return "Beam[xMetres=" + pose.x() + ", yMetres=" + pose.y() + ", headingDegrees=" + pose.degrees() + "]";
@@ -61,8 +61,8 @@ public sealed interface EffectorCommand {
     }
 
     /**
-     * Sets the speed of a motor: {@code (he1 0.5)}. The motor keeps this speed until the next command. As SimSpark requires, this
-     * is the only command in radians.
+     * Sets the speed of a motor: {@code (he1 0.5)}. The motor keeps this speed until the next command. This is the only command
+     * that uses radians, as SimSpark requires.
      *
      * @param effectorName the motor's name in SimSpark's messages
      * @param radiansPerSecond speed in radians per second
@@ -70,7 +70,7 @@ public sealed interface EffectorCommand {
     record SetHingeSpeed(String effectorName, double radiansPerSecond) implements EffectorCommand {}
 
     /**
-     * Shouts a text across the field: {@code (say hello)}.
+     * Shouts a short text to the other robots: {@code (say hello)}.
      *
      * @param text 1 to 20 printable ASCII characters other than parentheses
      */
@@ -82,7 +82,7 @@ public sealed interface EffectorCommand {
         /**
          * Checks the text.
          *
-         * @throws IllegalArgumentException if simulators do not transmit such a text
+         * @throws IllegalArgumentException if the text is empty, too long or contains a forbidden character
          */
         public Say {
             if (text.isEmpty()) {

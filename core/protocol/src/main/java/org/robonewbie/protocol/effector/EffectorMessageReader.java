@@ -19,8 +19,9 @@ import org.robonewbie.protocol.sexp.SexpReader;
 import org.robonewbie.protocol.sexp.Token;
 
 /**
- * Parses the messages of an agent for the simulator, by the rules of rcssserver3d: numbers are parsed like C's {@code atof},
- * incomplete commands are dropped, and no input is harmful. Invalid parts are reported and skipped. Not thread-safe.
+ * Parses the messages that an agent sends to the simulator, by the rules of rcssserver3d: numbers are parsed like C's {@code
+ * atof}, incomplete commands are dropped, and no input causes an exception. Invalid commands are reported and skipped. Not
+ * thread-safe.
  */
 public final class EffectorMessageReader {
 
@@ -49,7 +50,8 @@ public final class EffectorMessageReader {
      *
      * @param message the message as received from the agent
      * @param commandListener receives the commands in order
-     * @param problemListener receives a sentence for each skipped part, at most eleven per message
+     * @param problemListener receives a sentence for each skipped command, at most ten per message; a final one states how many
+     *     more were skipped
      */
     public void read(
             MessageBuffer message,
@@ -96,7 +98,9 @@ public final class EffectorMessageReader {
         }
     }
 
-    /** Returns the last command of the hinge if it is equal, which saves allocations for joints at rest. */
+    /**
+     * Returns the previous command object of the hinge if the speed is unchanged, which avoids allocations for joints at rest.
+     */
     private SetHingeSpeed speedOf(String name) {
         int hinge = expectedHinge - 1;
         SetHingeSpeed last = lastSpeeds[hinge];
@@ -114,7 +118,7 @@ public final class EffectorMessageReader {
         }
     }
 
-    /** Reads the first word and skips the rest of the list, as rcssserver3d does. */
+    /** Reads the text, which is the first word of the list, and skips the rest, as rcssserver3d does. */
     private void readSay() {
         if (reader.next() != Token.ATOM) {
             ignore("\"say\" was ignored: it needs a text of 1 to 20 characters without spaces and parentheses");
@@ -185,7 +189,7 @@ public final class EffectorMessageReader {
         return start.chars().allMatch(character -> character > ' ') ? start : "(unprintable)";
     }
 
-    /** Finds the hinge named by the current atom, starting after the previous hinge, since agents keep the order. */
+    /** Finds the hinge named by the current atom, starting after the previous hinge, because agents keep the order. */
     private String findHinge() {
         for (int i = 0; i < HINGES.length; i++) {
             int candidate = (expectedHinge + i) % HINGES.length;

@@ -12,7 +12,7 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.sexp.SexpWriter;
 
 /**
- * Formats the commands of an agent. Numbers have up to nine decimals and no exponent, which all servers accept. Writing does not
+ * Formats the commands of an agent. Numbers have up to nine decimals and no exponent, which all servers accept. Does not
  * allocate.
  *
  * <pre>{@code
@@ -48,11 +48,11 @@ public final class EffectorMessageWriter {
     }
 
     /**
-     * Writes any command.
+     * Writes a command of any type.
      *
      * @param command the command
      * @return this writer
-     * @throws IllegalArgumentException if a word or number of the command is invalid
+     * @throws IllegalArgumentException if an argument of the command is invalid
      */
     public EffectorMessageWriter write(EffectorCommand command) {
         if (command instanceof SetHingeSpeed hinge) {
@@ -73,9 +73,9 @@ public final class EffectorMessageWriter {
      * Writes the command that creates the robot.
      *
      * @param path scene file that describes the robot
-     * @param parameters further words, such as the number of the robot type
+     * @param parameters further arguments, such as the robot type
      * @return this writer
-     * @throws IllegalArgumentException if a word contains spaces, parentheses, semicolons or quotation marks
+     * @throws IllegalArgumentException if an argument contains spaces, parentheses, semicolons or quotation marks
      */
     public EffectorMessageWriter createRobot(String path, List<String> parameters) {
         checkWord("Scene file", path);
@@ -91,7 +91,7 @@ public final class EffectorMessageWriter {
     /**
      * Writes the command that joins a team.
      *
-     * @param number requested shirt number, 1 to 11; 0 lets the simulator choose
+     * @param number requested shirt number, 1 to 11, or 0 to let the simulator choose
      * @param team name of the team
      * @return this writer
      * @throws IllegalArgumentException if the name contains spaces, parentheses, semicolons or quotation marks
@@ -104,11 +104,11 @@ public final class EffectorMessageWriter {
     }
 
     /**
-     * Writes the command that places the robot in its own half.
+     * Writes the command that places the robot at a pose in its own half.
      *
-     * @param pose pose in the team's frame, where the own half has negative x
+     * @param pose pose in the team's frame, in which its own half has negative x
      * @return this writer
-     * @throws IllegalArgumentException if a number is not finite
+     * @throws IllegalArgumentException if a coordinate or the heading is not finite
      */
     public EffectorMessageWriter beam(Pose2d pose) {
         checkNumber("Beam ", "x", pose.x());
@@ -137,11 +137,11 @@ public final class EffectorMessageWriter {
     }
 
     /**
-     * Writes the command that shouts a text across the field.
+     * Writes the command that shouts a short text to the other robots.
      *
      * @param text 1 to 20 printable ASCII characters other than parentheses, semicolons and quotation marks
      * @return this writer
-     * @throws IllegalArgumentException if simulators do not transmit such a text
+     * @throws IllegalArgumentException if the text is empty, too long or contains a forbidden character
      */
     public EffectorMessageWriter say(String text) {
         checkWord("Text to say", new Say(text).text());
@@ -160,7 +160,7 @@ public final class EffectorMessageWriter {
     }
 
     /**
-     * Writes the command that ends the commands of this cycle.
+     * Writes the command that marks the end of this cycle's commands.
      *
      * @return this writer
      */

@@ -14,10 +14,10 @@ public interface EmbeddedSimulator extends AutoCloseable {
      */
     AgentLink connect();
 
-    /** {@return the TCP port on 127.0.0.1 for agents of other processes} */
+    /** {@return the TCP port on 127.0.0.1 for agents in other processes} */
     int agentPort();
 
-    /** {@return text about the studio to print: an address that opens it once, and a hint; empty when headless} */
+    /** {@return a message to print: a one-time URL that opens the studio, and a hint; empty when headless} */
     Optional<String> studioAddress();
 
     /**
@@ -28,7 +28,7 @@ public interface EmbeddedSimulator extends AutoCloseable {
     }
 
     /**
-     * Ends the simulation, closes the recording and writes the report. Closing again has no effect.
+     * Stops the simulation, closes the recording and writes the report. Closing again has no effect.
      *
      * @throws java.io.UncheckedIOException if the report cannot be written
      */

@@ -15,7 +15,7 @@ public interface Puppet extends AutoCloseable {
     void walk(double forward, double left, double turn);
 
     /**
-     * Performs a motion of the library.
+     * Plays a motion from the framework's library.
      *
      * @param motion name of the motion, such as {@code kick-right}
      */

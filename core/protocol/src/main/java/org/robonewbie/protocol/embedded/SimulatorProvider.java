@@ -4,12 +4,12 @@ import java.io.IOException;
 
 /**
  * Factory for simulators in this process. The simulator module provides it through {@link java.util.ServiceLoader}, so that the
- * agent module does not depend on that module.
+ * agent module does not depend on the simulator module.
  */
 public interface SimulatorProvider {
 
     /**
-     * Starts a simulator. Its clock starts once the awaited number of agents is connected.
+     * Starts a simulator. Its clock starts once the awaited number of agents have connected.
      *
      * @param request the configuration
      * @return the running simulator

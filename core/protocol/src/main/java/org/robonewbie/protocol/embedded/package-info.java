@@ -1,5 +1,5 @@
 /**
- * Interfaces through which an agent uses a simulator in its own process without depending on that module. Read {@link
+ * Interfaces through which an agent uses a simulator in its own process without depending on the simulator module. Read {@link
  * org.robonewbie.protocol.embedded.SimulatorProvider} first.
  *
  * <p><strong>Internal</strong>: not part of the API, may change with every version.

@@ -4,7 +4,8 @@ import java.io.IOException;
 import org.robonewbie.nao.state.Restorable;
 
 /**
- * An agent's connection to a simulator, over TCP or within one process. One message is exchanged each way per cycle of 20 ms.
+ * An agent's connection to a simulator, over TCP or within one process. In each cycle of 20 ms, one message is sent in each
+ * direction.
  */
 public interface AgentLink extends AutoCloseable {
 
@@ -17,10 +18,10 @@ public interface AgentLink extends AutoCloseable {
     void send(MessageBuffer message) throws IOException;
 
     /**
-     * Waits for the next message of the simulator.
+     * Waits for the next message from the simulator.
      *
      * @param message receives the message
-     * @return false if the simulator has ended and there are no more messages
+     * @return false if the simulator has stopped and there are no more messages
      * @throws IOException if the connection is broken
      */
     boolean receive(MessageBuffer message) throws IOException;
@@ -36,8 +37,8 @@ public interface AgentLink extends AutoCloseable {
     }
 
     /**
-     * Registers the agent's state with a simulator in the same process, which saves and restores it together with the world while
-     * the agent waits for its next message. Other simulators ignore it.
+     * Registers the agent's state with a simulator in the same process. While the agent waits for its next message, the
+     * simulator can save and restore this state together with the world. Other simulators ignore it.
      *
      * @param agent the state of the agent
      */

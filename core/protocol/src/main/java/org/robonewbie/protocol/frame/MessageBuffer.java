@@ -3,7 +3,7 @@ package org.robonewbie.protocol.frame;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/** Growable buffer for the bytes of one message without its length prefix, reused in each cycle. */
+/** Growable buffer for one message without its length prefix. Reuse it in each cycle to avoid allocations. */
 public final class MessageBuffer {
 
     private static final char LAST_ASCII = 0x7F;
@@ -43,7 +43,8 @@ public final class MessageBuffer {
     }
 
     /**
-     * Changes the length of the message, whose content the caller then writes into {@link #bytes()}. Existing bytes are kept.
+     * Changes the length of the message, keeping its existing bytes. The caller then writes the new bytes into {@link
+     * #bytes()}.
      *
      * @param newLength the new length in bytes
      */
@@ -65,7 +66,8 @@ public final class MessageBuffer {
     }
 
     /**
-     * Appends a text in UTF-8, in which the bytes of other characters never equal a parenthesis.
+     * Appends a text encoded as UTF-8. No byte of a non-ASCII character equals a parenthesis, so such text cannot break the
+     * syntax.
      *
      * @param text the text, mostly ASCII
      */

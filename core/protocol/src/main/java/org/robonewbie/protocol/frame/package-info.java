@@ -1,3 +1,3 @@
-/** The bytes of a message between agent and simulator, and the connection that carries it. */
+/** Message buffers, and the connections that carry messages between agent and simulator. */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.protocol.frame;

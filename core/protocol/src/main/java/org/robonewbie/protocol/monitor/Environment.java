@@ -6,7 +6,7 @@ import java.util.OptionalDouble;
 /**
  * The constants of a match: dimensions of the pitch and parameters of the rules.
  *
- * @param measures the parameters in the order of the message
+ * @param measures the parameters, in the order in which they appear in the message
  * @param playModes names of all play modes; messages refer to a play mode by its index in this list
  */
 public record Environment(List<Measure> measures, List<String> playModes) {

@@ -2,7 +2,7 @@ package org.robonewbie.protocol.monitor;
 
 import java.util.Optional;
 
-/** The types of fouls in monitor messages, in the order of their numbers in SimSpark. */
+/** The types of fouls in monitor messages, in the order of SimSpark's numeric codes. */
 public enum FoulType {
     /** Too many robots of a team near the ball. */
     CROWDING,
@@ -27,16 +27,16 @@ public enum FoulType {
     /** A robot playing the ball with an arm; newer servers only. */
     HAND_FOUL;
 
-    /** {@return the foul's number in SimSpark's messages, 0 to 10} */
+    /** {@return the numeric code of the foul in SimSpark's messages, 0 to 10} */
     public int simSparkNumber() {
         return ordinal();
     }
 
     /**
-     * Returns the foul with a number from SimSpark's messages.
+     * Looks up a type of foul by its numeric code in SimSpark's messages.
      *
-     * @param simSparkNumber the number
-     * @return the foul; empty for an unknown number, which a newer server may send
+     * @param simSparkNumber the numeric code
+     * @return the type; empty for an unknown code, which a newer server may send
      */
     public static Optional<FoulType> ofSimSparkNumber(int simSparkNumber) {
         return simSparkNumber >= 0 && simSparkNumber < values().length

@@ -95,7 +95,7 @@ final class GameStateReader {
                 : Optional.empty();
     }
 
-    /** Servers from 0.7 on send index, type, team and number; older ones omit the index. */
+    /** Reads one foul. Servers from version 0.7 on send index, type, team and shirt number; older ones omit the index. */
     private void readFoul(List<Word> words) {
         int start = words.size() == 3 ? -1 : 0;
         if (words.size() < 3) {

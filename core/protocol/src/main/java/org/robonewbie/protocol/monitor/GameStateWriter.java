@@ -6,8 +6,8 @@ import org.robonewbie.nao.PlayMode;
 import org.robonewbie.protocol.sexp.SexpWriter;
 
 /**
- * Writes the first list of a monitor message: the environment and the state of the match. Partial messages contain only what has
- * changed since the last message to all monitors.
+ * Writes the first list of a monitor message: the environment and the state of the match. Partial messages contain only what
+ * has changed since the last message that was sent to all monitors.
  *
  * <p>Source of the format: SimSpark's {@code gamestateitem.cpp} and {@code soccerruleitem.cpp}.
  */
@@ -23,7 +23,7 @@ final class GameStateWriter {
         this.out = out;
     }
 
-    /** Writes the environment and the full state. Later partial messages build on it only if all monitors receive it. */
+    /** Writes the environment and the full state. With {@code toAll}, later partial messages are relative to this one. */
     void writeFull(MonitoredGame state, List<Foul> fouls, boolean toAll) {
         out.text("(");
         writeEnvironment();
@@ -35,7 +35,7 @@ final class GameStateWriter {
         out.text(")");
     }
 
-    /** Writes the time and the changes of the state. */
+    /** Writes the time and the parts of the state that have changed. */
     void writePartial(MonitoredGame state, List<Foul> fouls) {
         out.text("(");
         writeState(state, false);

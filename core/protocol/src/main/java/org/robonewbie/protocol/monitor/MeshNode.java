@@ -2,7 +2,7 @@ package org.robonewbie.protocol.monitor;
 
 import java.util.List;
 
-/** A mesh to draw: from a file, or one of SimSpark's standard shapes. */
+/** A mesh to draw, which is either loaded from a file or one of SimSpark's standard shapes. */
 public final class MeshNode implements SceneNode {
 
     private final Form form;
@@ -17,7 +17,7 @@ public final class MeshNode implements SceneNode {
     /**
      * Creates a mesh.
      *
-     * @param form the form
+     * @param form the mesh file or standard shape
      * @param scaleX scale along x
      * @param scaleY scale along y
      * @param scaleZ scale along z
@@ -42,13 +42,13 @@ public final class MeshNode implements SceneNode {
         this.visible = visible;
     }
 
-    /** The form of a mesh. */
+    /** The shape of a mesh. */
     public sealed interface Form {
 
-        /** {@return the name in messages: path of a mesh file or name of a standard shape} */
+        /** {@return the name of the shape in messages: the path of a mesh file or the name of a standard shape} */
         String name();
 
-        /** {@return the words after the name, such as radius and length} */
+        /** {@return the arguments after the name, such as radius and length} */
         List<String> parameters();
     }
 
@@ -56,19 +56,19 @@ public final class MeshNode implements SceneNode {
      * A mesh from a file.
      *
      * @param name path of the file in the data directory, such as {@code models/naohead.obj}
-     * @param parameters further words for the loader, usually none
+     * @param parameters further arguments for the loader, usually none
      */
     public record MeshFile(String name, List<String> parameters) implements Form {}
 
     /**
-     * A box, sphere, capsule or cylinder of size 1.
+     * A box, sphere, capsule or cylinder of unit size.
      *
      * @param name one of {@code StdUnitBox}, {@code StdUnitSphere}, {@code StdCapsule}, {@code StdUnitCylinder}
      * @param parameters radius and length of capsule and cylinder
      */
     public record StandardShape(String name, List<String> parameters) implements Form {}
 
-    /** {@return the form} */
+    /** {@return the mesh file or standard shape} */
     public Form form() {
         return form;
     }

@@ -5,10 +5,10 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.sexp.SexpWriter;
 
 /**
- * Formats the messages of a server to its monitors, byte for byte like rcssserver3d.
+ * Formats the messages from a server to its monitors, byte for byte like rcssserver3d.
  *
- * <p>The writer tracks the state that was sent to all monitors, so that partial messages contain only changes. All monitors of a
- * server therefore share one writer, and a log has its own.
+ * <p>The writer tracks the state that was sent to all monitors, so that partial messages contain only changes. All monitors of
+ * a server therefore share one writer, and a log has a writer of its own.
  */
 public final class MonitorMessageWriter {
 
@@ -28,7 +28,7 @@ public final class MonitorMessageWriter {
     }
 
     /**
-     * Writes a full message for all monitors. Later partial messages build on it.
+     * Writes a full message for all monitors. Later partial messages are relative to it.
      *
      * @param state the state of the match
      * @param fouls all fouls of the match in order; those already sent are omitted
@@ -40,7 +40,7 @@ public final class MonitorMessageWriter {
     }
 
     /**
-     * Writes a full message for a newly connected monitor, without effect on the partial messages to all monitors.
+     * Writes a full message for a newly connected monitor, without affecting later partial messages to all monitors.
      *
      * @param state the state of the match
      * @param nodes the scene

@@ -10,7 +10,7 @@ import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.protocol.order.PlayerNumber;
 
-/** A robot in the monitored scene. Its links move with each message that is applied. */
+/** A robot in the monitored scene. Each message that is applied updates the transforms of its links. */
 public final class MonitoredRobot {
 
     private static final String NUMBER = "matNum";
@@ -51,7 +51,7 @@ public final class MonitoredRobot {
      * Returns the pose of a link in the world frame.
      *
      * @param name a link's name in {@link NaoModel}, such as {@link NaoModel#TORSO}
-     * @return its transform; empty if the server's robots lack such a link
+     * @return its transform; empty if the robots of this server have no such link
      */
     public Optional<TransformNode> link(String name) {
         return Optional.ofNullable(links.get(name));
@@ -108,7 +108,7 @@ public final class MonitoredRobot {
         return found;
     }
 
-    /** Identifies a link of an unknown kind of robot by the name of its mesh. */
+    /** Identifies a link of an unknown type of robot by the name of its mesh file. */
     private static Optional<String> nameByMesh(TransformNode part, List<Link> expected) {
         return part.meshFiles()
                 .findFirst()

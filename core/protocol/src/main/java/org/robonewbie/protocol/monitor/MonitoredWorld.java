@@ -9,11 +9,11 @@ import org.robonewbie.protocol.sexp.SexpReader;
 import org.robonewbie.protocol.sexp.Token;
 
 /**
- * A monitor's model of the world, updated by the messages of any SimSpark server.
+ * A monitor's model of the world, updated by messages from any SimSpark server.
  *
- * <p>It is initialised by the first full message, which a server sends to each new monitor. After a message that does not match the
- * scene, the world is no longer {@link #isCurrent() current} until the next full message, which {@link Order.RequestFullState}
- * requests.
+ * <p>It is initialised by the first full message, which a server sends to each new monitor. After a partial message that does
+ * not match the scene, the world is no longer {@link #isCurrent() current} until the next full message. Send {@link
+ * Order.RequestFullState} to request one.
  *
  * <pre>{@code
  * MonitoredWorld world = new MonitoredWorld();
@@ -40,7 +40,7 @@ public final class MonitoredWorld {
     public MonitoredWorld() {}
 
     /**
-     * Applies the next message of the server. Malformed messages are ignored.
+     * Applies the next message from the server. Malformed messages are ignored.
      *
      * @param message the message
      * @return whether the world is current afterwards
@@ -56,7 +56,8 @@ public final class MonitoredWorld {
     }
 
     /**
-     * {@return whether the scene is up to date; false before the first full message and after a message that did not match}
+     * {@return whether the scene is up to date; false before the first full message and after a partial message that did not
+     * match the scene}
      */
     public boolean isCurrent() {
         return current;
@@ -77,7 +78,7 @@ public final class MonitoredWorld {
         return gameReader.fouls();
     }
 
-    /** {@return the robots that belong to a team, in the order in which they connected} */
+    /** {@return the robots that have joined a team, in the order in which they connected} */
     public List<MonitoredRobot> robots() {
         return robots;
     }

@@ -3,7 +3,7 @@ package org.robonewbie.protocol.monitor;
 /**
  * A node of the scene graph that monitors draw: transforms with meshes and lights as leaves.
  *
- * <p>Nodes track what was last sent, so that the next message can omit unchanged parts. A scene therefore belongs to one stream of
- * messages.
+ * <p>Nodes track what was last sent, so that the next message can omit unchanged parts. A scene can therefore be used for one
+ * stream of messages only.
  */
 public sealed interface SceneNode permits TransformNode, MeshNode, LightNode {}

@@ -18,7 +18,7 @@ final class SceneReader {
         this.in = in;
     }
 
-    /** Parses a full scene. */
+    /** Parses the scene of a full message. */
     List<SceneNode> readFull() throws MalformedMessageException {
         List<SceneNode> nodes = new ArrayList<>();
         int inside = in.depth();
@@ -30,7 +30,7 @@ final class SceneReader {
         return List.copyOf(nodes);
     }
 
-    /** Parses changes and applies them to a scene. */
+    /** Parses the changes in a partial message and applies them to a scene. */
     void readPartial(List<SceneNode> nodes) throws MalformedMessageException {
         int count = 0;
         int inside = in.depth();
@@ -168,7 +168,7 @@ final class SceneReader {
         return List.copyOf(words);
     }
 
-    /** Reads the first numbers of a list. Anything but a finite number counts as 0. */
+    /** Reads a number of elements at the start of a list. Anything but a finite number counts as 0. */
     private float[] readNumbers(int count) throws MalformedMessageException {
         float[] numbers = new float[count];
         for (int i = 0; i < count; i++) {

@@ -20,14 +20,14 @@ final class SceneWriter {
         this.out = out;
     }
 
-    /** Writes the full tree. Later partial messages build on it only if all monitors receive it. */
+    /** Writes the full tree. With {@code toAll}, later partial messages are relative to this one. */
     void writeFull(List<? extends SceneNode> nodes, boolean toAll) {
         out.text("(");
         writeFullNodes(nodes, toAll);
         out.text(")");
     }
 
-    /** Writes the same tree without its unchanged parts. */
+    /** Writes the tree without the contents of unchanged nodes. */
     void writePartial(List<? extends SceneNode> nodes) {
         out.text("(");
         writePartialNodes(nodes);

@@ -6,8 +6,8 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 
 /**
- * An order to the simulated world from a trainer, the studio's user or a referee program. It takes effect between two cycles and is
- * not acknowledged.
+ * A command to the simulated world from a trainer, the studio's user or a referee program. It takes effect between two cycles
+ * and is not acknowledged.
  *
  * <pre>{@code
  * simulation.order(new Order.MoveBall(new Vector3(1, 0, 0.042), Vector3.ZERO));
@@ -22,18 +22,18 @@ public sealed interface Order {
     /** An order of SimSpark's trainer protocol, which is sent to the monitor port. */
     sealed interface Trainer extends Order {}
 
-    /** An order to the clock of the simulation. */
+    /** An order that controls the clock of the simulation. */
     sealed interface Clock extends Order {}
 
     /**
-     * Starts a kick-off in any play mode.
+     * Starts a kick-off, whatever the current play mode.
      *
      * @param side the team that kicks off; empty for the team determined by the rules
      */
     record KickOff(Optional<TeamSide> side) implements Trainer {
 
         /**
-         * Creates an order for a team.
+         * Creates a kick-off for a team.
          *
          * @param side the team that kicks off
          */
@@ -49,7 +49,7 @@ public sealed interface Order {
      */
     record ChangePlayMode(PlayMode playMode) implements Trainer {}
 
-    /** Releases the ball where it lies, so that both teams may play it. */
+    /** Drops the ball at its current position, so that both teams may play it. */
     record DropBall() implements Trainer {}
 
     /**
@@ -80,7 +80,7 @@ public sealed interface Order {
     record MoveRobot(PlayerNumber player, Vector3 position) implements Trainer {}
 
     /**
-     * Moves a robot upright without waking its bodies from the physics engine's sleep.
+     * Moves a robot upright without waking its bodies if the physics engine has put them to sleep.
      *
      * @param player the robot
      * @param position new position of the torso's centre in metres
@@ -105,14 +105,14 @@ public sealed interface Order {
     record SelectNoRobot() implements Trainer {}
 
     /**
-     * Removes a robot from the field permanently; its agent stays connected.
+     * Removes a robot from the field for the rest of the game; its agent stays connected.
      *
      * @param player the robot; empty for the selected one
      */
     record KillRobot(Optional<PlayerNumber> player) implements Trainer {}
 
     /**
-     * Places a robot beside the field.
+     * Moves a robot to a position beside the field.
      *
      * @param player the robot; empty for the selected one
      */
@@ -121,11 +121,11 @@ public sealed interface Order {
     /** Stops the server. */
     record EndSimulation() implements Trainer {}
 
-    /** Requests the full scene in the next message instead of its changes. */
+    /** Requests that the next message contain the full scene instead of only the changes. */
     record RequestFullState() implements Trainer {}
 
     /**
-     * Sets the clock of the game.
+     * Sets the game time.
      *
      * @param seconds the new game time, at least 0
      */
@@ -143,7 +143,7 @@ public sealed interface Order {
     record Reset() implements Order {}
 
     /**
-     * Places a robot upright and awake, keeping its joint angles.
+     * Places a robot upright at a pose, keeping its joint angles. Wakes its bodies if the physics engine has put them to sleep.
      *
      * @param player the robot
      * @param position new position of the torso's centre in metres
@@ -159,14 +159,14 @@ public sealed interface Order {
      */
     record PushRobot(PlayerNumber player, Vector3 newtons) implements Order {}
 
-    /** Pauses the simulation. Agents wait. */
+    /** Pauses the simulation. Agents receive no messages until it resumes. */
     record Pause() implements Clock {}
 
     /** Resumes a paused simulation. */
     record Resume() implements Clock {}
 
     /**
-     * Runs a number of cycles and pauses.
+     * Runs a number of cycles, then pauses.
      *
      * @param cycles number of cycles of 20 ms, at least 1
      */
@@ -175,7 +175,7 @@ public sealed interface Order {
     /**
      * Sets the speed of the simulation.
      *
-     * @param factor simulated seconds per real second, at least 0.1; infinity runs as fast as possible
+     * @param factor simulated seconds per real second, at least 0.1; infinity to run as fast as possible
      */
     record SetSpeed(double factor) implements Clock {}
 }

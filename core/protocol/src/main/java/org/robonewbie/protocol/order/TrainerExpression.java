@@ -6,7 +6,7 @@ import java.util.Optional;
 import org.robonewbie.protocol.sexp.SexpReader;
 import org.robonewbie.protocol.sexp.Token;
 
-/** The parsed expression of one trainer command: a name, followed by words and named lists of words in any order. */
+/** One trainer command as a parsed expression: a name, followed by words and named lists of words in any order. */
 final class TrainerExpression {
 
     private final NamedWords main;

@@ -12,7 +12,7 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.sexp.SexpReader;
 
 /**
- * Parses the commands of a trainer. Unknown and incomplete commands are ignored silently, as in rcssserver3d.
+ * Parses commands from a trainer. Unknown and incomplete commands are ignored silently, as in rcssserver3d.
  *
  * <p>Source: SimSpark's {@code trainercommandparser.cpp}.
  */
@@ -27,9 +27,9 @@ public final class TrainerOrderReader {
     public TrainerOrderReader() {}
 
     /**
-     * Parses all commands of a message.
+     * Parses all commands in a message.
      *
-     * @param message the message of a monitor
+     * @param message the message from a monitor
      * @return the commands in order
      */
     public List<Order.Trainer> read(MessageBuffer message) {
@@ -106,7 +106,7 @@ public final class TrainerOrderReader {
         }
     }
 
-    /** A command without number or team refers to the selected robot, one with an unknown team to no robot. */
+    /** Reads the robot of a command: the selected one if number or team is missing, none if the team is unknown. */
     private static Optional<Order.Trainer> readPlayer(
             TrainerExpression command, Function<Optional<PlayerNumber>, Order.Trainer> create) {
         if (command.numbers("unum").isEmpty() || command.words("team").isEmpty()) {

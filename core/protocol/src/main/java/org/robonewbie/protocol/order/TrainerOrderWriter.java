@@ -6,7 +6,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.sexp.SexpWriter;
 
-/** Formats orders for a SimSpark server. A message may contain several orders. */
+/** Formats orders as messages to a SimSpark server. A message may contain several orders. */
 public final class TrainerOrderWriter {
 
     private static final int DECIMALS = 6;

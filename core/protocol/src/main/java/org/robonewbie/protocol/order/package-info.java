@@ -1,6 +1,6 @@
 /**
- * Orders to the simulated world, and their format in SimSpark's trainer protocol. Read {@link org.robonewbie.protocol.order.Order}
- * first.
+ * Orders that change the simulated world or control its clock, and their format in SimSpark's trainer protocol. Read {@link
+ * org.robonewbie.protocol.order.Order} first.
  *
  * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */

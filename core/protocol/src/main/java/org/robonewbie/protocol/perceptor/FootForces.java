@@ -16,7 +16,7 @@ public record FootForces(
         Optional<FootForce> leftToe,
         Optional<FootForce> rightToe) {
 
-    /** No contact forces, as in the air. */
+    /** No contact forces, as for a robot in the air. */
     public static final FootForces NONE = of(Optional.empty(), Optional.empty());
 
     /**

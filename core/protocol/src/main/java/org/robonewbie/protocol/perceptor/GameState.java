@@ -12,7 +12,7 @@ import org.robonewbie.nao.TeamSide;
  * @param side the side of the robot's team; sent once, together with the number
  * @param leftScore goals of the left team; not sent by older servers
  * @param rightScore goals of the right team; not sent by older servers
- * @param playSeconds game time in seconds, which stands still before the kick-off and after the game
+ * @param playSeconds game time in seconds, which does not advance before the kick-off and after the game
  * @param playModeName SimSpark's name of the play mode, which may be unknown for a newer server
  */
 public record GameState(

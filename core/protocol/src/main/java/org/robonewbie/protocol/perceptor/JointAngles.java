@@ -27,7 +27,10 @@ public final class JointAngles {
      */
     public record ExtraHinge(String perceptorName, double degrees) {}
 
-    /** Takes ownership of the array. In {@code present} the bit of a joint's ordinal is set if its angle is known. */
+    /**
+     * Takes ownership of the array. Bit {@code n} of {@code present} is set if the angle of the joint with ordinal {@code n} is
+     * known.
+     */
     JointAngles(double[] degrees, int present, List<ExtraHinge> extraHinges) {
         this.degrees = degrees;
         this.present = present;
@@ -35,7 +38,7 @@ public final class JointAngles {
     }
 
     /**
-     * Measures the angles of all joints.
+     * Creates readings with the angle of every joint.
      *
      * @param degrees function from a joint to its angle in degrees
      * @param extraHinges angles of hinges that are not joints, such as toes
@@ -53,17 +56,17 @@ public final class JointAngles {
      * Returns the angle of a joint.
      *
      * @param joint the joint
-     * @return its angle in degrees, which may slightly exceed the joint's range; empty if the message lacks it
+     * @return its angle in degrees, which may slightly exceed the joint's range; empty if the message does not contain it
      */
     public OptionalDouble degrees(Joint joint) {
         return has(joint) ? OptionalDouble.of(degrees[joint.ordinal()]) : OptionalDouble.empty();
     }
 
     /**
-     * Returns the angle of a joint or a default.
+     * Returns the angle of a joint, or a default if it is unknown.
      *
      * @param joint the joint
-     * @param otherwise default in degrees, returned if the message lacks the angle
+     * @param otherwise default in degrees, for a joint whose angle the message does not contain
      * @return its angle in degrees
      */
     public double degreesOr(Joint joint, double otherwise) {

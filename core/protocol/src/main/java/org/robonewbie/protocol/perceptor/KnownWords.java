@@ -2,13 +2,13 @@ package org.robonewbie.protocol.perceptor;
 
 import org.robonewbie.protocol.sexp.SexpReader;
 
-/** Cache of names that recur in each message, such as teams, which avoids repeated allocations. */
+/** Cache of strings that recur in each message, such as team names, to avoid allocating them again. */
 final class KnownWords {
 
     private final String[] words = {"", "", "", "", "", "", "", ""};
     private int oldest;
 
-    /** Returns the current atom as text. */
+    /** Returns the current atom as a string, from the cache if possible. */
     String of(SexpReader reader) {
         for (String word : words) {
             if (reader.atomIs(word)) {

@@ -6,13 +6,13 @@ import java.util.OptionalDouble;
 import org.robonewbie.nao.Vector3;
 
 /**
- * The sensor readings of a robot in one cycle of 20 ms, as sent by SimSpark. Parts that a message omits are empty.
+ * The sensor readings of a robot in one cycle of 20 ms, as sent by SimSpark. Perceptors that a message omits are empty.
  *
  * <p>The torso frame has x to the robot's right, y forward and z up.
  *
  * @param seconds simulated time since the start of the server in seconds, which increases by 0.02 in each cycle
- * @param gameState report of the referee, in every message of a real server
- * @param heard voice messages received in this cycle: the robot's own, a team-mate's, an opponent's
+ * @param gameState state of the game as reported by the referee; a server sends it in every message
+ * @param heard voice messages received in this cycle: the robot's own, a teammate's, an opponent's
  * @param gyro angular velocity of the torso about the axes of the torso frame in degrees per second
  * @param accelerometer specific force at the torso's centre in the torso frame, as measured by an IMU, in metres per second
  *     squared: (0, 0, 9.81) at rest, (0, 0, 0) in free fall

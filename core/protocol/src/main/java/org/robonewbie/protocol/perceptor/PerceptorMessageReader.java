@@ -14,7 +14,7 @@ import org.robonewbie.protocol.sexp.SexpReader;
 import org.robonewbie.protocol.sexp.Token;
 
 /**
- * Parser for perceptor messages. Unknown parts are skipped at any level and incomplete parts are omitted, so that parsing never
+ * Parser for perceptor messages. Unknown lists are skipped at any depth and incomplete lists are ignored, so parsing never
  * fails. Each robot has its own reader. Not thread-safe.
  *
  * <pre>{@code
@@ -220,7 +220,7 @@ public final class PerceptorMessageReader {
         }
     }
 
-    /** Finds the joint named by the current atom, starting after the previous joint, since servers keep the order. */
+    /** Finds the joint named by the current atom, starting after the previous joint, because servers keep the order. */
     private int findJoint() {
         for (int i = 0; i < JOINTS.length; i++) {
             int candidate = (expectedJoint + i) % JOINTS.length;

@@ -42,7 +42,7 @@ public final class PerceptorMessageWriter {
         writer = new SexpWriter(message);
     }
 
-    /** Returns the joints of a leg whose angles precede the force perceptor of the foot in a message. */
+    /** Returns the joints of a leg whose angles precede the reading of the foot's force perceptor in a message. */
     private static Joint[] jointsAboveAnkleRoll(Leg leg) {
         return leg.joints().subList(0, 5).toArray(Joint[]::new);
     }
@@ -241,7 +241,7 @@ public final class PerceptorMessageWriter {
         number(position.verticalDegrees()).text(")");
     }
 
-    /** Writes the space that separates the items of a {@code See} list, unless the list is still empty. */
+    /** Writes the space before an item of a {@code See} list, unless it is the first item. */
     private void separate(int empty) {
         if (writer.length() > empty) {
             writer.text(" ");

@@ -5,7 +5,8 @@ package org.robonewbie.protocol.perceptor;
  * head.
  *
  * @param distanceMetres distance in metres
- * @param horizontalDegrees angle to the forward direction in the horizontal plane of the head, in degrees, positive to the left
+ * @param horizontalDegrees angle from the forward direction in the horizontal plane of the head, in degrees, positive to the
+ *     left
  * @param verticalDegrees angle above the horizontal plane of the head, in degrees, positive up
  */
 public record PolarPosition(double distanceMetres, double horizontalDegrees, double verticalDegrees) {}

@@ -30,7 +30,7 @@ public record Vision(
         OptionalDouble ownOrientationDegrees,
         Optional<Vector3> ballPosition) {
 
-    /** An image without recognised objects. */
+    /** A vision percept without any objects. */
     public static final Vision NOTHING = of(List.of(), Optional.empty(), List.of(), List.of());
 
     /** Copies the lists. */
@@ -51,8 +51,8 @@ public record Vision(
     /**
      * A segment of a field line. The order of its ends has no meaning.
      *
-     * @param start one end; an angle may be NaN
-     * @param end the other end; an angle may be NaN
+     * @param start one end, whose angles may be NaN
+     * @param end the other end, whose angles may be NaN
      */
     public record SeenLine(PolarPosition start, PolarPosition end) {}
 
@@ -70,7 +70,7 @@ public record Vision(
      * @param team name of the robot's team
      * @param number shirt number
      * @param parts visible parts of the body
-     * @param position position of the whole robot, sent by very old servers instead of the parts
+     * @param position position of the whole robot, which very old servers send instead of the parts
      */
     public record SeenPlayer(String team, int number, List<SeenBodyPart> parts, Optional<PolarPosition> position) {
 
@@ -81,13 +81,13 @@ public record Vision(
     }
 
     /**
-     * Creates an image without true positions.
+     * Creates a vision percept without ground-truth positions.
      *
      * @param landmarks goal posts and flags
      * @param ball the ball's centre
      * @param players robots
      * @param lines segments of the field lines
-     * @return the image
+     * @return the percept
      */
     public static Vision of(
             List<SeenLandmark> landmarks,

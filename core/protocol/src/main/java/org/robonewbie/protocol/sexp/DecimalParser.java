@@ -20,7 +20,7 @@ final class DecimalParser {
     private long mantissa;
     private int significantDigits;
 
-    /** Parses the longest number at the start of the text; 0 if there is none. */
+    /** Parses the longest prefix of the text that is a number; 0 if there is none. */
     double parse(byte[] text, int first, int last) {
         start(text, first, last);
         boolean negative = skipSign();
@@ -83,7 +83,7 @@ final class DecimalParser {
         return at - firstDigit;
     }
 
-    /** Skips a complete exponent and returns whether there is one. */
+    /** Skips the exponent if it is complete, and returns whether it is. */
     private boolean hasExponent() {
         if (at >= end || (bytes[at] != 'e' && bytes[at] != 'E')) {
             return false;

@@ -1,9 +1,9 @@
 package org.robonewbie.protocol.sexp;
 
-/** The powers of ten that are exact as doubles. */
+/** The powers of ten that a double represents exactly. */
 final class PowersOfTen {
 
-    /** Maximum exponent: 10^22 is exact, 10^23 is not. */
+    /** Maximum exponent: a double represents 10^22 exactly, but not 10^23. */
     static final int MAX = 22;
 
     private static final double[] POWERS = new double[MAX + 1];

@@ -6,10 +6,10 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 /**
  * Pull parser for the S-expressions of a message. It works on the bytes of the message without allocations.
  *
- * <p>The rules are those of SimSpark's parser (sfsexp): spaces, tabs and line ends separate words, {@code ;} between words starts a
- * comment that extends to the end of the line, and an unmatched closing parenthesis ends the message. Nesting uses no stack, so
- * deeply nested input is harmless. Quotation marks are ordinary characters, as for SimSpark's clients, unless the reader is created
- * by {@link #withQuotes}, as for servers.
+ * <p>The rules are those of SimSpark's parser (sfsexp): spaces, tabs and line breaks separate words, {@code ;} between words
+ * starts a comment that extends to the end of the line, and an unmatched closing parenthesis ends the message. Nested lists
+ * need no stack, so deeply nested input is harmless. Quotation marks are ordinary characters, as for SimSpark's clients, unless
+ * the reader is created by {@link #withQuotes}, as for servers.
  *
  * <pre>{@code
  * reader.start(message);
@@ -78,7 +78,7 @@ public final class SexpReader {
     /**
      * Advances to the next token.
      *
-     * @return the token; {@link Token#END} for all calls at the end of the message
+     * @return the token; {@link Token#END} at the end of the message, however often it is called
      */
     public Token next() {
         token = advance();
@@ -96,7 +96,7 @@ public final class SexpReader {
     }
 
     /**
-     * Skips tokens until at most a number of lists are open, or until {@link Token#END}.
+     * Skips tokens until no more than the given number of lists are open, or until {@link Token#END}.
      *
      * @param outerDepth maximum number of open lists
      */
@@ -107,8 +107,8 @@ public final class SexpReader {
     }
 
     /**
-     * Advances to the next list {@code (name …)} at a depth. Skips the rest of the previous list, words between the lists, and lists
-     * without a name. Afterwards the name is the current atom.
+     * Advances to the next list {@code (name …)} at the given depth. Skips the rest of the previous list, words between the
+     * lists, and lists without a name. Afterwards the name is the current atom.
      *
      * <p>If there is no such list, the current token is {@link Token#CLOSE} if the enclosing list is complete, else {@link
      * Token#END}.
@@ -227,7 +227,7 @@ public final class SexpReader {
         return Token.ATOM;
     }
 
-    /** Parses a text in quotation marks. A missing closing mark ends the message. */
+    /** Parses a quoted string. A missing closing mark ends the message. */
     private Token quotedText() {
         position++;
         atomStart = position;
@@ -243,7 +243,7 @@ public final class SexpReader {
         return Token.ATOM;
     }
 
-    /** Parses the list after an apostrophe as one atom. */
+    /** Parses a list that is preceded by an apostrophe as one atom. */
     private Token quotedList() {
         position++;
         atomStart = position;
@@ -270,7 +270,7 @@ public final class SexpReader {
         return Token.CLOSE;
     }
 
-    /** Returns whether the next character is an apostrophe before a word, which is ignored. */
+    /** Returns whether the next character is an apostrophe that precedes a word; such an apostrophe is ignored. */
     private boolean isApostropheBeforeWord() {
         return quoting
                 && position < end

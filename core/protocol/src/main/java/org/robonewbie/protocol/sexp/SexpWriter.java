@@ -9,8 +9,8 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 /**
  * Formats words and numbers byte for byte like SimSpark's C++ streams, without allocations for common numbers.
  *
- * <p>Numbers are rounded correctly from their exact binary value, with ties to the even digit. A negative number that rounds to zero
- * keeps its sign ({@code -0.00}).
+ * <p>Numbers are rounded correctly from their exact binary value; ties are rounded to even. A negative number that rounds to
+ * zero keeps its sign ({@code -0.00}).
  *
  * <pre>{@code
  * new SexpWriter(message).text("(HJ (n hj1) (ax ").fixed(angle, 2).text("))");
@@ -20,7 +20,7 @@ public final class SexpWriter {
 
     private static final int GENERAL_DIGITS = 6;
     private static final double MAX_SCALED = 1L << 51;
-    /** Distance to a tie above which floating-point arithmetic rounds correctly. */
+    /** Distance from a tie above which floating-point arithmetic is certain to round correctly. */
     private static final double TIE_MARGIN = 1e-3;
 
     private static final double LARGEST_WITH_SAFE_MARGIN = 1L << 42;
@@ -35,7 +35,7 @@ public final class SexpWriter {
         this.message = message;
     }
 
-    /** {@return the length of the whole message in bytes} */
+    /** {@return the current length of the buffer in bytes} */
     public int length() {
         return message.length();
     }
@@ -175,7 +175,7 @@ public final class SexpWriter {
         return false;
     }
 
-    /** Rounds magnitude * 10^power to an integer. The exact product decides near ties. */
+    /** Rounds magnitude * 10^power to an integer. Near a tie, the exact product decides. */
     private static long roundProduct(double magnitude, int power, double scaled) {
         long below = (long) scaled;
         double aboveTie = scaled - (below + 0.5);

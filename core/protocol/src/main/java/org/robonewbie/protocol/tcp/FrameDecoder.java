@@ -7,8 +7,8 @@ import java.util.Arrays;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
 /**
- * Assembles messages from the bytes of a non-blocking channel, for servers that poll each client once per cycle. It buffers at most
- * one message of the maximum length and one chunk.
+ * Assembles messages from the bytes that are read from a non-blocking channel, for servers that poll each client once per
+ * cycle. It buffers at most one message of the maximum length and one chunk of 16 KiB.
  *
  * <pre>{@code
  * open = decoder.fillFrom(channel);

@@ -6,9 +6,9 @@ import java.nio.channels.WritableByteChannel;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
 /**
- * Sends messages to a non-blocking channel, for servers with slow clients. As in rcssserver3d, at most one message is pending for
- * each client. New messages are dropped until it is fully sent, so that a slow client uses no extra memory and never receives a
- * partial message.
+ * Sends messages to a non-blocking channel, for servers with slow clients. As in rcssserver3d, at most one message is pending
+ * for each client. New messages are dropped until it has been sent completely, so that a slow client uses no extra memory and
+ * never receives a partial message.
  */
 public final class FrameEncoder {
 
@@ -19,7 +19,7 @@ public final class FrameEncoder {
     public FrameEncoder() {}
 
     /**
-     * Sends a message, or continues the pending one and drops the message.
+     * Sends a message. If another message is still pending, continues to send that one and drops the new one.
      *
      * @param channel the client's channel
      * @param message the message
@@ -39,7 +39,7 @@ public final class FrameEncoder {
     }
 
     /**
-     * Continues to send the pending message, as far as the channel accepts it.
+     * Continues to send the pending message, as far as the channel accepts data.
      *
      * @param channel the client's channel
      * @throws IOException if the connection is broken

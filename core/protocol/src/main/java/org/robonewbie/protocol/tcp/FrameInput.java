@@ -27,7 +27,7 @@ public final class FrameInput {
      * Waits for the next message.
      *
      * @param message receives the message
-     * @return false if the stream has ended and there are no more messages
+     * @return false if the stream has ended
      * @throws FrameTooLongException if the message is too long
      * @throws EOFException if the stream ends within a message
      * @throws IOException if the stream cannot be read

@@ -2,7 +2,7 @@ package org.robonewbie.protocol.tcp;
 
 import org.robonewbie.protocol.frame.MessageBuffer;
 
-/** The length prefix of a message: four bytes in big-endian order, which do not count themselves. */
+/** The length prefix of a message: four bytes in big-endian order. The length does not include the prefix. */
 final class LengthPrefix {
 
     static final int BYTES = 4;

@@ -35,7 +35,7 @@ public final class MonitorLink implements AutoCloseable {
     /**
      * Connects to a server.
      *
-     * @param host name or address of the server's computer
+     * @param host host name or address of the server
      * @param port monitor port, 3200 by default
      * @return the connection
      * @throws IOException if no server answers there; the message says what to do
@@ -47,7 +47,7 @@ public final class MonitorLink implements AutoCloseable {
     /**
      * Waits for the next message and applies it to the {@link #world}.
      *
-     * @return false if the server has ended
+     * @return false if the server has closed the connection
      * @throws IOException if the connection is broken
      */
     public boolean receive() throws IOException {
@@ -71,7 +71,7 @@ public final class MonitorLink implements AutoCloseable {
     /**
      * Sends orders in one message.
      *
-     * @param orders the orders in sequence
+     * @param orders the orders, in the order of execution
      * @throws IOException if the connection is broken
      */
     public void send(Order.Trainer... orders) throws IOException {

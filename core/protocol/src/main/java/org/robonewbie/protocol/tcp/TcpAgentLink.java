@@ -37,7 +37,7 @@ public final class TcpAgentLink implements AgentLink {
     /**
      * Connects to a simulator.
      *
-     * @param host name or address of the simulator's computer
+     * @param host host name or address of the simulator
      * @param port agent port, 3100 by default
      * @return the connection
      * @throws IOException if no server answers there; the message says what to do

@@ -20,9 +20,9 @@ import org.robonewbie.protocol.telemetry.TuningRequest;
 import org.robonewbie.protocol.telemetry.TuningRequests;
 
 /**
- * Sends telemetry to a {@link TelemetryServer} on this computer and receives its tuning requests. A background thread sends, so that
- * robots never wait. Messages are dropped without a server and if the server is too slow. The client tries to connect every two
- * seconds.
+ * Sends telemetry to a {@link TelemetryServer} on this computer and receives its tuning requests. A background thread sends the
+ * messages, so that robots never block. Messages are dropped if no server is connected or the server is too slow. While
+ * disconnected, the client tries to connect every two seconds.
  */
 public final class TelemetryClient implements TelemetrySink, AutoCloseable {
 
@@ -72,7 +72,7 @@ public final class TelemetryClient implements TelemetrySink, AutoCloseable {
         return Optional.of(tuningRequests);
     }
 
-    /** Sends the remaining messages, for at most half a second, and closes the connection. */
+    /** Spends at most half a second on sending the remaining messages, then closes the connection. */
     @Override
     public void close() {
         closing.countDown();
@@ -110,7 +110,7 @@ public final class TelemetryClient implements TelemetrySink, AutoCloseable {
                 }
             }
         } catch (IOException unreachable) {
-            // retried later
+            // the next attempt follows later
         } finally {
             connected = false;
             queue.clear();
@@ -125,7 +125,7 @@ public final class TelemetryClient implements TelemetrySink, AutoCloseable {
                 TuningRequest.read(line).ifPresent(tuningRequests::put);
             }
         } catch (IOException closed) {
-            // the sending thread detects this too
+            // the sending thread detects and handles this
         }
     }
 

@@ -15,7 +15,7 @@ import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.protocol.telemetry.TuningRequest;
 
-/** A connection from a program that sends the telemetry of its robots to a {@link TelemetryServer}. */
+/** Server side of the connection to a program that sends the telemetry of its robots to a {@link TelemetryServer}. */
 final class TelemetryConnection implements AutoCloseable {
 
     private static final int MAX_LINE_LENGTH = 200_000;
@@ -56,7 +56,7 @@ final class TelemetryConnection implements AutoCloseable {
         sink.accept(message);
     }
 
-    /** Sends a request if a robot of this program has declared the number, and returns whether it was sent. */
+    /** Sends a tuning request if a robot of this program has declared the parameter, and returns whether it was sent. */
     boolean forward(TuningRequest request) {
         if (!numbers.contains(key(request.team(), request.number(), request.name()))) {
             return false;

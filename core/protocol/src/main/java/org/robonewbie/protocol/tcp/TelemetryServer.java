@@ -10,8 +10,8 @@ import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.protocol.telemetry.TuningRequest;
 
 /**
- * Receives the telemetry of robots in other processes of this computer, passes it to a {@link TelemetrySink}, and forwards the sink's
- * tuning requests to the robots. Lines that are not telemetry are ignored.
+ * Receives the telemetry of robots in other processes on this computer, passes it to a {@link TelemetrySink}, and forwards the
+ * sink's tuning requests to the robots. Lines that are not telemetry are ignored.
  */
 public final class TelemetryServer implements AutoCloseable {
 
@@ -83,7 +83,7 @@ public final class TelemetryServer implements AutoCloseable {
                     connection.close();
                 }
             } catch (IOException closed) {
-                // the loop ends if this socket was closed, not only a robot's
+                // the loop ends if the server's socket was closed, and continues if only a robot's was
             }
         }
     }

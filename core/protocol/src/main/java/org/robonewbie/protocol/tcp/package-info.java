@@ -1,5 +1,5 @@
 /**
- * Connections over TCP: frames with a length prefix, agent and monitor links, and telemetry between processes.
+ * Connections over TCP: length-prefixed frames, links for agents and monitors, and telemetry between processes.
  *
  * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */

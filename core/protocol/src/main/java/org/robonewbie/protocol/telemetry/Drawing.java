@@ -3,9 +3,9 @@ package org.robonewbie.protocol.telemetry;
 import org.robonewbie.nao.Vector3;
 
 /**
- * A shape that a robot's program draws into the scene for debugging. Points are relative to the centre of the robot's head along the
- * axes of its torso (x forward, y left, z up), in metres, as in its field view. Colours are CSS names or codes, such as {@code red} or
- * {@code #ff8800}; viewers replace an unknown colour.
+ * A shape that a robot's program draws into the scene for debugging. Points are relative to the centre of the robot's head
+ * along the axes of its torso (x forward, y left, z up), in metres, like the positions in its field view. Colours are CSS names
+ * or codes, such as {@code red} or {@code #ff8800}; viewers replace an unknown colour with a default.
  */
 public sealed interface Drawing {
 

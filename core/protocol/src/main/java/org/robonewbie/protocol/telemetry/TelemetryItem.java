@@ -8,7 +8,7 @@ import org.robonewbie.nao.geometry.Pose2d;
 public sealed interface TelemetryItem {
 
     /**
-     * An entry of the robot's log, or an error in its program.
+     * An entry in the robot's log, or an error in its program.
      *
      * @param level {@code DEBUG}, {@code INFO}, {@code WARNING} or {@code ERROR}
      * @param text the message, which may have several lines
@@ -19,7 +19,7 @@ public sealed interface TelemetryItem {
      * Progress of the motion that the robot plays; sent on each change.
      *
      * @param name name of the motion; empty if none is running
-     * @param keyframe number of the keyframe that the robot is approaching, from 1; 0 if no motion is running
+     * @param keyframe index of the keyframe that the robot is approaching, from 1; 0 if no motion is running
      */
     record MotionProgress(String name, int keyframe) implements TelemetryItem {}
 
@@ -27,7 +27,7 @@ public sealed interface TelemetryItem {
      * The robot's estimate of its surroundings; sent with each camera image. It replaces the previous one.
      *
      * @param things the known objects
-     * @param self estimated pose of the robot; empty without self-localisation
+     * @param self estimated pose of the robot; empty if the robot does not localise itself
      */
     record Belief(List<BelievedThing> things, Optional<Pose2d> self) implements TelemetryItem {
 
@@ -59,10 +59,10 @@ public sealed interface TelemetryItem {
     record PlotValue(String name, double value) implements TelemetryItem {}
 
     /**
-     * A tunable number that the robot's program has declared; sent periodically.
+     * A tunable parameter that the robot's program has declared; sent periodically.
      *
-     * @param name name of the number in the program
-     * @param defaultValue value in the program's source
+     * @param name name of the parameter in the program
+     * @param defaultValue value in the source code of the program
      * @param min minimum value
      * @param max maximum value
      * @param value current value

@@ -13,8 +13,9 @@ import org.robonewbie.protocol.telemetry.TelemetryItem.Picture;
 import org.robonewbie.protocol.telemetry.TelemetryItem.PlotValue;
 
 /**
- * The text format of telemetry, with one message per line: kind, seconds, team and number, followed by the fields of the item, all
- * separated by tabs. Tabs, line breaks and backslashes in a field are escaped as {@code \t}, {@code \n} and {@code \\}.
+ * The text format of telemetry, with one message per line: kind of item, time in seconds, team and shirt number, followed by
+ * the fields of the item, all separated by tabs. Tabs, line breaks and backslashes in a field are escaped as {@code \t}, {@code
+ * \n} and {@code \\}.
  *
  * <pre>
  * log    12.34  Blue  3  INFO  ball at 1.20 m
@@ -35,7 +36,7 @@ public final class TelemetryLine {
      * Formats a message.
      *
      * @param message the message
-     * @return one line without its line end
+     * @return one line without its line terminator
      */
     public static String write(TelemetryMessage message) {
         FieldWriter fields = new FieldWriter(kind(message.item()));
@@ -60,7 +61,7 @@ public final class TelemetryLine {
     /**
      * Parses a message.
      *
-     * @param line one line without its line end
+     * @param line one line without its line terminator
      * @return the message; empty if the line is not telemetry
      */
     public static Optional<TelemetryMessage> read(String line) {
@@ -105,7 +106,7 @@ public final class TelemetryLine {
         };
     }
 
-    /** Writes a declared number with all digits. */
+    /** Writes a tunable parameter without rounding its values. */
     private static void write(DeclaredNumber number, FieldWriter fields) {
         fields.text(number.name());
         for (double value : new double[] {number.defaultValue(), number.min(), number.max(), number.value()}) {

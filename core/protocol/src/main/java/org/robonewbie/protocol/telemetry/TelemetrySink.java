@@ -42,7 +42,7 @@ public interface TelemetrySink {
     }
 
     /**
-     * Returns the requests to tune declared numbers. Robots check them in each cycle.
+     * Returns the pending requests to tune declared parameters. Robots check them in each cycle.
      *
      * @return the requests; empty if the sink does not support tuning
      */

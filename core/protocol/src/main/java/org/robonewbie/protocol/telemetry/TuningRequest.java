@@ -3,7 +3,8 @@ package org.robonewbie.protocol.telemetry;
 import java.util.Optional;
 
 /**
- * A request to change the value of a number that a robot's program has declared. As a line of text, separated by tabs:
+ * A request to change the value of a tunable parameter that a robot's program has declared. As a line of text, separated by
+ * tabs:
  *
  * <pre>
  * tune  Blue  3  gain  0.75
@@ -11,14 +12,14 @@ import java.util.Optional;
  *
  * @param team name of the robot's team
  * @param number the robot's shirt number, 1 to 11
- * @param name name of the number in the program
- * @param value new value in the unit of the program
+ * @param name name of the parameter in the program
+ * @param value new value, in the unit that the program uses
  */
 public record TuningRequest(String team, int number, String name, double value) {
 
     private static final String KIND = "tune";
 
-    /** {@return the request as one line without its line end} */
+    /** {@return the request as one line without its line terminator} */
     public String write() {
         return new FieldWriter(KIND)
                 .text(team)
@@ -31,7 +32,7 @@ public record TuningRequest(String team, int number, String name, double value) 
     /**
      * Parses a request.
      *
-     * @param line one line without its line end
+     * @param line one line without its line terminator
      * @return the request; empty if the line is not a request
      */
     public static Optional<TuningRequest> read(String line) {

@@ -8,7 +8,7 @@ import java.util.OptionalDouble;
 import java.util.function.Predicate;
 
 /**
- * Pending requests to tune the numbers of robots. Thread-safe.
+ * Pending requests to tune the parameters of robots. Thread-safe.
  *
  * <pre>{@code
  * requests.put(new TuningRequest("Blue", 3, "gain", 0.75));
@@ -27,8 +27,8 @@ public final class TuningRequests {
     public TuningRequests() {}
 
     /**
-     * Forwards a request to a robot in another process. If no forwarder reaches the robot, the request stays pending and replaces
-     * an older one for the same number.
+     * Forwards a request to a robot in another process. If no forwarder reaches the robot, the request stays pending and
+     * replaces an older one for the same parameter.
      *
      * @param request the request
      */
@@ -41,11 +41,11 @@ public final class TuningRequests {
     }
 
     /**
-     * Removes the pending request for a number.
+     * Removes the pending request for a parameter.
      *
      * @param team name of the robot's team
      * @param number the robot's shirt number
-     * @param name name of the number in the program
+     * @param name name of the parameter in the program
      * @return the requested value; empty if there is no request
      */
     public OptionalDouble take(String team, int number, String name) {
@@ -59,7 +59,7 @@ public final class TuningRequests {
     }
 
     /**
-     * Adds a forwarder to robots in other processes.
+     * Adds a function that forwards requests to robots in another process.
      *
      * @param forwarder sends a request and returns whether it reaches the robot
      */

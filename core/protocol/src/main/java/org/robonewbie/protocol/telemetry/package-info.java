@@ -1,11 +1,12 @@
 /**
- * Telemetry of robots, sent in parallel to the soccer protocol: log entries, motion progress, estimates of the surroundings, drawings,
- * and values to plot or to tune. It never affects the simulation. Read {@link org.robonewbie.protocol.telemetry.TelemetrySink} first.
+ * Telemetry from robots, sent separately from the soccer protocol: log entries, motion progress, estimates of the surroundings,
+ * drawings, and values to plot or to tune. It never affects the simulation. Read {@link
+ * org.robonewbie.protocol.telemetry.TelemetrySink} first.
  *
- * <p>To receive telemetry, implement {@link org.robonewbie.protocol.telemetry.TelemetrySink}. Robots in the same process get the
- * sink from their embedded simulator ({@code EmbeddedSimulator.telemetry()}, the sink of the simulator's viewer). Robots in other
- * processes connect to a {@link org.robonewbie.protocol.tcp.TelemetryServer}, which listens on the port 200 above the simulator's
- * agent port and works with any server, including rcssserver3d.
+ * <p>To receive telemetry, implement {@link org.robonewbie.protocol.telemetry.TelemetrySink}. Robots in the same process get
+ * the sink from their embedded simulator ({@code EmbeddedSimulator.telemetry()}, the sink of the simulator's viewer). Robots in
+ * other processes connect to a {@link org.robonewbie.protocol.tcp.TelemetryServer}, which listens on the simulator's agent port
+ * plus 200 and works with any server, including rcssserver3d.
  *
  * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */

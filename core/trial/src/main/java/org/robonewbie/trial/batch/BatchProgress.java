@@ -6,8 +6,8 @@ import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 
 /**
- * The progress of a batch in one line: a bar, how many jobs are done, their rate and the time left. On a terminal the line is rewritten in
- * place; elsewhere a line is printed once a minute.
+ * Shows the progress of a batch in one line: a progress bar, the number of finished jobs, their rate and the remaining time. On
+ * a terminal the line is updated in place; elsewhere a new line is printed once a minute.
  *
  * <pre>{@code
  * BatchProgress progress = BatchProgress.of("trials", 400, 0);
@@ -40,10 +40,10 @@ public final class BatchProgress implements AutoCloseable {
      *
      * @param unit what is counted, such as {@code trials}
      * @param total the number of jobs
-     * @param known how many of them are done already, from an earlier run
+     * @param known number of jobs that an earlier run has already finished
      * @param terminal whether the output is a terminal
      * @param out the output
-     * @param nanoseconds a clock
+     * @param nanoseconds a clock that returns nanoseconds
      */
     public BatchProgress(
             String unit, int total, int known, boolean terminal, PrintStream out, LongSupplier nanoseconds) {
@@ -58,21 +58,21 @@ public final class BatchProgress implements AutoCloseable {
     }
 
     /**
-     * Creates the progress of a batch, shown on the standard error output.
+     * Creates the progress of a batch and shows it on standard error.
      *
      * @param unit what is counted, such as {@code trials}
      * @param total the number of jobs
-     * @param known how many of them are done already, from an earlier run
+     * @param known number of jobs that an earlier run has already finished
      * @return the progress
      */
     @SuppressWarnings(
-            "SystemConsoleNull") // Java 22 to 24 have a console everywhere; the line is then rewritten in a log
+            "SystemConsoleNull") // never null in Java 22 to 24; there, the line is updated in place even in a log
     public static BatchProgress of(String unit, int total, int known) {
         return new BatchProgress(unit, total, known, System.console() != null, System.err, System::nanoTime);
     }
 
     /**
-     * Counts a job.
+     * Counts a finished job.
      *
      * @param hasFailed whether it failed
      */
@@ -87,9 +87,9 @@ public final class BatchProgress implements AutoCloseable {
     }
 
     /**
-     * Prints a line to another output, above the progress.
+     * Prints a line to another output, above the progress line.
      *
-     * @param output where the line goes
+     * @param output receives the line
      * @param line the text
      */
     public synchronized void print(Consumer<String> output, String line) {
@@ -101,17 +101,17 @@ public final class BatchProgress implements AutoCloseable {
         }
     }
 
-    /** {@return the number of jobs per second in this run; 0 if none is done} */
+    /** {@return the number of jobs per second in this run; 0 if none has finished} */
     public synchronized double rate() {
         return done == known ? 0 : (done - known) / Math.max(seconds(), 1 / NANOSECONDS);
     }
 
-    /** {@return the estimated time of the remaining jobs in seconds; 0 if it is unknown} */
+    /** {@return the estimated time until all jobs are finished, in seconds; 0 if unknown} */
     public synchronized double secondsLeft() {
         return done == known ? 0 : (total - done) / rate();
     }
 
-    /** {@return the line, such as {@code [=====>    ] 12 of 40 trials, 3.4 per second, 0:08 left}} */
+    /** {@return the progress line, such as {@code [=====>    ] 12 of 40 trials, 3.4 per second, 0:08 left}} */
     public synchronized String line() {
         int filled = total == 0 ? BAR_LENGTH : (int) ((long) BAR_LENGTH * Math.min(done, total) / total);
         String bar = "=".repeat(filled) + (filled < BAR_LENGTH ? ">" + " ".repeat(BAR_LENGTH - filled - 1) : "");
@@ -139,7 +139,7 @@ public final class BatchProgress implements AutoCloseable {
         }
     }
 
-    /** Removes the line from the terminal. */
+    /** Removes the progress line from the terminal. */
     @Override
     public synchronized void close() {
         if (visible) {

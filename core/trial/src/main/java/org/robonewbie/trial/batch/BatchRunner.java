@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.util.List;
 
 /**
- * Runs the jobs of a batch in parallel. The choice of a runner never changes a result. Runners of add-ons are found by {@link
- * java.util.ServiceLoader}.
+ * Runs the jobs of a batch in parallel. Results do not depend on the choice of runner. Add-ons provide further runners through
+ * {@link java.util.ServiceLoader}.
  *
  * <pre>{@code
  * try (BatchRunner runner = new ThreadRunner(4); Journal journal = Journal.open(file, "steps 1 to 100")) {
@@ -19,16 +19,16 @@ public interface BatchRunner extends AutoCloseable {
     String label();
 
     /**
-     * Runs all jobs and waits for the last one. The first failure ends the batch.
+     * Runs all jobs and waits for the last one. The first failure stops the batch.
      *
      * @param <P> the parameters of a job
      * @param <R> the result of a job
      * @param parameters the parameters of each job
      * @param job the work
-     * @param results receives each result as soon as it is known, in any order, one at a time
+     * @param results receives each result as soon as it is available, in any order; calls do not overlap
      * @return all results in the order of the parameters
-     * @throws IOException the I/O failure of a job or of the receiver
-     * @throws IllegalStateException if a job failed with another checked exception, or this thread was interrupted
+     * @throws IOException if a job or the receiver fails with an I/O error
+     * @throws IllegalStateException if a job fails with another checked exception, or this thread is interrupted
      */
     <P, R> List<R> run(List<P> parameters, Job<P, R> job, Receiver<? super P, ? super R> results) throws IOException;
 
@@ -40,7 +40,7 @@ public interface BatchRunner extends AutoCloseable {
      * @param parameters the parameters of each job
      * @param job the work
      * @return all results in the order of the parameters
-     * @throws IOException the I/O failure of a job
+     * @throws IOException if a job fails with an I/O error
      */
     default <P, R> List<R> run(List<P> parameters, Job<P, R> job) throws IOException {
         return run(parameters, job, (one, result) -> {});
@@ -60,7 +60,7 @@ public interface BatchRunner extends AutoCloseable {
          *
          * @param parameters the parameters of the job
          * @param result its result
-         * @throws IOException if the result cannot be kept; the batch ends then
+         * @throws IOException if the result cannot be stored, which stops the batch
          */
         void accept(P parameters, R result) throws IOException;
     }

@@ -3,10 +3,10 @@ package org.robonewbie.trial.batch;
 import java.io.Serializable;
 
 /**
- * The work of a batch, such as a trial with one seed. The result depends on the parameters only. Serializable, since a runner may send it to
- * another computer.
+ * The work of a batch, such as a trial with one seed. The result depends on nothing but the parameters. Serializable, because a
+ * runner may send it to another computer.
  *
- * @param <P> the parameters of one job, with its seed
+ * @param <P> the parameters of one job, including its seed
  * @param <R> its result
  */
 @FunctionalInterface
@@ -17,7 +17,7 @@ public interface Job<P, R> extends Serializable {
      *
      * @param parameters the parameters of this job
      * @return its result
-     * @throws Exception if it failed; the batch ends then
+     * @throws Exception if the job fails, which stops the batch
      */
     R run(P parameters) throws Exception;
 }

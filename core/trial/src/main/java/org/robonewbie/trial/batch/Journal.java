@@ -11,8 +11,8 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.file.UnwritableFileException;
 
 /**
- * The results of a batch in a text file: a header that identifies the run, and a line for each result, written as soon as it is known. An
- * interrupted run resumes from it. A line that was not completely written is dropped.
+ * Text file with the results of a batch, from which an interrupted run resumes. It consists of a header that identifies the
+ * run, and a line for each result, written as soon as the result is available. An incomplete last line is dropped.
  *
  * <pre>{@code
  * try (Journal journal = Journal.open(Path.of("steps.journal"), "steps of seeds 1 to 100")) {
@@ -34,10 +34,11 @@ public final class Journal implements AutoCloseable {
     }
 
     /**
-     * Opens a journal and keeps what it has of the same run.
+     * Opens a journal, keeping the results that it already contains if they belong to the same run.
      *
-     * @param file the file; it is created if it is missing
-     * @param header one line that says what is run, with all options on which a result depends; empty if another file says it
+     * @param file the file, which is created if it does not exist
+     * @param header one line that identifies the run, with all options on which a result depends; empty if another file
+     *     identifies it
      * @return the journal
      * @throws IOException if the file cannot be read or written
      * @throws IllegalArgumentException if it belongs to another run; the message says what to do
@@ -63,13 +64,13 @@ public final class Journal implements AutoCloseable {
         }
     }
 
-    /** {@return the complete lines that the file had when it was opened, without the header} */
+    /** {@return the complete lines that the file contained when it was opened, without the header} */
     public List<String> lines() {
         return lines;
     }
 
     /**
-     * Writes a line to the file.
+     * Appends a result to the file.
      *
      * @param line the result as text
      * @throws IOException if the file cannot be written
@@ -94,9 +95,9 @@ public final class Journal implements AutoCloseable {
     }
 
     /**
-     * Closes and deletes the file. Call when the run is complete.
+     * Closes and deletes the file. Call this when the run is complete.
      *
-     * @throws IOException if that fails
+     * @throws IOException if the file cannot be deleted
      */
     public void delete() throws IOException {
         close();

@@ -10,7 +10,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 
-/** Runs jobs on threads of this process. The receiver of results is called in the thread of the caller. */
+/** Runs jobs on threads of this process. The receiver is called in the caller's thread. */
 public final class ThreadRunner implements BatchRunner {
 
     private final ExecutorService executor;
@@ -23,7 +23,7 @@ public final class ThreadRunner implements BatchRunner {
     /**
      * Creates a runner.
      *
-     * @param threads the number of jobs at the same time, at least 1
+     * @param threads the number of jobs to run in parallel, at least 1
      */
     public ThreadRunner(int threads) {
         this.executor = Executors.newFixedThreadPool(threads, work -> {

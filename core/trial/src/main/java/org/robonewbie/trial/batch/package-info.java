@@ -1,7 +1,7 @@
 /**
- * Many jobs, such as trials with different seeds, in parallel: {@link org.robonewbie.trial.batch.BatchRunner} runs them,
- * {@link org.robonewbie.trial.batch.Journal} stores each result as it arrives so that an interrupted run resumes, and
- * {@link org.robonewbie.trial.batch.BatchProgress} shows how far it is.
+ * Parallel execution of many jobs, such as trials with different seeds: {@link org.robonewbie.trial.batch.BatchRunner} runs
+ * them, {@link org.robonewbie.trial.batch.Journal} stores each result as it arrives, so that an interrupted run can resume, and
+ * {@link org.robonewbie.trial.batch.BatchProgress} shows how much is done.
  *
  * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */

@@ -15,9 +15,9 @@ public final class OfferedClass {
      * @param type the service type
      * @param simpleName class name without package
      * @param classes the class loader
-     * @param <T> the service type
+     * @param <T> type of the service
      * @return the class; empty if there is no provider of this name
-     * @throws IllegalArgumentException if a provider cannot be loaded; the message says which
+     * @throws IllegalArgumentException if a provider cannot be loaded; the message names it
      */
     public static <T> Optional<Class<? extends T>> find(Class<T> type, String simpleName, ClassLoader classes) {
         try {

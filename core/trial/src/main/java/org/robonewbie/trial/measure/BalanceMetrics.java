@@ -8,7 +8,10 @@ import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.trial.WorldState;
 
-/** The mean angular speed of the torso about horizontal axes, and the mean number of joints at their speed limit. */
+/**
+ * Measures how steadily a robot moves: the mean angular speed of its torso about horizontal axes, and the mean number of joints
+ * that move at their speed limit.
+ */
 public final class BalanceMetrics extends MeasureFromStart {
 
     private static final Vector3 UP = new Vector3(0, 0, 1);

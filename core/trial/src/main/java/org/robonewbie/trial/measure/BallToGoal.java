@@ -6,8 +6,8 @@ import org.robonewbie.trial.Measure;
 import org.robonewbie.trial.WorldState;
 
 /**
- * The minimum distance of the ball's centre from the right goal line between the posts, in metres. A goal of the left team makes it 0
- * and decides the measure; own goals do not count.
+ * The minimum distance, in metres, from the ball's centre to the right goal line between the posts. A goal of the left team
+ * makes it 0 and decides the measure; own goals do not count.
  */
 public final class BallToGoal implements Measure {
 
@@ -32,7 +32,7 @@ public final class BallToGoal implements Measure {
         return seconds;
     }
 
-    /** {@return the current distance of the ball from the goal in metres; 0 after a goal} */
+    /** {@return the current distance from the ball to the goal in metres; 0 after a goal} */
     public double lastMetres() {
         return lastMetres;
     }

@@ -9,8 +9,8 @@ import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.trial.jar.OfferedClass;
 
 /**
- * A registry of factories by name: those of the framework and your own classes. A jar that lists its classes in {@code
- * META-INF/services} provides them by their simple names, see {@link java.util.ServiceLoader}.
+ * A registry of factories, which finds those of the framework and your own classes by name. A jar that lists its classes in
+ * {@code META-INF/services} provides them by their simple names, see {@link java.util.ServiceLoader}.
  *
  * <pre>{@code
  * Catalogue<Measure> measures = new Catalogue<>("measure", Measure.class, Map.of("energy", Energy::new));
@@ -28,7 +28,7 @@ public final class Catalogue<T> {
     /**
      * Creates a registry.
      *
-     * @param kind name of the kind in messages, such as {@code measure}
+     * @param kind what the factories create, as named in messages, such as {@code measure}
      * @param type type of the created objects
      * @param all the framework's factories by name
      */
@@ -45,7 +45,7 @@ public final class Catalogue<T> {
      *     no-arg constructor
      * @param classes the class loader
      * @return the factory
-     * @throws IllegalArgumentException if the name is unknown; the message suggests the closest name and lists all
+     * @throws IllegalArgumentException if the name is unknown; the message suggests the closest name and lists all names
      */
     public Supplier<T> named(String name, ClassLoader classes) {
         Supplier<T> known = all.get(name);

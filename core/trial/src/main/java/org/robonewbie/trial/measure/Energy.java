@@ -10,8 +10,8 @@ import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.trial.WorldState;
 
 /**
- * The mechanical work of the motors in joules: the sum of all increases of the potential and kinetic energy of the limbs per cycle.
- * Braking neither costs nor recovers energy.
+ * The mechanical work of the motors in joules: the sum of all per-cycle increases in the potential and kinetic energy of the
+ * limbs. Braking neither costs nor recovers energy.
  */
 public final class Energy extends MeasureFromStart {
 

@@ -3,10 +3,13 @@ package org.robonewbie.trial.measure;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.trial.WorldState;
 
-/** The distance that the ball covers along the robot's initial heading, in metres, including the estimated rest of its roll. */
+/**
+ * The distance that the ball covers along the robot's initial heading, in metres, including the estimated distance that it
+ * still has to roll.
+ */
 public final class KickDistance extends MeasureFromStart {
 
-    /** Remaining distance of a rolling ball per metre per second, measured in trials. */
+    /** Distance in metres that a ball still rolls for each metre per second of its speed, as measured in trials. */
     private static final double ROLL_OUT_SECONDS = 0.94;
 
     private double metres;
@@ -25,7 +28,7 @@ public final class KickDistance extends MeasureFromStart {
      * Estimates where a rolling ball comes to rest.
      *
      * @param state the current state
-     * @return the point, at the height of the ball
+     * @return the resting point, at the current height of the ball
      */
     public static Vector3 restingPlace(WorldState state) {
         return state.ball().plus(state.ballVelocity().times(ROLL_OUT_SECONDS));

@@ -5,8 +5,9 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.trial.WorldState;
 
 /**
- * The maximum straight-line distance of the ball from the point where it left the robot, in metres. The ball has left the robot when
- * it is more than 0.35 m from the torso, so that dribbling does not count. Decided when the referee moves the ball.
+ * The maximum straight-line distance, in metres, between the ball and the point where it left the robot. The ball has left the
+ * robot once it is more than 0.35 m from the torso, so dribbling does not count. The measure is decided when the referee moves
+ * the ball.
  */
 public final class LongestKick extends MeasureFromStart {
 
@@ -33,7 +34,7 @@ public final class LongestKick extends MeasureFromStart {
         }
     }
 
-    /** Whether the referee moves the ball, after it left the pitch or entered the goal. */
+    /** Returns whether the referee takes the ball because it has left the pitch or entered a goal. */
     private static boolean isTakenByReferee(WorldState state) {
         return switch (state.playMode()) {
             case PLAY_ON, KICK_OFF_LEFT, KICK_OFF_RIGHT -> false;

@@ -49,10 +49,10 @@ public abstract class MeasureFromStart implements Measure {
     }
 
     /**
-     * Selects the robot whose falls count.
+     * Selects the robot whose falls are detected.
      *
      * @param state the true state
-     * @return the body of the robot; the first robot by default
+     * @return the state of the robot; by default that of the first robot
      */
     protected BodyState watched(WorldState state) {
         return state.robot();
@@ -66,7 +66,7 @@ public abstract class MeasureFromStart implements Measure {
      */
     protected abstract void see(WorldState first, WorldState now);
 
-    /** {@return whether the robot has fallen since the first state, even if it has got up again} */
+    /** {@return whether the robot has fallen since the first state, even if it has since got up again} */
     public final boolean hasFallen() {
         return fallen;
     }

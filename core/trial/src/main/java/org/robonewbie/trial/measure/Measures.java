@@ -5,7 +5,7 @@ import java.util.function.Supplier;
 import org.robonewbie.trial.Measure;
 
 /**
- * A registry of measures by name: those of the framework and your own classes.
+ * A registry of measures, which finds those of the framework and your own classes by name.
  *
  * <pre>{@code
  * Supplier<Measure> speed = Measures.named("walk-speed", getClass().getClassLoader());
@@ -33,8 +33,8 @@ public final class Measures {
      * @param name a name such as {@code walk-speed}, or the name of a class that implements {@link Measure} and has a public
      *     no-arg constructor
      * @param classes the class loader
-     * @return a factory for the measure of each trial
-     * @throws IllegalArgumentException if there is no such measure; the message lists all
+     * @return a factory that creates a measure for each trial
+     * @throws IllegalArgumentException if there is no such measure; the message lists all names
      */
     public static Supplier<Measure> named(String name, ClassLoader classes) {
         return CATALOGUE.named(name, classes);

@@ -27,11 +27,11 @@ public final class Pushes implements TrialHook {
     }
 
     /**
-     * Returns pushes of linearly increasing force.
+     * Creates pushes whose force increases linearly.
      *
      * @param seed seed of the directions
      * @param cyclesBetween cycles from one push to the next
-     * @param stepNewtons force of the first push and increase per push
+     * @param stepNewtons force of the first push, and increase from each push to the next
      * @return the pushes
      */
     public static Pushes growing(long seed, int cyclesBetween, double stepNewtons) {
@@ -46,7 +46,7 @@ public final class Pushes implements TrialHook {
     }
 
     /**
-     * Returns pushes of random force, one at the end of each second.
+     * Creates pushes with random forces, one at the end of each second.
      *
      * @param random source of directions and forces
      * @param maxNewtons maximum force

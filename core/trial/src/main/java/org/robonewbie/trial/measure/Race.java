@@ -3,8 +3,9 @@ package org.robonewbie.trial.measure;
 import org.robonewbie.trial.WorldState;
 
 /**
- * The time that the robot takes to reach a line across the pitch on its feet, in seconds, plus a penalty of 10 s for each missing
- * metre. The line lies towards the right goal, whatever the initial heading of the robot.
+ * The time in seconds that the robot takes to reach a line across the pitch, plus a penalty of 10 s for each metre short of the
+ * line. Distance counts only while the robot is upright. The line lies towards the right goal, whatever the initial heading of
+ * the robot.
  */
 public final class Race extends MeasureFromStart {
 
@@ -23,7 +24,7 @@ public final class Race extends MeasureFromStart {
     /**
      * Creates a measure for any distance.
      *
-     * @param lineMetres distance of the line from the start
+     * @param lineMetres distance from the start to the line
      */
     public Race(double lineMetres) {
         super("s", false);
@@ -43,7 +44,7 @@ public final class Race extends MeasureFromStart {
         }
     }
 
-    /** {@return the maximum distance that the robot reached on its feet, in metres, at most the distance of the line} */
+    /** {@return the maximum distance that the robot reached while upright, in metres, at most the distance to the line} */
     public double metres() {
         return metres;
     }

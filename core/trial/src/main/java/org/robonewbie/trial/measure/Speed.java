@@ -2,7 +2,7 @@ package org.robonewbie.trial.measure;
 
 import org.robonewbie.trial.WorldState;
 
-/** The mean speed of the robot along its initial heading, in metres per second. The clock continues after a fall. */
+/** The mean speed of the robot along its initial heading, in metres per second. Time after a fall counts too. */
 public final class Speed extends MeasureFromStart {
 
     private final Distance distance = new Distance();

@@ -5,8 +5,8 @@ import org.robonewbie.trial.Measure;
 import org.robonewbie.trial.WorldState;
 
 /**
- * The time at which a condition has held without interruption for a given duration, in seconds since the first observed state. Until
- * then, the value is the elapsed time.
+ * The time in seconds from the first observed state until a condition has held without interruption for a given duration.
+ * Before that, the value is the elapsed time.
  *
  * <pre>{@code
  * Measure up = new SustainedCondition(1, state -> state.robot().isStanding());

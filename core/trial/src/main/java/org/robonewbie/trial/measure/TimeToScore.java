@@ -7,7 +7,8 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.trial.WorldState;
 
 /**
- * The time until the left team scores, in seconds, plus a penalty of 10 s for each metre between the ball and the goal.
+ * The time until the left team scores, in seconds, plus a penalty of 10 s for each metre that remains between the ball and the
+ * goal.
  */
 public final class TimeToScore extends MeasureFromStart {
 
@@ -42,11 +43,11 @@ public final class TimeToScore extends MeasureFromStart {
     }
 
     /**
-     * Returns the distance of the ball from the right goal.
+     * Returns the distance from the ball to the right goal.
      *
      * @param field dimensions of the pitch
      * @param ball centre of the ball
-     * @return metres from the ball to the goal line between the posts, 0 behind it
+     * @return metres from the ball to the goal line between the posts; 0 if the ball is behind it
      */
     public static double metresToGoal(SoccerField field, Vector3 ball) {
         double ahead = Math.max(0, field.length() / 2 - ball.x());

@@ -16,9 +16,7 @@ import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.TrialListener;
 
-/**
- * A real-time view of a trial that can be paused. Ball and robots cannot be moved, because the trial is graded.
- */
+/** A real-time view of a trial that can be paused. The user cannot move the ball or the robots, because the trial is graded. */
 public final class WatchedTrial implements SimulationControl, TrialListener {
 
     private static final long REPORT_MILLISECONDS = 100;
@@ -46,7 +44,7 @@ public final class WatchedTrial implements SimulationControl, TrialListener {
     }
 
     /**
-     * Creates the view of the next trial, at the speed chosen for this one.
+     * Creates the view of the next trial, which keeps the playback speed of this one.
      *
      * @param name identity of the next trial
      * @return the view of a trial that has not started

@@ -10,17 +10,17 @@ import java.util.stream.Stream;
 import org.robonewbie.trial.Challenge;
 
 /**
- * Contest in which each team attempts a challenge alone on the pitch, under the same conditions as all other teams, once or in
- * several rounds.
+ * Contest in which each team attempts a challenge alone on the pitch, in one or more rounds. Conditions are the same for all
+ * teams.
  *
  * @param name name on the command line, one word
  * @param title display title
  * @param rule scoring rule, in one or two sentences
  * @param challenge supplies a new challenge for each trial
  * @param start start pose passed to the programs
- * @param seconds length of a trial, simulated seconds
+ * @param seconds length of a trial in simulated seconds
  * @param rounds trials per team; the seed increases by one with each round
- * @param criteria columns of the table in the order in which they break ties
+ * @param criteria columns of the table; each one breaks the ties of the preceding ones
  * @param conditions seeds and variations
  */
 public record ChallengeContest(
@@ -35,7 +35,7 @@ public record ChallengeContest(
         Conditions conditions)
         implements Contest {
 
-    /** Totals of a team, one value per criterion. */
+    /** A team's totals, with one value per criterion. */
     private record Total(String team, List<Double> values, String last, boolean compiled, long played) {}
 
     /** Creates the contest. */

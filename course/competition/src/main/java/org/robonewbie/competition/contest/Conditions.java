@@ -8,7 +8,7 @@ import java.util.Random;
  *
  * @param seed seed of all random numbers
  * @param varied whether start poses depend on the seed, so that teams cannot prepare for them
- * @param ownSeeds seeds by name of the teams that play with a different seed, for experiments
+ * @param ownSeeds seeds by team name, for teams that play with a different seed in experiments
  */
 public record Conditions(long seed, boolean varied, Map<String, Long> ownSeeds) {
 
@@ -30,7 +30,7 @@ public record Conditions(long seed, boolean varied, Map<String, Long> ownSeeds) 
         return new Conditions(seed, false, Map.of());
     }
 
-    /** Returns the start pose for the seed, which is the same for all teams. */
+    /** Returns the start pose, which may vary with the seed but is the same for all teams. */
     StartPlace start(StartPlace usual) {
         if (!varied) {
             return usual;
@@ -47,7 +47,7 @@ public record Conditions(long seed, boolean varied, Map<String, Long> ownSeeds) 
         return ownSeeds.getOrDefault(team, seed);
     }
 
-    /** Derives the seed of one of several trials. */
+    /** Derives a seed for one of several trials. */
     long seedOf(int... numbers) {
         long mixed = seed;
         for (int number : numbers) {

@@ -2,7 +2,7 @@ package org.robonewbie.competition.contest;
 
 import java.util.List;
 
-/** A kind of contest, which plans trials and ranks their results. It does not run them. */
+/** Plans the trials of a contest and ranks their results, but does not run them. */
 public sealed interface Contest permits ChallengeContest, JudgedContest {
 
     /** {@return the contest's name on the command line, one word} */
@@ -11,11 +11,11 @@ public sealed interface Contest permits ChallengeContest, JudgedContest {
     /** {@return the contest's title} */
     String title();
 
-    /** {@return the rule in one or two sentences} */
+    /** {@return the scoring rule in one or two sentences} */
     String rule();
 
     /**
-     * Returns the trials that can be planned so far. It is called again when these are finished, because a contest may need
+     * Returns the trials that can be planned so far. Called again whenever these have finished, because a contest may need
      * further trials to break a tie.
      *
      * @param teams names of the teams

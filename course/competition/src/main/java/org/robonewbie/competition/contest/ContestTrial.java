@@ -9,12 +9,12 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
 /**
  * Complete specification of one trial of a contest.
  *
- * @param id name, unique in the contest; consists of letters, digits and hyphens, since files are named after it
+ * @param id name, unique in the contest; consists of letters, digits and hyphens, because files are named after it
  * @param seed seed of all random numbers
  * @param parameters pitch and rules
  * @param entrants participating teams
- * @param seconds time limit, simulated seconds
- * @param kickOff side of the first kick-off
+ * @param seconds time limit in simulated seconds
+ * @param kickOff side that takes the first kick-off
  * @param ball position of the ball in the coordinates of the first entrant, metres; empty for the centre spot
  * @param ownPlaces whether robots start where their programs beamed them, instead of at the poses of their entrants
  */
@@ -44,7 +44,7 @@ public record ContestTrial(
      * @param id name of the trial
      * @param seed seed of all random numbers
      * @param entrant the team
-     * @param seconds time limit, simulated seconds
+     * @param seconds time limit in simulated seconds
      * @return the trial
      */
     static ContestTrial alone(String id, long seed, Entrant entrant, double seconds) {

@@ -12,7 +12,7 @@ import org.robonewbie.trial.measure.Standing;
 /** The contests with their default parameters. */
 public final class Contests {
 
-    /** Simulated seconds of a scoring trial: three minutes. */
+    /** Length of a trial in the scoring contest in simulated seconds: three minutes. */
     public static final double SCORING_SECONDS = 180;
 
     private static final double MINI_SECONDS = 60;
@@ -23,10 +23,10 @@ public final class Contests {
     private Contests() {}
 
     /**
-     * Creates the scoring contest of the paper: the earliest goal wins.
+     * Creates the scoring contest described in the RoboNewbie paper: the earliest goal wins.
      *
      * @param conditions seeds and variations
-     * @param seconds simulated seconds of a trial
+     * @param seconds length of a trial in simulated seconds
      * @return the contest
      */
     public static Contest scoring(Conditions conditions, double seconds) {
@@ -63,7 +63,7 @@ public final class Contests {
      *
      * @param conditions seeds
      * @param rounds number of regular rounds
-     * @param seconds time limit of an attack, simulated seconds
+     * @param seconds time limit of an attack in simulated seconds
      * @return the contest
      */
     public static JudgedContest penalties(Conditions conditions, int rounds, double seconds) {
@@ -121,7 +121,7 @@ public final class Contests {
     }
 
     /**
-     * Creates a contest of keeping balance against pushes.
+     * Creates a contest in which robots keep their balance while being pushed.
      *
      * @param conditions seeds and variations
      * @return the contest

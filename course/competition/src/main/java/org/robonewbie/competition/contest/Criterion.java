@@ -4,21 +4,21 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * Ranking criterion and column of the table: the sum of a figure over all trials of a team. Values are compared as rounded in the
- * table, so that the ranking can be verified from the printed table.
+ * Ranking criterion and column of the table: the sum of a measured value over all trials of a team. Values are compared as
+ * rounded in the table, so that the ranking can be verified from the printed table.
  *
- * @param figure name of the figure
+ * @param figure name of the measured value
  * @param title column heading
- * @param format {@link String#format} pattern that starts with the number, followed by a space if there is a unit
- * @param better 1 if larger is better, -1 if smaller is better, 0 if the column does not affect the ranking
- * @param missing value of a trial without this figure; NaN leaves the team without a value
+ * @param format {@link String#format} pattern, in which the number comes first, followed by a space if there is a unit
+ * @param better 1 if larger values are better, -1 if smaller ones are, 0 if the column does not affect the ranking
+ * @param missing value for a trial in which nothing was measured; NaN leaves the team without a total
  */
 public record Criterion(String figure, String title, String format, int better, double missing) {
 
     /**
-     * Creates a criterion of which larger is better.
+     * Creates a criterion whose larger values are better.
      *
-     * @param figure name of the figure
+     * @param figure name of the measured value
      * @param title column heading
      * @param format pattern of the value
      * @return the criterion
@@ -28,9 +28,9 @@ public record Criterion(String figure, String title, String format, int better, 
     }
 
     /**
-     * Creates a criterion of which smaller is better.
+     * Creates a criterion whose smaller values are better.
      *
-     * @param figure name of the figure
+     * @param figure name of the measured value
      * @param title column heading
      * @param format pattern of the value
      * @return the criterion
@@ -40,11 +40,11 @@ public record Criterion(String figure, String title, String format, int better, 
     }
 
     /**
-     * Creates a criterion of points; a lost trial counts 0.
+     * Creates a criterion for points; a forfeited trial counts as 0.
      *
-     * @param figure name of the figure
+     * @param figure name of the measured value
      * @param title column heading
-     * @param most maximum over all trials
+     * @param most maximum total over all trials
      * @return the criterion
      */
     public static Criterion points(String figure, String title, int most) {
@@ -52,7 +52,7 @@ public record Criterion(String figure, String title, String format, int better, 
     }
 
     /**
-     * Returns this column without effect on the ranking.
+     * Returns a copy that is shown as a column but does not affect the ranking.
      *
      * @return a changed copy
      */
@@ -64,7 +64,7 @@ public record Criterion(String figure, String title, String format, int better, 
         return result.map(found -> found.figure(figure).orElse(missing)).orElse(missing);
     }
 
-    /** Sort key: smaller is better; teams without a value are last. */
+    /** Returns the sort key of a value: the best value has the smallest key, and NaN is last. */
     double order(double value) {
         if (better == 0 || Double.isNaN(value)) {
             return better == 0 ? 0 : value;

@@ -1,6 +1,6 @@
 package org.robonewbie.competition.contest;
 
-/** Outcome of a trial for a team. Any outcome but {@link #PLAYED} loses the trial. */
+/** Outcome of a trial for a team. With any outcome other than {@link #PLAYED}, the team forfeits the trial. */
 public enum Ending {
     /** The program ran to the end of the trial. */
     PLAYED("played to the end"),
@@ -8,21 +8,21 @@ public enum Ending {
     NOT_COMPILED("its program does not compile"),
     /** The files of the team were refused. */
     REFUSED("its program was refused"),
-    /** The program did not join with a robot. */
+    /** The program did not connect a robot. */
     NOT_STARTED("no robot joined"),
-    /** The program exited early. */
+    /** The program exited before the end of the trial. */
     STOPPED("its program exited before the end of the trial"),
     /** The program did not respond in time. */
     SILENT("its program did not respond and was removed"),
     /** The program exceeded the memory limit. */
     TOO_MUCH_MEMORY("its program exceeded the memory limit"),
-    /** The program exceeded the limit of processor time. */
+    /** The program exceeded the limit on processor time. */
     TOO_MUCH_TIME("its program exceeded the limit of processor time"),
-    /** The program exceeded the limit of processes. */
+    /** The program exceeded the limit on the number of processes. */
     TOO_MANY_PROCESSES("its program exceeded the limit of processes"),
     /** The program connected to the port of another team. */
     INTRUDED("its program connected to the port of another team"),
-    /** The team had too many robots on the pitch, in a match or a penalty shoot-out. */
+    /** The team had more robots on the pitch than a match or penalty shoot-out allows. */
     TOO_MANY_ROBOTS("more robots joined than are allowed");
 
     private final String sentence;

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * Result of a fixture of two teams.
+ * Result of a fixture between two teams.
  *
  * @param home home team
  * @param away away team
@@ -31,7 +31,7 @@ public record Fixture(String home, String away, int homeGoals, int awayGoals) {
         }
     }
 
-    /** Returns a single round robin in the order of the list. */
+    /** Returns the pairs of a single round robin, in the order of the list of teams. */
     static List<Pair> pairs(List<String> teams) {
         List<Pair> pairs = new ArrayList<>();
         IntStream.range(0, teams.size())

@@ -11,8 +11,8 @@ import org.robonewbie.trial.measure.SustainedCondition;
 import org.robonewbie.trial.measure.Turn;
 
 /**
- * Number of gymnastic elements that the robot has performed, in any order: both arms up, a squat, a stand on one leg, a bow, a full
- * turn, and lying down and getting up again.
+ * Measures the number of gymnastic elements that the robot has performed, in any order: both arms up, a squat, a stand on one
+ * leg, a bow, a full turn, and lying down and getting up again.
  */
 final class Gymnastics implements Measure {
 
@@ -90,7 +90,7 @@ final class Gymnastics implements Measure {
         return elements;
     }
 
-    /** Returns the number of elements, and the time of the last one if there was any. */
+    /** Returns the number of elements, and the time of the last one if there was one. */
     Map<String, Double> figures() {
         return elements == 0
                 ? Map.of("elements", 0.0)

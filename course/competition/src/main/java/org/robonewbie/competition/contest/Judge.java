@@ -3,10 +3,10 @@ package org.robonewbie.competition.contest;
 import java.util.Map;
 import org.robonewbie.simulator.WorldSnapshot;
 
-/** Scorer of one trial, which observes the world in each cycle. */
+/** Scores one trial by observing the world in each cycle. */
 public interface Judge {
 
-    /** Name of the figure with a team's goals. */
+    /** Name under which a team's goals are reported. */
     String GOALS = "goals";
 
     /**
@@ -18,10 +18,10 @@ public interface Judge {
     boolean watch(WorldSnapshot world);
 
     /**
-     * Returns the figures of a team so far.
+     * Returns the values measured for a team so far.
      *
      * @param team name of the team
-     * @return figures by name
+     * @return measured values by name
      */
     Map<String, Double> figures(String team);
 

@@ -1,10 +1,10 @@
 package org.robonewbie.competition.contest;
 
-/** Contest of games with a simulator, in which a judge scores each trial. */
+/** Contest whose trials are games on a complete simulator, each scored by a judge. */
 public non-sealed interface JudgedContest extends Contest {
 
     /**
-     * Creates the judge of a trial.
+     * Creates the judge for a trial.
      *
      * @param trial one of the trials
      * @return a new judge

@@ -9,8 +9,8 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 
 /**
- * League table: three points for a win, one for a draw. Ties are broken by goal difference, goals scored, then points and goal
- * difference in the fixtures among the tied teams. Teams that are still tied share a rank.
+ * League table: three points for a win, one for a draw. Ties are broken by goal difference, then by goals scored, then by
+ * points and goal difference in the fixtures among the tied teams. Teams that are still tied share a rank.
  */
 final class LeagueTable {
 
@@ -19,7 +19,7 @@ final class LeagueTable {
 
     private LeagueTable() {}
 
-    /** Record of a team. */
+    /** A team's record of matches and goals. */
     record Line(String team, int won, int drawn, int lost, int goals, int against) {
 
         int points() {
@@ -55,11 +55,11 @@ final class LeagueTable {
     /**
      * Creates the table of a contest.
      *
-     * @param contest source of title and rule
+     * @param contest contest that supplies title and rule
      * @param teams all teams
-     * @param fixtures finished fixtures
+     * @param fixtures results of the finished fixtures
      * @param results results of the finished trials
-     * @param trialsOf names of the trials by team
+     * @param trialsOf returns the names of a team's trials
      */
     static Table table(
             Contest contest,
@@ -80,7 +80,7 @@ final class LeagueTable {
         return new Table(contest.title(), contest.rule(), COLUMNS, rows);
     }
 
-    /** Ranks teams by finished fixtures; teams whose programs do not compile are last. */
+    /** Ranks teams by their finished fixtures; teams whose programs do not compile are last. */
     static List<Ranked<Line>> of(List<String> teams, List<Fixture> fixtures, Predicate<String> compiled) {
         List<Line> lines = teams.stream().map(team -> line(team, fixtures)).toList();
         Comparator<Line> inAll = Comparator.comparing((Line line) -> !compiled.test(line.team()))

@@ -5,12 +5,12 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * Round robin of matches. A team whose program fails forfeits the match 0:3, or by its current deficit if that is larger; if both
- * fail, neither gets points.
+ * Round-robin contest of matches. A team whose program fails forfeits the match by 0:3, or by the actual score if its deficit
+ * is larger; if both programs fail, neither team gets points.
  *
  * @param kind pitch, rules and number of fixtures per pair of teams
  * @param players robots per team, 1 to 11
- * @param seconds length of a match in one half, simulated seconds
+ * @param seconds length of a match, which has only one half, in simulated seconds
  * @param conditions seeds
  */
 public record MatchContest(MatchKind kind, int players, double seconds, Conditions conditions)
@@ -18,7 +18,7 @@ public record MatchContest(MatchKind kind, int players, double seconds, Conditio
 
     private static final int FORFEIT_GOALS = 3;
 
-    /** Start positions by robot number; the centre circle stays free. */
+    /** Start positions by robot number, all outside the centre circle. */
     private static final double[][] LINE_UP = {
         {-5, 0},
         {-1.6, 0},

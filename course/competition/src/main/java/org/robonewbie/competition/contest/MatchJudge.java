@@ -4,7 +4,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.robonewbie.simulator.WorldSnapshot;
 
-/** Judge that counts the goals of a match and ends it when a team has no robot left. */
+/** Judge that counts the goals in a match and ends the match when a team has no robots left. */
 final class MatchJudge implements Judge {
 
     private final Map<String, Double> goals = new TreeMap<>();

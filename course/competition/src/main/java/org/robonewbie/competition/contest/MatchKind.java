@@ -6,14 +6,14 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
-/** Differences between the matches of a course and those of a league. */
+/** The kinds of matches: those of a course and those of a league. */
 public enum MatchKind {
     /** Small teams on the small pitch without fouls; single round robin. */
     MATCHES("matches", "Matches", "Every team plays every other team once"),
     /** Full teams on the league's pitch under its rules; double round robin with swapped sides. */
     LEAGUE("league", "League", "Every team plays every other team twice, home and away,");
 
-    /** Margin of the half time over the match length, so that the contest and not the referee ends the match. */
+    /** Time by which the referee's half is longer than the match, so that the contest ends the match and not the referee. */
     private static final double SPARE_SECONDS = 60;
 
     private static final double MAX_PLAYERS = 11;
@@ -52,7 +52,7 @@ public enum MatchKind {
         return this == LEAGUE;
     }
 
-    /** Returns the side of the first kick-off: the home team in a league, otherwise alternating. */
+    /** Returns the side that takes the first kick-off: that of the home team in a league, otherwise alternating. */
     TeamSide kickOff(Fixture.Pair pair) {
         return this == LEAGUE || pair.number() % 2 == 0 ? TeamSide.LEFT : TeamSide.RIGHT;
     }
@@ -74,7 +74,7 @@ public enum MatchKind {
                 .with(SoccerParameter.BEAM_GRACE_TIME, 0);
     }
 
-    /** Returns the league's rules without the limits on robot types, so that every program can take part. */
+    /** Returns the league's rules without its limits on robot types, so that any program can take part. */
     private static SoccerParameters league(double seconds) {
         return SoccerParameters.league()
                 .with(SoccerParameter.SINGLE_HALF_TIME, 1)

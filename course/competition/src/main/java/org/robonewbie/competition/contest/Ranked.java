@@ -5,7 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * Entry of a ranking. Ties share a rank, and the ranks after them are skipped: 1, 2, 2, 4.
+ * Entry of a ranking. Tied items share a rank, and the following ranks are skipped: 1, 2, 2, 4.
  *
  * @param rank rank, from 1 for the best
  * @param who the ranked item

@@ -8,7 +8,7 @@ import java.util.Set;
 @FunctionalInterface
 public interface Results {
 
-    /** Outcomes of programs that cannot be started. */
+    /** Outcomes for programs that could not be started at all. */
     Set<Ending> NEVER_STARTED = Set.of(Ending.NOT_COMPILED, Ending.REFUSED);
 
     /**
@@ -24,7 +24,7 @@ public interface Results {
      *
      * @param team name of the team
      * @param trialIds names of its trials
-     * @return false if its program never compiled or was refused
+     * @return false if, in every finished trial, its program did not compile or was refused
      */
     default boolean hasCompiled(String team, List<String> trialIds) {
         List<TeamResult> over = trialIds.stream()
@@ -39,7 +39,7 @@ public interface Results {
      *
      * @param team name of the team
      * @param trialIds names of its trials
-     * @return false if it lost all finished trials, or none is finished
+     * @return false if it forfeited all finished trials, or none has finished
      */
     default boolean hasPlayed(String team, List<String> trialIds) {
         return trialIds.stream()

@@ -13,12 +13,12 @@ import org.robonewbie.trial.TrialHook;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Challenge of a single robot with the ball on the centre spot, scored by a measure.
+ * Challenge for a single robot, scored by a measure. The ball is on the centre spot.
  *
  * @param start start pose of the robot
  * @param measure measure that also ends the trial
- * @param hook disturbances of the robot
- * @param results extracts the figures from the measure
+ * @param hook external events that disturb the robot
+ * @param results extracts the measured values from the measure
  * @param <M> type of the measure
  */
 record SoloChallenge<M extends Measure>(

@@ -18,9 +18,9 @@ public record StartPlace(int number, double x, double y, double degrees) {
     private static final double TORSO_METRES = 0.4;
 
     /**
-     * Formats the pose for the agents' option {@code --pose}.
+     * Formats the pose as an argument of the option {@code --pose} of agents.
      *
-     * @return such as {@code -0.5,0.4,-40}
+     * @return the argument, such as {@code -0.5,0.4,-40}
      */
     public String pose() {
         return text(x) + "," + text(y) + "," + text(degrees);

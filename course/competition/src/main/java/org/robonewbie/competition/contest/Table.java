@@ -23,9 +23,9 @@ public record Table(String title, String rule, List<String> columns, List<Row> r
      *
      * @param rank rank from 1, shared by ties
      * @param team name of the team
-     * @param cells one text per column
+     * @param cells the text of each column
      * @param trials names of its trials
-     * @param certified whether the team gets a certificate, which requires a trial played to the end
+     * @param certified whether the team gets a certificate, for which it must have played at least one trial to the end
      */
     public record Row(int rank, String team, List<String> cells, List<String> trials, boolean certified) {
 
@@ -40,7 +40,7 @@ public record Table(String title, String rule, List<String> columns, List<Row> r
          *
          * @param rank rank from 1
          * @param team name of the team
-         * @param cells one text per column
+         * @param cells the text of each column
          * @param trials names of its trials
          */
         public Row(int rank, String team, List<String> cells, List<String> trials) {

@@ -15,8 +15,8 @@ import java.util.stream.Collectors;
  * Result of a trial for one team.
  *
  * @param team name of the team
- * @param ending outcome for the team
- * @param figures measured figures by name; meaningless if the team lost the trial
+ * @param ending outcome of the trial for the team
+ * @param figures measured values by name; meaningless if the team forfeited the trial
  */
 public record TeamResult(String team, Ending ending, SortedMap<String, Double> figures) {
 
@@ -32,24 +32,24 @@ public record TeamResult(String team, Ending ending, SortedMap<String, Double> f
      * Creates a result.
      *
      * @param team name of the team
-     * @param ending outcome for the team
-     * @param figures measured figures by name
+     * @param ending outcome of the trial for the team
+     * @param figures measured values by name
      * @return the result
      */
     public static TeamResult of(String team, Ending ending, Map<String, Double> figures) {
         return new TeamResult(team, ending, new TreeMap<>(figures));
     }
 
-    /** {@return whether the team played to the end, so that its figures count} */
+    /** {@return whether the team played to the end, so that its measured values count} */
     public boolean isPlayed() {
         return ending == Ending.PLAYED;
     }
 
     /**
-     * Returns a figure.
+     * Returns a measured value.
      *
-     * @param name name of the figure
-     * @return its value; empty if it was not measured or the trial was lost
+     * @param name name of the value
+     * @return the value; empty if it was not measured or the team forfeited the trial
      */
     public OptionalDouble figure(String name) {
         Double value = figures.get(name);
@@ -71,13 +71,13 @@ public record TeamResult(String team, Ending ending, SortedMap<String, Double> f
         return new TeamResult(team, ending, more);
     }
 
-    /** {@return the outcome as text, with the exit code of a program that exited early} */
+    /** {@return the outcome as display text, with the exit code of a program that exited early} */
     public String endingInWords() {
         Double exitCode = figures.get(EXIT_CODE);
         return ending.sentence() + (exitCode == null || isPlayed() ? "" : " (exit code " + exitCode.intValue() + ")");
     }
 
-    /** {@return the figures, or the reason for losing the trial, as display text} */
+    /** {@return the measured values, or the reason why the team forfeited the trial, as display text} */
     public String inWords() {
         String measured = figures.entrySet().stream()
                 .map(figure -> inWords(figure.getKey(), figure.getValue()))
@@ -85,7 +85,7 @@ public record TeamResult(String team, Ending ending, SortedMap<String, Double> f
         return team + ": " + (isPlayed() && !measured.isEmpty() ? measured : endingInWords());
     }
 
-    /** Formats a figure by the unit in its name: {@code wayMetres} becomes {@code way 3 m}. */
+    /** Formats a value with the unit that its name ends with: a {@code wayMetres} of 3 becomes {@code way 3 m}. */
     private static String inWords(String name, double value) {
         String number = BigDecimal.valueOf(value)
                 .setScale(2, RoundingMode.HALF_UP)

@@ -7,7 +7,7 @@ import org.robonewbie.competition.team.TeamEntry;
 import org.robonewbie.nao.text.Html;
 
 /**
- * Certificate of a team for one sheet of A4 in landscape; place, date and signature are added by hand.
+ * A team's certificate, to be printed on A4 in landscape format; place, date and signature are filled in by hand.
  *
  * @param team the team
  * @param table the table of the contest

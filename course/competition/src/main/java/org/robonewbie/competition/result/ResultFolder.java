@@ -28,7 +28,7 @@ import org.robonewbie.programs.Fingerprint;
  */
 public final class ResultFolder implements Results, AutoCloseable {
 
-    /** Lock file. */
+    /** Name of the file that is locked while a process uses the folder. */
     private static final String LOCK = "competition.lock";
 
     private final Path folder;
@@ -70,10 +70,10 @@ public final class ResultFolder implements Results, AutoCloseable {
     }
 
     /**
-     * Returns the output files of a trial.
+     * Returns the paths of a trial's output files.
      *
      * @param trial the trial
-     * @return its files
+     * @return the paths
      */
     public TrialFiles filesOf(ContestTrial trial) {
         return new TrialFiles(Optional.of(recording(trial.id())), folder.resolve("logs"), folder.resolve("work"));
@@ -114,7 +114,7 @@ public final class ResultFolder implements Results, AutoCloseable {
      *
      * @param result the result
      * @param circumstances checksum of everything that the result depends on
-     * @throws IOException if it cannot be written
+     * @throws IOException if the file cannot be written
      */
     public void save(TrialResult result, String circumstances) throws IOException {
         Path recording = recording(result.id());
@@ -127,7 +127,7 @@ public final class ResultFolder implements Results, AutoCloseable {
     }
 
     /**
-     * Returns the checksum of a recording as of the end of its trial.
+     * Returns the checksum that a recording had at the end of its trial.
      *
      * @param trialId name of the trial
      * @return the SHA-256; empty if the trial was not recorded
@@ -139,7 +139,7 @@ public final class ResultFolder implements Results, AutoCloseable {
     }
 
     /**
-     * Detects files that were modified by others during the contest, and restores the results.
+     * Detects files that something else has modified during the contest, and restores the results.
      *
      * @return one sentence per modified file
      * @throws IOException if a file cannot be read or written
@@ -164,7 +164,7 @@ public final class ResultFolder implements Results, AutoCloseable {
         return sentences;
     }
 
-    /** Compares a file safely: a program may have replaced it by a huge file or a pipe. */
+    /** Returns whether a file has the given content. Safe even if a program has replaced the file with a huge one or a pipe. */
     private static boolean holds(Path file, byte[] content) {
         try {
             return Arrays.equals(RegularFile.read(file, content.length), content);

@@ -14,7 +14,7 @@ import org.robonewbie.competition.team.TeamEntry;
 import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.text.Csv;
 
-/** Writer for the table of a contest as HTML, CSV and JSON, and for the certificates. */
+/** Writes the table of a contest as HTML, CSV and JSON, and the certificates. */
 public final class TableFiles {
 
     private static final String CHECKSUMS = "recordings.sha256";
@@ -25,7 +25,7 @@ public final class TableFiles {
     /**
      * Creates a writer.
      *
-     * @param folder target folder
+     * @param folder folder to which the files are written
      * @param teams the teams, with titles and members
      */
     public TableFiles(ResultFolder folder, List<TeamEntry> teams) {

@@ -47,7 +47,7 @@ final class TrialJson {
                 + "\n";
     }
 
-    /** Reads a result; empty if it was saved under other circumstances or is damaged, so that the trial is repeated. */
+    /** Reads a result; empty if it was saved with a different checksum or is damaged, in which case the trial is repeated. */
     static Optional<Kept> read(String text, String circumstances) {
         try {
             Finished found = PRETTY.fromJson(text, Finished.class);

@@ -7,12 +7,12 @@ import org.robonewbie.competition.contest.Role;
 import org.robonewbie.competition.contest.StartPlace;
 
 /**
- * Start arguments of a program.
+ * Arguments with which a program is started.
  *
  * @param port TCP port of the simulator on this computer
  * @param team name of its team
  * @param role its role
- * @param places start positions of its robots; several only if one process runs all players
+ * @param places start positions of its robots; more than one only if one process runs all players
  */
 public record Start(int port, String team, Role role, List<StartPlace> places) {
 
@@ -40,7 +40,7 @@ public record Start(int port, String team, Role role, List<StartPlace> places) {
         return together ? concat(own, basic) : concat(basic, own);
     }
 
-    /** Replaces the placeholders of a command. Without a placeholder for the port the options are appended. */
+    /** Replaces the placeholders in a command. Appends the options if there is no placeholder for the port. */
     List<String> fill(List<String> words, boolean together) {
         boolean open = words.stream().anyMatch(word -> word.contains("{port}"));
         return open ? words.stream().map(this::fill).toList() : concat(words, options(together));

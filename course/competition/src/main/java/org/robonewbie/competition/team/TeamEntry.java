@@ -5,10 +5,10 @@ import java.util.Optional;
 import org.robonewbie.competition.contest.Role;
 
 /**
- * Entry of a team.
+ * Entry for a team in a contest.
  *
  * @param name at most 20 ASCII letters, digits and underscores; the title may contain any letters
- * @param program its program: a folder, a jar, a Java file, the name of a class, or a command
+ * @param program its program, given as a folder, a jar, a Java file, the name of a class, or a command
  * @param settings its settings, by their names in {@link TeamList}
  */
 public record TeamEntry(String name, String program, Map<String, String> settings) {
@@ -23,12 +23,12 @@ public record TeamEntry(String name, String program, Map<String, String> setting
         return settings.getOrDefault(TeamList.TITLE, name);
     }
 
-    /** {@return the team's members as written; empty if there are none} */
+    /** {@return the team's members as written in the list; empty if none are listed} */
     public String members() {
         return settings.getOrDefault(TeamList.MEMBERS, "");
     }
 
-    /** {@return the team's own seed; empty if it uses that of the contest} */
+    /** {@return the team's own seed; empty if it uses the contest's seed} */
     public Optional<Long> seed() {
         return Optional.ofNullable(settings.get(TeamList.SEED)).map(Long::valueOf);
     }
@@ -38,7 +38,7 @@ public record TeamEntry(String name, String program, Map<String, String> setting
         return settings.getOrDefault(TeamList.TOGETHER, "no").equals("yes");
     }
 
-    /** Returns the main class for a role, or the one for all roles. */
+    /** Returns the main class that is set for a role, else the one that is set for all roles. */
     Optional<String> mainClass(Role role) {
         return Optional.ofNullable(settings.get(role.key()))
                 .or(() -> Optional.ofNullable(settings.get(Role.MAIN.key())));

@@ -5,7 +5,7 @@ import java.util.Collection;
 import java.util.Set;
 import org.robonewbie.nao.file.SubmittedFolder;
 
-/** Filter for the folder of a team: build output and hidden folders are ignored. */
+/** Selects the files in a team's folder, ignoring build output and hidden folders. */
 public final class TeamFolder {
 
     private static final Set<String> BUILD_OUTPUT =
@@ -17,7 +17,7 @@ public final class TeamFolder {
      * Returns the submission of a team.
      *
      * @param folder the folder, or a single file
-     * @param foreign folders to ignore, even inside of {@code folder}: the results of the contest, other teams
+     * @param foreign folders to ignore, even inside {@code folder}: the results of the contest, other teams
      */
     static SubmittedFolder of(Path folder, Collection<Path> foreign) {
         return new SubmittedFolder(folder, place -> isIgnored(place) || foreign.contains(absolute(place)));

@@ -17,7 +17,7 @@ import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.programs.CalledWronglyException;
 
 /**
- * Parser for lists of teams, from a file or the command line, with one team per line.
+ * Parses a list of teams from a file or the command line, with one team per line.
  *
  * <pre>
  * # name = program
@@ -43,10 +43,13 @@ public final class TeamList {
     private static final Set<String> SETTINGS =
             Set.of(TITLE, MEMBERS, SEED, TOGETHER, FOLDER, "main", "attacker", "goalkeeper");
 
-    /** A line without a name. A command may contain an option with a value; any other {@code =} separates a name. */
+    /**
+     * Matches a line without a name. An {@code =} in an option of a command is part of the command; any other one separates a
+     * name.
+     */
     private static final Pattern COMMAND = Pattern.compile("[^=]*|[^\\s=-][^\\s=]*(\\s[^=]*)?\\s-[^\\s=]*=.*");
 
-    /** Settings that are printed only, so that any character is allowed. */
+    /** Settings that are only printed, so they may contain any character. */
     private static final Set<String> FREE_TEXTS = Set.of(TITLE, MEMBERS);
 
     private final Map<TeamName, String> programs = new LinkedHashMap<>();
@@ -55,7 +58,7 @@ public final class TeamList {
     private TeamList() {}
 
     /**
-     * Reads a file of teams.
+     * Reads a list of teams from a file.
      *
      * @param file the file
      * @return its teams
@@ -78,9 +81,9 @@ public final class TeamList {
     /**
      * Parses teams.
      *
-     * @param lines {@code NAME = PROGRAM}, {@code NAME.SETTING = VALUE}, or a program alone, after which the team is named
+     * @param lines {@code NAME = PROGRAM}, {@code NAME.SETTING = VALUE}, or just a program, after which the team is named
      * @return the teams in their order
-     * @throws CalledWronglyException if there is an error; the message says what to do
+     * @throws CalledWronglyException if a line cannot be parsed; the message says what to do
      */
     public static List<TeamEntry> parse(List<String> lines) {
         TeamList list = new TeamList();
@@ -170,7 +173,7 @@ public final class TeamList {
         }
     }
 
-    /** Returns an unused name, based on the folder, file or class. */
+    /** Returns an unused name, derived from the name of the folder, file or class. */
     private TeamName freeName(String program) {
         String last = program.split("\\s", -1)[0].replaceFirst("[/\\\\]+$", "").replaceFirst("^.*[/\\\\]", "");
         TeamName name = TeamName.near(last.replaceFirst("\\.(jar|java)$", "").replaceAll("^.*\\.", ""));

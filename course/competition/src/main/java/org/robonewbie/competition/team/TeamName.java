@@ -7,8 +7,8 @@ import org.robonewbie.nao.text.ConfusableCharacter;
 import org.robonewbie.programs.CalledWronglyException;
 
 /**
- * Name of a team: letters of any language, digits and underscores. SimSpark's messages, file names and options of programs use a
- * transliteration, since league agents and monitors support only ASCII.
+ * Name of a team: letters of any language, digits and underscores. SimSpark's messages, file names and options of programs use
+ * a transliteration, because league agents and monitors support only ASCII.
  *
  * @param written the original, such as {@code Röt}
  * @param ascii the transliteration, such as {@code Roet}
@@ -23,7 +23,7 @@ record TeamName(String written, String ascii) {
     private static final Pattern OF_WINDOWS =
             Pattern.compile("con|prn|aux|nul|com[0-9]|lpt[0-9]", Pattern.CASE_INSENSITIVE);
 
-    /** Transliterations, in pairs, of letters that are not an ASCII letter with an accent. */
+    /** Pairs of a letter and its transliteration, for letters that are not an accented ASCII letter. */
     private static final String[] SPELLINGS = ("ä ae ö oe ü ue ß ss æ ae œ oe ø o đ d ð d ł l þ th ı i ħ h"
                     + " а a б b в v г g д d е e ё e ж zh з z и i й y к k л l м m н n о o п p р r с s т t у u ф f х kh ц ts"
                     + " ч ch ш sh щ shch ъ _ ы y ь _ э e ю yu я ya і i ї yi є ye ґ g"

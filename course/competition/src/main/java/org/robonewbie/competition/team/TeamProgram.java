@@ -22,10 +22,10 @@ import org.robonewbie.programs.process.ProgramOutput;
 import org.robonewbie.programs.process.Sandbox;
 import org.robonewbie.programs.process.SandboxPolicy;
 
-/** Program of a team that is ready to be started. */
+/** A team's program, prepared so that it can be started. */
 public sealed interface TeamProgram {
 
-    /** {@return the checksum of the program; results of another checksum are not reused} */
+    /** {@return the checksum of the program; results with another checksum are not reused} */
     String fingerprint();
 
     /** {@return the files of the team, which each trial copies into its working directory} */
@@ -33,7 +33,7 @@ public sealed interface TeamProgram {
         return Optional.empty();
     }
 
-    /** {@return its files and folders, which are hidden from the other teams} */
+    /** {@return the program's files and folders, which are hidden from the other teams} */
     default List<Path> places() {
         return List.of();
     }
@@ -49,7 +49,7 @@ public sealed interface TeamProgram {
     }
 
     /**
-     * Returns the arguments of {@link ProgramMain}.
+     * Returns the arguments for {@link ProgramMain}.
      *
      * @param start start arguments of the program
      * @return the arguments
@@ -57,9 +57,9 @@ public sealed interface TeamProgram {
     List<String> words(Start start);
 
     /**
-     * Returns what it reads in addition to the system and its folder.
+     * Returns the files that the program may read in addition to those of the system and its own folder.
      *
-     * @param hidden files and folders that it must not see
+     * @param hidden files and folders that the program must not see
      * @return files and folders
      */
     default List<Path> readable(Collection<Path> hidden) {
@@ -70,10 +70,10 @@ public sealed interface TeamProgram {
      * Starts the program in a separate process.
      *
      * @param start start arguments of the program
-     * @param limits its limits
-     * @param surroundings its sandbox
-     * @param work its working directory, which is created
-     * @param log file for its output
+     * @param limits resource limits of the program
+     * @param surroundings sandbox of the program
+     * @param work working directory, which is created
+     * @param log file for the output of the program
      * @return the running program
      * @throws IOException if it cannot be started
      */
@@ -103,7 +103,7 @@ public sealed interface TeamProgram {
     }
 
     /**
-     * Sandbox of a program with a socket to the simulator.
+     * Sandbox in which a program runs, and its socket to the simulator.
      *
      * @param sandbox the sandbox, which may be absent
      * @param door the socket of the simulator for this team; empty without a sandbox
@@ -120,12 +120,12 @@ public sealed interface TeamProgram {
     }
 
     /**
-     * A program in Java.
+     * A program written in Java.
      *
      * @param classPath its classes and resources
      * @param mainClasses the main class for each role
      * @param folder the files of the team, which each trial copies into its working directory
-     * @param submitted the submission from which they have been copied
+     * @param submitted the submission from which the files have been copied
      * @param together whether one process runs all players
      * @param fingerprint checksum of the program
      */
@@ -149,7 +149,7 @@ public sealed interface TeamProgram {
             List<String> words =
                     new ArrayList<>(List.of(ProgramMain.CLASS, mainClasses.getOrDefault(start.role(), "")));
             words.addAll(start.options(together));
-            words.add("--no-browser"); // not --headless, by which the agent itself would end endless loops
+            words.add("--no-browser"); // without --headless, which would make the agent itself stop endless loops
             return words;
         }
 
@@ -169,11 +169,11 @@ public sealed interface TeamProgram {
     }
 
     /**
-     * A program in any language.
+     * A program written in any language.
      *
      * @param words program and arguments, with placeholders such as {@code {port}}
      * @param folder the files of the team, which each trial copies into its working directory
-     * @param submitted the submission from which they have been copied
+     * @param submitted the submission from which the files have been copied
      * @param together whether one process runs all players
      * @param fingerprint checksum of the program
      */
@@ -226,8 +226,8 @@ public sealed interface TeamProgram {
     /**
      * A program that cannot be started.
      *
-     * @param ending the ending of all its trials
-     * @param complaint the errors of the compiler, or the rejected file
+     * @param ending the outcome of all its trials
+     * @param complaint the compiler errors, or the name of the refused file
      * @param fingerprint checksum of the program
      */
     record Broken(Ending ending, String complaint, String fingerprint) implements TeamProgram {

@@ -32,9 +32,9 @@ import org.robonewbie.programs.process.Sandbox;
 /**
  * Finds and prepares the programs of teams.
  *
- * @param folder base of relative paths
+ * @param folder folder to which paths are relative
  * @param buildFolder folder for copies of the teams' files and for compiled classes
- * @param examples class names by short name
+ * @param examples class names of the examples by simple name
  * @param sandbox sandbox of the compiler
  */
 public record TeamPrograms(Path folder, Path buildFolder, Map<String, String> examples, Sandbox sandbox) {
@@ -50,7 +50,7 @@ public record TeamPrograms(Path folder, Path buildFolder, Map<String, String> ex
      * Returns the folders of the teams.
      *
      * @param teams the teams
-     * @return absolute paths of those programs that are folders
+     * @return absolute paths of the programs that are folders
      */
     public List<Path> folders(List<TeamEntry> teams) {
         return teams.stream()
@@ -63,7 +63,7 @@ public record TeamPrograms(Path folder, Path buildFolder, Map<String, String> ex
      * Prepares a team's program.
      *
      * @param team the team
-     * @param foreign folders to ignore inside of its folder: the results, those of other teams
+     * @param foreign folders to ignore inside its folder: the results and the folders of other teams
      * @return the program, which may be {@link TeamProgram.Broken}
      * @throws IOException if files cannot be written
      * @throws CalledWronglyException if there is no such program; the message says what to write
@@ -122,7 +122,7 @@ public record TeamPrograms(Path folder, Path buildFolder, Map<String, String> ex
         return compiled(named, sources, own, new Fingerprint().add(main));
     }
 
-    /** Copies a submission, so that compiler, fingerprint and trials use the same files. */
+    /** Copies a submission, so that the compiler, the fingerprint and all trials use the same files. */
     private Path copy(TeamEntry team, SubmittedFolder submitted) throws IOException {
         Path copy = buildFolder.resolve(team.name()).resolve("program");
         TemporaryFolder.delete(copy);
@@ -220,7 +220,10 @@ public record TeamPrograms(Path folder, Path buildFolder, Map<String, String> ex
         return new TeamProgram.OfCommand(words, copy, own, team.isTogether(), fingerprint.text());
     }
 
-    /** Adds a script. A link may point to its own folder or to the system, but not to the script of another team. */
+    /**
+     * Adds a script to the fingerprint. A symbolic link may point into its own folder or to a system folder, but not to another
+     * team's script.
+     */
     private static void addScript(Path real, Path file, Fingerprint fingerprint) throws IOException {
         Path own = Objects.requireNonNull(file.getParent()).toRealPath();
         boolean isOwn = real.startsWith(own) || Sandbox.isOfTheSystem(real);
@@ -243,7 +246,7 @@ public record TeamPrograms(Path folder, Path buildFolder, Map<String, String> ex
                 .orElseThrow(() -> new CalledWronglyException("There is no folder " + folder.resolve(name) + "."));
     }
 
-    /** Returns whether a command is executable: in the team's folder, relative to the base folder, or in the system's path. */
+    /** Returns whether a command can be found in the team's folder, relative to the base folder, or on the system's path. */
     private boolean canBeStarted(String word, Optional<Path> own) {
         Stream<Path> places = word.contains("/") || word.contains(File.separator)
                 ? Stream.concat(own.stream(), Stream.of(folder))
@@ -281,7 +284,7 @@ public record TeamPrograms(Path folder, Path buildFolder, Map<String, String> ex
                 .toString();
     }
 
-    /** Chooses a class for each role: the one that the team has named, else the only one with a main method. */
+    /** Chooses a class for each role: the one that the team has specified, or else the only class with a main method. */
     private static Map<Role, String> choose(TeamEntry team, List<String> candidates) {
         return forEachRole(role -> team.mainClass(role)
                 .map(name -> existing(team, name, candidates))

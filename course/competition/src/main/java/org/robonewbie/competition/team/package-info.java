@@ -1,5 +1,5 @@
 /**
- * Programs of the teams: listing, preparing and starting them in child processes. Start with {@link
+ * The teams' programs: lists of teams, and the preparation and start of programs in child processes. Start with {@link
  * org.robonewbie.competition.team.TeamList}.
  *
  * <p><strong>Internal</strong>: not part of the API, may change with every version.

@@ -25,9 +25,9 @@ import org.robonewbie.programs.process.ProcessTree;
 import org.robonewbie.programs.process.Sandbox;
 
 /**
- * Admission control of one trial: starts the programs and decides which of them may connect to which port. In a sandbox, a port is a
- * Unix domain socket that only its team sees. Without a sandbox it is a TCP port; on Linux the process behind a connection is
- * checked.
+ * Admission control of one trial: starts the programs and decides which of them may connect to which port. In a sandbox, each
+ * team's port is a Unix domain socket that only this team can see. Without a sandbox it is a TCP port; on Linux, connections
+ * are accepted only from processes of the team.
  */
 final class AdmissionControl implements AutoCloseable {
 
@@ -47,7 +47,7 @@ final class AdmissionControl implements AutoCloseable {
      * Creates the ports of a trial.
      *
      * @param sandbox sandbox of the programs
-     * @param programs programs of all teams of the contest
+     * @param programs programs of all teams in the contest
      * @param limits resource limits per program
      * @param files output files of the trial
      * @param log receives reports of refused connections
@@ -63,7 +63,7 @@ final class AdmissionControl implements AutoCloseable {
         this.folder = sandbox.isUp() ? Optional.of(TemporaryFiles.folder("doors")) : Optional.empty();
     }
 
-    /** Returns the socket file of a team; empty if its port is a TCP port. */
+    /** Returns the file of a team's Unix domain socket; empty if its port is a TCP port. */
     Optional<Path> file(String team) {
         return folder.map(place -> place.resolve(team));
     }
@@ -71,8 +71,8 @@ final class AdmissionControl implements AutoCloseable {
     /**
      * Starts a process of a team.
      *
-     * @param start parameters of the program
-     * @param name prefix of its file names
+     * @param start arguments of the program
+     * @param name prefix for the names of its files
      * @throws IOException if it cannot be started
      */
     ChildProcess start(Start start, String name) throws IOException {
@@ -92,7 +92,7 @@ final class AdmissionControl implements AutoCloseable {
         return process;
     }
 
-    /** Returns the paths hidden from a team: the results and the programs of other teams. */
+    /** Returns the paths that are hidden from a team: the results and the programs of other teams. */
     private List<Path> hidden(String team) {
         List<Path> unseen = new ArrayList<>(files.hidden());
         programs.forEach((other, program) -> {
@@ -104,12 +104,12 @@ final class AdmissionControl implements AutoCloseable {
         return unseen;
     }
 
-    /** Returns the processes of a team in start order. */
+    /** Returns the processes of a team in the order in which they were started. */
     List<ChildProcess> processes(String team) {
         return processes.getOrDefault(team, List.of());
     }
 
-    /** Returns why a program ended, after a short wait for its exit; empty if it is still running. */
+    /** Returns why a program has ended, after a short wait for its exit; empty if it is still running. */
     static Optional<Ending> ending(ChildProcess process) {
         boolean hasEnded = process.excess().isPresent() || process.awaitEnd(SECONDS_TO_END);
         return hasEnded

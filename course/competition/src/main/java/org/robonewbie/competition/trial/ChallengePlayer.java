@@ -20,7 +20,7 @@ import org.robonewbie.trial.Challenge;
 import org.robonewbie.trial.TrialListener;
 import org.robonewbie.trial.watch.WatchedTrial;
 
-/** Player for the trials of a {@link ChallengeContest}, whose robots are controlled by the teams' programs. */
+/** Runs the trials of a {@link ChallengeContest}, in which the teams' programs control the robots. */
 public final class ChallengePlayer implements TrialPlayer {
 
     private final Supplier<? extends Challenge> challenge;

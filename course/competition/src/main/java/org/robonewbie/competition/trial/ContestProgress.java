@@ -5,11 +5,11 @@ import org.robonewbie.competition.contest.Table;
 import org.robonewbie.competition.contest.TrialResult;
 
 /**
- * Intermediate state of a contest.
+ * Progress of a contest.
  *
  * @param over number of finished trials
  * @param planned number of trials planned so far
  * @param table current table
- * @param last the trial that finished last; empty at the beginning
+ * @param last the trial that finished last; empty before any has finished
  */
 public record ContestProgress(int over, int planned, Table table, Optional<TrialResult> last) {}

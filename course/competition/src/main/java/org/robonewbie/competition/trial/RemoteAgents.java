@@ -23,7 +23,8 @@ import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.SensorReadings;
 
 /**
- * Processes of a team's program in one trial, one per robot. Connections that are not expected wait until the trial ends.
+ * The processes of a team's program in one trial, with one process per robot. Unexpected connections are left waiting until the
+ * trial ends.
  */
 final class RemoteAgents implements AutoCloseable {
 
@@ -35,7 +36,7 @@ final class RemoteAgents implements AutoCloseable {
     private final String team;
     private OptionalInt exitCode = OptionalInt.empty();
 
-    /** Opens the port. */
+    /** Opens the port to which the processes connect. */
     RemoteAgents(ContestTrial trial, TrialFiles files, Limits limits, AdmissionControl admission) throws IOException {
         this.trial = trial;
         this.admission = admission;
@@ -61,7 +62,7 @@ final class RemoteAgents implements AutoCloseable {
         return admission.processes(team);
     }
 
-    /** Controller in another process, whose computing time is measured per turn. */
+    /** Controller in another process, whose computing time is measured in each turn. */
     private record TimedController(Controller controller, ChildProcess process) implements Controller {
 
         @Override
@@ -113,7 +114,7 @@ final class RemoteAgents implements AutoCloseable {
         }
     }
 
-    /** Stops all processes after one is absent, appends the reason to the log, and returns the outcome. */
+    /** Stops all processes after one has failed to join or respond, appends the reason to the log, and returns the outcome. */
     Ending end(AbsentProgramException absent) throws IOException {
         Ending reason = processes().stream()
                 .flatMap(process -> AdmissionControl.ending(process).stream())

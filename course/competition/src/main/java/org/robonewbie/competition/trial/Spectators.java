@@ -25,15 +25,15 @@ public interface Spectators {
      *
      * @param simulation the simulation to show
      * @param trial the trial
-     * @return action to run at the end of the trial
+     * @return an action for the caller to run at the end of the trial
      * @throws IOException if it cannot be shown
      */
     Runnable watch(SimulationControl simulation, ContestTrial trial) throws IOException;
 
     /**
-     * Receives the state of the contest at its start and after each trial. Calls do not overlap.
+     * Called with the progress of the contest at its start and after each trial. Calls do not overlap.
      *
-     * @param progress current state
+     * @param progress current progress
      */
     default void stands(ContestProgress progress) {}
 

@@ -4,7 +4,7 @@ import java.io.IOException;
 import org.robonewbie.competition.contest.ContestTrial;
 import org.robonewbie.competition.contest.TrialResult;
 
-/** Player for the trials of a contest. Implementations are thread-safe. */
+/** Runs the trials of a contest. Implementations must be thread-safe. */
 @FunctionalInterface
 public interface TrialPlayer {
 
@@ -14,7 +14,7 @@ public interface TrialPlayer {
      * @param trial the trial
      * @param files output files of the trial
      * @return its result
-     * @throws IOException if no simulator or process can be started
+     * @throws IOException if the simulator or a process cannot be started
      * @throws InterruptedException if this thread is interrupted
      */
     TrialResult run(ContestTrial trial, TrialFiles files) throws IOException, InterruptedException;

@@ -35,8 +35,8 @@ import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.server.TeamEndpoint;
 
 /**
- * Player for trials with a simulator: it starts the simulator and the programs of the teams. The world starts when all robots have
- * joined, so the start time of a program has no effect.
+ * Runs trials on a complete simulator: starts the simulator and the teams' programs. The clock starts when all robots have
+ * joined, so a slow program start has no effect.
  */
 public final class TrialRunner implements TrialPlayer {
 
@@ -106,7 +106,7 @@ public final class TrialRunner implements TrialPlayer {
         }
     }
 
-    /** Creates the endpoint of a team. Programs are started after the simulator, so no connection arrives before it runs. */
+    /** Creates a team's endpoint. Programs are started after the simulator, so no connection arrives before it is running. */
     private static TeamEndpoint endpoint(
             Entrant entrant, AdmissionControl admission, AtomicReference<Simulator> running) {
         String team = entrant.team();
@@ -152,7 +152,7 @@ public final class TrialRunner implements TrialPlayer {
                 .toList();
     }
 
-    /** Waits for the decision, and replaces programs that would block the simulator. */
+    /** Waits until the trial is decided. Connects stand-ins for programs that would otherwise block the simulator. */
     private void supervise(
             ContestTrial trial, Simulator simulator, TrialSupervisor supervisor, AdmissionControl admission)
             throws InterruptedException {
@@ -176,7 +176,7 @@ public final class TrialRunner implements TrialPlayer {
         }
     }
 
-    /** Replaces programs that ended before the world started. */
+    /** Connects stand-ins for programs that ended before the clock started. */
     private static void replaceEnded(
             ContestTrial trial, Simulator simulator, AdmissionControl admission, Set<ChildProcess> ended) {
         for (Entrant entrant : trial.entrants()) {
@@ -189,7 +189,7 @@ public final class TrialRunner implements TrialPlayer {
         }
     }
 
-    /** Connects a stand-in for each robot of an ended process. */
+    /** Connects a stand-in for each robot of a process that has ended. */
     private static void standInFor(ContestTrial trial, List<ChildProcess> own, Simulator simulator) {
         int robots = trial.robots() / trial.entrants().size() / own.size();
         for (int i = 0; i < Math.max(1, robots); i++) {

@@ -24,15 +24,15 @@ import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
 
 /**
- * Supervisor of a trial on the simulation thread: waits for the robots, enforces their start poses, calls the judge in each cycle, and
- * pauses the world in the cycle in which the trial is decided.
+ * Supervises a trial on the simulation thread: waits for the robots, enforces their start poses, calls the judge in each cycle,
+ * and pauses the world in the cycle in which the trial is decided.
  */
 final class TrialSupervisor implements SimulationObserver {
 
     private static final long CYCLES_TO_TAKE_PLACES = 25;
     private static final long CYCLES_TO_JOIN = 150;
 
-    /** A reconnecting program briefly has two robots. */
+    /** Cycles for which a team may have too many robots, because a reconnecting program briefly has two. */
     private static final int EXTRA_ROBOT_CYCLES = 10;
 
     private static final double PLACE_METRES = 0.4;
@@ -54,7 +54,7 @@ final class TrialSupervisor implements SimulationObserver {
     /**
      * Creates a supervisor.
      *
-     * @param connectedRobots number of robots connected to a team's port, playing or not
+     * @param connectedRobots returns the number of robots connected to a team's port, whether or not they are playing
      * @param intruders teams whose programs connected to the port of another team
      */
     TrialSupervisor(
@@ -87,12 +87,12 @@ final class TrialSupervisor implements SimulationObserver {
         return decided.getCount() == 0;
     }
 
-    /** Waits for the decision; returns false on timeout. */
+    /** Waits until the trial is decided; returns false on timeout. */
     boolean await(long milliseconds) throws InterruptedException {
         return decided.await(milliseconds, TimeUnit.MILLISECONDS);
     }
 
-    /** Returns the simulated seconds from the start to the decision. */
+    /** Returns the simulated time in seconds from the start until the trial was decided. */
     double seconds() {
         return seconds;
     }

@@ -21,11 +21,12 @@ import org.robonewbie.trial.TrialListener;
 import org.robonewbie.trial.batch.BatchRunner;
 
 /**
- * Grader of programs that run in a child process. World and judge are in this process; the program can influence them only through its
- * robots. A program that exits, exhausts its memory or never returns fails its trial and affects no other program.
+ * Grades programs that run in a child process. The simulated world and the scoring are in this process; the program can
+ * influence them only through its robots. A program that exits, exhausts its memory or never returns fails its trial and
+ * affects no other program.
  *
  * @param seeds the number of trials, with the seeds 1, 2, 3 and so on
- * @param threads the number of trials at the same time, at least 1
+ * @param threads the number of trials to run in parallel, at least 1
  * @param sandbox the sandbox of the program
  * @param recording file for a recording of the first trial; empty for none
  * @param output receives each line that the program prints
@@ -40,7 +41,7 @@ public record ProcessGrader(
      * Result of a grading.
      *
      * @param grade the grade; empty if the program could not be started
-     * @param exitCode exit code of a program that could not be started; else 0
+     * @param exitCode exit code of a program that could not be started; otherwise 0
      * @param output first lines of the output
      */
     public record Result(Optional<Grade> grade, int exitCode, List<String> output) {}
@@ -50,7 +51,7 @@ public record ProcessGrader(
      *
      * @param exercise the exercise
      * @param program the program
-     * @param scores receives each score as soon as it is known
+     * @param scores receives each score as soon as it is available
      * @return the result
      * @throws IOException if the process cannot be started
      */
@@ -74,7 +75,7 @@ public record ProcessGrader(
         }
     }
 
-    /** Closes a program that has not ended in time. */
+    /** Kills the program if it does not end in time. */
     private CompletableFuture<Void> deadline(CompletableFuture<Void> end, RobotProcess student, AtomicBoolean late) {
         return end.orTimeout(START_SECONDS + (long) SECONDS_PER_TRIAL * seeds, TimeUnit.SECONDS)
                 .exceptionally(timeout -> {
@@ -96,7 +97,7 @@ public record ProcessGrader(
     }
 
     /**
-     * Plays one trial.
+     * Runs one trial.
      *
      * @param exercise the exercise
      * @param seed seed of the trial

@@ -19,8 +19,8 @@ import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.programs.CalledWronglyException;
 
 /**
- * Submissions of a class: a folder for each student, or files named after student and class, such as {@code anna_Kick.java}. A program
- * belongs to the exercise with the name of its class.
+ * The submissions of all students in a course: a folder for each student, or files named after student and Java class, such as
+ * {@code anna_Kick.java}. The name of the Java class determines the exercise.
  */
 final class ClassFolder {
 
@@ -42,7 +42,7 @@ final class ClassFolder {
      * @param folder the folder
      * @param exercises the exercises to grade
      * @param copies folder for copies of the accepted files, which are graded
-     * @param results folder of the results, which is ignored if it is inside of {@code folder}
+     * @param results folder for the results, which is ignored if it is inside {@code folder}
      * @throws CalledWronglyException if there is nothing to grade
      */
     static ClassFolder read(Path folder, List<Exercise> exercises, Path copies, Path results) throws IOException {
@@ -68,12 +68,12 @@ final class ClassFolder {
         return all;
     }
 
-    /** Returns the programs of all students, sorted by name, with at most one for each exercise. */
+    /** Returns the programs of all students, sorted by name, with at most one program for each exercise. */
     Map<String, List<Submission>> submissions() {
         return Collections.unmodifiableMap(submissions);
     }
 
-    /** Returns the reasons why something cannot be graded, by student. */
+    /** Returns, by student, the reasons why submissions cannot be graded. */
     Map<String, String> troubles() {
         return Collections.unmodifiableMap(troubles);
     }

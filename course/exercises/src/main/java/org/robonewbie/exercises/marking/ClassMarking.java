@@ -26,12 +26,12 @@ import org.robonewbie.trial.batch.BatchRunner;
 import org.robonewbie.trial.batch.ThreadRunner;
 
 /**
- * Grading of all programs of a class in parallel, with a table of grades and a plagiarism check. Grades are stored: repeating the command
- * resumes an interrupted run and grades only what has changed.
+ * Grades the programs of all students in a course in parallel, writes a table of grades and checks for plagiarism. Grades are
+ * stored: running the command again resumes an interrupted run and grades only programs that have changed.
  *
  * @param folder a folder for each student, or files such as {@code anna_Kick.java}
  * @param exercises the exercises to grade
- * @param seeds the number of trials of each program
+ * @param seeds the number of trials for each program
  * @param results folder for tables and stored grades
  * @param version version of the grader; grades of another version are not reused
  * @param sandbox the sandbox of the programs
@@ -48,7 +48,7 @@ public record ClassMarking(
 
     private static final String ERROR = ": error: ";
 
-    /** Messages about an exhausted stack or heap of the compiler. */
+    /** Messages that the compiler prints when its stack or heap is exhausted. */
     private static final List<String> NESTED_TOO_DEEPLY =
             List.of("robonewbie: The compiler cannot read ", "The system is out of resources");
 
@@ -62,7 +62,7 @@ public record ClassMarking(
      *
      * @return the page with the table
      * @throws IOException if a file cannot be written
-     * @throws CalledWronglyException if there is nothing to grade, or another grading uses the folder of the results
+     * @throws CalledWronglyException if there is nothing to grade, or another process uses the folder for the results
      */
     public Path run() throws IOException {
         Path kept = results.resolve("kept");
@@ -136,7 +136,7 @@ public record ClassMarking(
         }
     }
 
-    /** Grades a program. A failure of the grader affects this program only. */
+    /** Grades a program. If the grader fails, only this program is affected. */
     private Mark mark(Submission submission, String fingerprint, KeptMarks kept) throws IOException {
         try (TemporaryFolder work = TemporaryFolder.create("program")) {
             Path copy = work.path().toRealPath();
@@ -165,7 +165,9 @@ public record ClassMarking(
                 : broken(submission, reason(result.output(), String.valueOf(file.getFileName())));
     }
 
-    /** Returns the first error of the compiler without the path of the file, or else the first line of the output. */
+    /**
+     * Returns the first error of the compiler without the path of the file, or the first line of the output if there is none.
+     */
     private static String reason(List<String> output, String fileName) {
         if (output.stream().anyMatch(line -> NESTED_TOO_DEEPLY.stream().anyMatch(line::startsWith))) {
             return "It does not compile: its author nested expressions or blocks too deeply for the compiler.";

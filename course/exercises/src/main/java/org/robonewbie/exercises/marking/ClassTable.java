@@ -16,14 +16,14 @@ import org.robonewbie.nao.text.Csv;
 import org.robonewbie.nao.text.Html;
 
 /**
- * Table of the grades of a class, with a row for each student and a column for each exercise.
+ * Table of grades, with a row for each student and a column for each exercise.
  *
  * @param exercises the columns
  * @param students the rows
  * @param marks the grades
- * @param troubles reasons why something could not be graded, by student
+ * @param troubles reasons why submissions could not be graded, by student
  * @param copies result of the plagiarism check
- * @param seeds the number of trials of each program
+ * @param seeds the number of trials for each program
  */
 record ClassTable(
         List<Exercise> exercises,
@@ -223,7 +223,7 @@ record ClassTable(
                 %s""".formatted(Html.text(sentence()), table);
     }
 
-    /** Returns why programs of the student could not be graded. */
+    /** Returns why some programs of a student could not be graded. */
     private String note(String student) {
         Stream<String> broken = marks.stream()
                 .filter(mark -> mark.student().equals(student) && mark.grade().isEmpty())

@@ -12,10 +12,13 @@ import org.robonewbie.nao.file.RegularFile;
 import org.robonewbie.nao.file.TextFile;
 import org.robonewbie.nao.file.UnreadableFileException;
 
-/** Plagiarism check: finds programs of a class that are too similar to be independent. The start code of the exercise is ignored. */
+/**
+ * Plagiarism check: finds programs that are too similar to have been written independently. The starter code of the exercise is
+ * ignored.
+ */
 final class CopyCheck {
 
-    /** Programs with less original code than this are similar by chance. */
+    /** Minimum number of original n-grams for a comparison; shorter programs may be similar by chance. */
     private static final int MIN_OWN_RUNS = 40;
 
     private static final double MIN_LIKENESS = 0.8;
@@ -29,8 +32,8 @@ final class CopyCheck {
      * @param first a student
      * @param second another student
      * @param likeness share of the shorter program that is contained in the other one, 0 to 1
-     * @param sameNumbers share of equal numbers, 0 to 1
-     * @param identical whether the two files are equal
+     * @param sameNumbers share of numeric literals that occur in both programs, 0 to 1
+     * @param identical whether the two files have the same text
      */
     record Pair(String exercise, String first, String second, double likeness, double sameNumbers, boolean identical) {}
 
@@ -40,7 +43,7 @@ final class CopyCheck {
      * @param exercise its name
      * @param programs the number of programs
      * @param comparable the number of programs with enough original code to be compared
-     * @param unchanged the number of programs that equal the start code
+     * @param unchanged the number of programs that equal the starter code
      */
     record Comparison(String exercise, int programs, int comparable, int unchanged) {
 
@@ -57,7 +60,7 @@ final class CopyCheck {
      */
     record Result(List<Pair> pairs, List<Comparison> comparisons) {
 
-        /** {@return exercises with programs that could not be compared} */
+        /** {@return statistics of the exercises in which some programs could not be compared} */
         List<Comparison> incomplete() {
             return comparisons.stream().filter(each -> !each.isComplete()).toList();
         }
@@ -125,7 +128,7 @@ final class CopyCheck {
         return program.shape().ownRuns(given) >= MIN_OWN_RUNS;
     }
 
-    /** Returns the text without differences made by editors: line ends, a byte order mark, trailing blanks. */
+    /** Returns the text without what editors change: line endings, a byte order mark and trailing whitespace. */
     private static String plain(String text) {
         return text.replace("\uFEFF", "")
                 .lines()

@@ -11,7 +11,10 @@ import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.nao.text.ConfusableCharacter;
 import org.robonewbie.programs.CalledWronglyException;
 
-/** Means of the evaluation forms of a course, by experience in robotics and in Java. Answers are numbers from 1 to 5. */
+/**
+ * Mean answers in the evaluation forms of a course, grouped by experience in robotics and in Java. Answers are numbers from 1
+ * to 5.
+ */
 public final class EvaluationSummary {
 
     private static final List<String> EXPERIENCES = List.of("robotics", "java");
@@ -25,13 +28,13 @@ public final class EvaluationSummary {
         this.answers = answers;
     }
 
-    /** Participants with an experience between two bounds. */
+    /** Participants whose experience is between two bounds. */
     private record Group(String name, String experience, double least, double most) {}
 
     /**
      * Reads the answers.
      *
-     * @param file one line of answers per participant
+     * @param file a file with one line of answers per participant
      * @return the means
      * @throws CalledWronglyException if the file cannot be read or parsed; the message names file and line
      */
@@ -124,7 +127,7 @@ public final class EvaluationSummary {
         return answers;
     }
 
-    /** Splits a line into cells and removes the quotation marks of spreadsheets. */
+    /** Splits a line into cells and removes the quotation marks that spreadsheets add. */
     private static List<String> cells(String line) {
         return Stream.of(line.strip().split(SEPARATOR, -1))
                 .map(cell -> cell.strip().replaceFirst("^\"(.*)\"$", "$1").strip())

@@ -14,8 +14,8 @@ import javax.crypto.Mac;
 import javax.crypto.spec.SecretKeySpec;
 
 /**
- * Key that signs stored grades (HMAC-SHA256, RFC 2104), so that a grade forged by a program is ignored. The key is in the home folder and
- * readable for its owner only. Programs that run as the owner outside of a sandbox can read it too.
+ * Key that signs stored grades (HMAC-SHA256, RFC 2104), so that a grade forged by a program is ignored. The key is stored in
+ * the home folder, and only its owner can read it. That includes programs that run as the owner outside a sandbox.
  */
 final class JudgesKey {
 
@@ -33,7 +33,10 @@ final class JudgesKey {
         return of(Path.of(System.getProperty("user.home", "."), ".robonewbie", "judges-key"));
     }
 
-    /** Returns the key in a file, which is created if it does not exist. If it cannot be stored, the key lasts as long as this process. */
+    /**
+     * Returns the key in a file, which is created if it does not exist. If the key cannot be stored, it is valid only during
+     * this process.
+     */
     static JudgesKey of(Path file) {
         byte[] fresh = new byte[BYTES];
         new SecureRandom().nextBytes(fresh);
@@ -47,7 +50,7 @@ final class JudgesKey {
         }
     }
 
-    /** Stores a new key, unless another process stores one at the same time. */
+    /** Stores a new key, unless another process has just stored one. */
     private static void keep(byte[] fresh, Path file) throws IOException {
         Path folder = Files.createDirectories(Objects.requireNonNull(file.getParent()));
         Path draft = Files.createTempFile(folder, "judges-key", ".new"); // readable for its owner only

@@ -15,9 +15,9 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.file.RegularFile;
 
 /**
- * Stored grades in a folder, one file for each student and exercise, so that unchanged programs are not graded again. A file contains the
- * checksum of everything that the grade depends on, and a signature. Files are read before the first program runs; afterwards the copy in
- * memory is authoritative, and {@link #repair} restores the files from it.
+ * Stored grades in a folder, one file for each student and exercise, so that unchanged programs are not graded again. A file
+ * contains the checksum of everything that the grade depends on, and a signature. Files are read before the first program runs;
+ * after that, the copy in memory is authoritative, and {@link #repair} restores the files from it.
  */
 final class KeptMarks {
 
@@ -39,7 +39,7 @@ final class KeptMarks {
         this.key = key;
     }
 
-    /** Content of a file; any part may be missing. */
+    /** Content of a file, any field of which may be missing. */
     private record Kept(
             @Nullable String fingerprint,
             @Nullable Grade grade,
@@ -80,7 +80,7 @@ final class KeptMarks {
         AtomicFile.write(file, text);
     }
 
-    /** Restores the files that were changed while programs ran, and returns their number. */
+    /** Restores the files that were modified while programs ran, and returns the number of restored files. */
     synchronized int repair() throws IOException {
         int changed = 0;
         for (Map.Entry<Path, String> mark : remembered.entrySet()) {

@@ -5,7 +5,7 @@ import org.robonewbie.exercises.Grade;
 import org.robonewbie.exercises.Score;
 
 /**
- * Result of a student in one exercise.
+ * A student's result in one exercise.
  *
  * @param student name of the student
  * @param exercise name of the exercise
@@ -22,7 +22,7 @@ record Mark(String student, String exercise, Optional<Grade> grade, String reaso
         return grade.map(Grade::passed).orElse(false);
     }
 
-    /** Returns the finding of the first failed trial, or why there was no trial. */
+    /** Returns the finding of the first failed trial, or the reason why there was no trial. */
     String finding() {
         return grade.stream()
                 .flatMap(given -> given.trials().stream().map(Grade.SeededScore::score))

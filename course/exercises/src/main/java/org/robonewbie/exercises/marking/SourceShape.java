@@ -10,11 +10,11 @@ import java.util.regex.Pattern;
 import javax.lang.model.SourceVersion;
 
 /**
- * Token n-grams of a program without comments, layout, the names that its author has chosen, and numbers. Comparing n-grams makes the
- * order of methods irrelevant, as in MOSS (Schleimer, Wilkerson and Aiken 2003).
+ * Token n-grams of a program, ignoring comments, layout, numbers and the names that its author has chosen. Comparing n-grams
+ * makes the order of methods irrelevant, as in MOSS (Schleimer, Wilkerson and Aiken 2003).
  *
  * @param runs all n-grams
- * @param numbers the numbers in their order
+ * @param numbers the numbers in the order in which they occur
  */
 record SourceShape(Set<String> runs, List<String> numbers) {
 
@@ -28,7 +28,7 @@ record SourceShape(Set<String> runs, List<String> numbers) {
             |(?<name>[\\p{L}_$][\\p{L}\\p{N}_$]*)\
             |(?<sign>->|::|[-+*/%&|^=!<>]=|&&|\\|\\||\\+\\+|--|[^\\s])""");
 
-    /** Keywords that are types, as names may be. */
+    /** Keywords that may precede a declared name as its type, like the name of a class. */
     private static final Set<String> PRIMITIVE_TYPES =
             Set.of("boolean", "byte", "char", "double", "float", "int", "long", "short", "void");
 
@@ -60,7 +60,10 @@ record SourceShape(Set<String> runs, List<String> numbers) {
         return new SourceShape(runs(plain(withoutImports(words))), numbers);
     }
 
-    /** Returns the share of the smaller program that is contained in the other one, 0 to 1. N-grams of {@code given} are ignored. */
+    /**
+     * Returns the share of the smaller program that is contained in the other one, 0 to 1. N-grams that occur in {@code given},
+     * such as the starter code, are ignored.
+     */
     double similarityTo(SourceShape other, SourceShape given) {
         Set<String> own = new HashSet<>(runs);
         own.removeAll(given.runs);
@@ -76,7 +79,7 @@ record SourceShape(Set<String> runs, List<String> numbers) {
         return (int) runs.stream().filter(run -> !given.runs.contains(run)).count();
     }
 
-    /** Returns the share of common numbers, 0 to 1. */
+    /** Returns the share of numbers that both programs contain, 0 to 1. */
     double sameNumbers(SourceShape other) {
         List<String> left = new ArrayList<>(other.numbers);
         long both = numbers.stream().filter(left::remove).count();
@@ -97,7 +100,7 @@ record SourceShape(Set<String> runs, List<String> numbers) {
         return rest;
     }
 
-    /** Replaces all names that the program declares by the same one. Names of the framework are kept. */
+    /** Replaces every name that the program declares with the same placeholder. Names of the framework are kept. */
     private static List<String> plain(List<String> words) {
         Set<String> given = new HashSet<>();
         for (int i = 1; i < words.size() - 1; i++) {

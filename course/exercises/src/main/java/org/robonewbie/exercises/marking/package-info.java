@@ -1,5 +1,5 @@
 /**
- * Grading of the programs of a class, with a table and a plagiarism check. Start with {@link
+ * Grading of the programs of all students in a course, with a table of grades and a plagiarism check. Start with {@link
  * org.robonewbie.exercises.marking.ClassMarking}.
  *
  * <p><strong>Internal</strong>: not part of the API, may change with every version.

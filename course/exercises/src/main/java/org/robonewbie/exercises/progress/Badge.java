@@ -20,7 +20,7 @@ public enum Badge {
     PERFECTIONIST("Perfectionist", "ten points in five exercises", new Rule("", 5, Score.MOST_POINTS, 0, false)),
     /** Five exercises passed without help. */
     OWN_WAY("Own way", "five exercises passed without a hint or a solution", new Rule("", 5, 0, 0, true)),
-    /** One exercise passed after many tries. */
+    /** One exercise passed after ten tries or more. */
     PERSISTENT("Persistent", "an exercise passed after ten tries or more", new Rule("", 1, 0, 10, false)),
     /** All exercises passed. */
     WHOLE_COURSE("The whole course", "all exercises passed", Rule.all(""));
@@ -28,17 +28,17 @@ public enum Badge {
     private final String title;
     private final String reason;
 
-    @SuppressWarnings("ImmutableEnumChecker") // a record of a word and numbers
+    @SuppressWarnings("ImmutableEnumChecker") // a record of immutable values
     private final Rule rule;
 
     /**
      * Condition of a badge.
      *
      * @param level level of the exercises that count; empty for all levels
-     * @param exercises required number of passed exercises; 0 for all that count
+     * @param exercises required number of passed exercises; 0 for all exercises of the level
      * @param leastPoints minimum of the best points
      * @param leastTries minimum number of graded tries
-     * @param alone whether exercises with opened hints or solutions do not count
+     * @param alone whether an exercise counts only if the student opened neither a hint nor a solution
      */
     private record Rule(String level, int exercises, double leastPoints, int leastTries, boolean alone) {
 

@@ -6,7 +6,7 @@ import java.time.Instant;
  * A student's progress on one exercise.
  *
  * @param tries number of graded programs
- * @param bestPoints best grade, 0 to 10
+ * @param bestPoints best points of any try, 0 to 10
  * @param passed whether the exercise has been passed
  * @param seconds working time until it was passed; pauses of more than 20 minutes do not count
  * @param hints number of opened hints
@@ -26,7 +26,7 @@ public record ExerciseProgress(
     private static final long MILLIS_PER_SECOND = 1000;
     private static final double MAX_POINTS = 10;
 
-    /** Limits all numbers to their valid ranges. */
+    /** Clamps all numbers to their valid ranges. */
     public ExerciseProgress {
         tries = Math.max(0, tries);
         bestPoints = Double.isNaN(bestPoints) ? 0 : Math.max(0, Math.min(MAX_POINTS, bestPoints));
@@ -35,7 +35,7 @@ public record ExerciseProgress(
     }
 
     /**
-     * Adds the working time since the last activity.
+     * Adds the time since the last activity to the working time.
      *
      * @param now the current time
      * @return the new state
@@ -66,7 +66,7 @@ public record ExerciseProgress(
     }
 
     /**
-     * Opens one more hint.
+     * Counts one more hint as opened.
      *
      * @param available total number of hints
      * @return the new state

@@ -7,8 +7,8 @@ import java.util.function.UnaryOperator;
 import org.robonewbie.exercises.Exercise;
 
 /**
- * Progress in a file. Without a file, or if the file cannot be read or written, progress is kept in memory until the program ends.
- * Thread-safe.
+ * Stores progress in a file. Without a file, or if the file cannot be read or written, progress is kept in memory until the
+ * program ends. Thread-safe.
  */
 public final class LocalProgress implements ProgressStore {
 

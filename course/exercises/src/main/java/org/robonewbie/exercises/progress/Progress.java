@@ -16,7 +16,7 @@ import org.robonewbie.exercises.Exercises;
 /**
  * A student's progress in all exercises.
  *
- * @param exercises the states by name of the exercise; exercises without activity are missing
+ * @param exercises the states by exercise name, without exercises that have not been started
  */
 public record Progress(Map<String, ExerciseProgress> exercises) {
 
@@ -31,7 +31,7 @@ public record Progress(Map<String, ExerciseProgress> exercises) {
      * Parses JSON. Skips exercises with invalid values.
      *
      * @param text JSON as written by {@link #json()}
-     * @return the progress; empty if the text is not JSON of this kind
+     * @return the progress; empty if the text is not JSON in this format
      */
     public static Optional<Progress> parse(String text) {
         try {
@@ -143,7 +143,7 @@ public record Progress(Map<String, ExerciseProgress> exercises) {
     }
 
     /**
-     * Merges the progress of two team members. The better state of each exercise counts.
+     * Merges the progress of two team members, taking the better state for each exercise.
      *
      * @param other progress of another member
      * @return the progress of the team

@@ -18,20 +18,20 @@ import org.robonewbie.exercises.Exercise;
 import org.robonewbie.nao.file.AtomicFile;
 
 /**
- * File with a user's progress: {@code .robonewbie/progress.json} in the home folder, unless configured otherwise. The program does not
- * send it anywhere. Several processes may change it at the same time.
+ * File with a user's progress: {@code .robonewbie/progress.json} in the home folder, unless configured otherwise. The framework
+ * does not send it anywhere. Several processes may update it concurrently.
  *
  * @param file the file; it need not exist
  */
 public record ProgressFile(Path file) {
 
-    /** Environment variable with the path of another file; {@code off} stores no progress. */
+    /** Environment variable with the path of another file; {@code off} disables storing progress. */
     public static final String SWITCH = "ROBONEWBIE_PROGRESS";
 
     private static final Gson GSON = new GsonBuilder().setPrettyPrinting().create();
     private static final Object IN_THIS_PROCESS = new Object();
 
-    /** {@return the file of the current user; empty if no progress is stored} */
+    /** {@return the file of the current user; empty if storing progress is disabled} */
     public static Optional<ProgressFile> ofUser() {
         String choice = Optional.ofNullable(System.getenv(SWITCH)).orElse("");
         if (choice.equalsIgnoreCase("off")) {
@@ -82,9 +82,9 @@ public record ProgressFile(Path file) {
     }
 
     /**
-     * Checks whether the file exists but contains no progress, for example because it was truncated by a full disk.
+     * Checks whether the file exists but is not readable as progress, for example because a full disk truncated it.
      *
-     * @return whether the next update renames it
+     * @return whether the file is damaged, in which case the next update renames it
      * @throws IOException if the file cannot be read
      */
     public boolean isDamaged() throws IOException {

@@ -33,7 +33,7 @@ public final class ProgressService {
     }
 
     /**
-     * Help for an exercise.
+     * The help that is available for an exercise.
      *
      * @param open the opened hints, in order
      * @param all total number of hints
@@ -63,7 +63,7 @@ public final class ProgressService {
      * @param points mean of the points, 0 to 10
      * @param passed whether all trials have passed
      * @param language language of the advice
-     * @return the student's options, as sentences; empty after a success
+     * @return sentences that say what the student can do next; empty after a success
      */
     public List<String> graded(Exercise exercise, double points, boolean passed, Language language) {
         ExerciseProgress state = store.update(exercise, before -> before.tried(points, passed, Instant.now()));

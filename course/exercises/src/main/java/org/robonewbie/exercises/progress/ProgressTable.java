@@ -11,7 +11,7 @@ import org.robonewbie.exercises.Score;
 import org.robonewbie.nao.text.Csv;
 
 /**
- * Prints progress for students, and as a CSV table for teachers.
+ * Formats progress as text for students and as a CSV table for teachers.
  *
  * @param progress the progress
  */
@@ -20,7 +20,7 @@ public record ProgressTable(Progress progress) {
     private static final int SECONDS_PER_MINUTE = 60;
     private static final int MINUTES_PER_HOUR = 60;
 
-    /** {@return one line per exercise, the sum, and the badges} */
+    /** {@return one line per exercise, followed by the totals and the badges} */
     public String text() {
         List<String> lines = new ArrayList<>();
         for (Exercise exercise : Exercises.all()) {
@@ -38,7 +38,7 @@ public record ProgressTable(Progress progress) {
         return lines.stream().map(line -> line + System.lineSeparator()).collect(Collectors.joining());
     }
 
-    /** {@return passed exercises, points and working time, as a sentence} */
+    /** {@return a sentence with the total number of passed exercises, points and working time} */
     public String sum() {
         return String.format(
                 Locale.ROOT,

@@ -12,14 +12,15 @@ import org.robonewbie.exercises.Exercises;
 import org.robonewbie.nao.file.TextFile;
 
 /**
- * Reference solutions, and the teacher's locks: the file {@code locked.txt} beside them lists exercises, one per line, whose solution
- * must not be shown yet. A line with {@code all}, or with a word that is no exercise, locks all.
+ * Reference solutions, and the teacher's locks: the file {@code locked.txt} beside them lists the exercises, one per line,
+ * whose solutions must not be shown yet. A line with {@code all}, or with a word that is not the name of an exercise, locks all
+ * solutions.
  *
  * @param source reads the files of the solutions
  */
 public record SolutionRepository(Source source) {
 
-    /** Environment variable with the folder of the solutions; {@code off} shows none. */
+    /** Environment variable with the folder of the solutions; with {@code off}, no solutions are shown. */
     public static final String SWITCH = "ROBONEWBIE_SOLUTIONS";
 
     /** A repository without solutions. */
@@ -27,7 +28,7 @@ public record SolutionRepository(Source source) {
 
     private static final String LOCKS = "locked.txt";
 
-    /** Reads files of solutions. */
+    /** Reads the files of a repository. */
     @FunctionalInterface
     public interface Source {
 
@@ -36,7 +37,7 @@ public record SolutionRepository(Source source) {
          *
          * @param name name of the file
          * @return its text; empty if there is no such file
-         * @throws IOException if it cannot be read
+         * @throws IOException if the file cannot be read
          */
         Optional<String> read(String name) throws IOException;
     }
@@ -50,7 +51,7 @@ public record SolutionRepository(Source source) {
     public record Answer(boolean open, String text) {}
 
     /**
-     * Returns the solutions of this installation: those of the teachers' zip or of the sources.
+     * Returns the solutions of this installation: those in the teachers' zip archive, or those in a source tree.
      *
      * @param home folder of the program; empty if unknown
      * @return the repository
@@ -85,7 +86,7 @@ public record SolutionRepository(Source source) {
     }
 
     /**
-     * Requests a solution.
+     * Returns the solution if the student may see it.
      *
      * @param exercise the exercise
      * @param state the student's progress
@@ -114,7 +115,7 @@ public record SolutionRepository(Source source) {
     }
 
     /**
-     * Checks for a solution that the teacher has not locked.
+     * Checks whether there is a solution that the teacher has not locked.
      *
      * @param exercise the exercise
      * @return whether it is shown after enough tries
@@ -131,7 +132,10 @@ public record SolutionRepository(Source source) {
         return source.read(exercise.className() + ".java");
     }
 
-    /** Locks all solutions if the file of locks is unreadable or misspelt. Lines with {@code #} or several words are comments. */
+    /**
+     * Returns whether a solution is locked; all are if {@code locked.txt} cannot be read or contains an unknown name. Lines
+     * that start with {@code #} or contain several words are comments.
+     */
     private boolean isLocked(Exercise exercise) {
         try {
             List<Optional<Exercise>> locked = source.read(LOCKS).stream()

@@ -28,7 +28,7 @@ public record Worksheet(String title, List<String> hints) {
     }
 
     /**
-     * Reads a worksheet of the documentation.
+     * Reads a worksheet from the documentation.
      *
      * @param exercise the exercise
      * @param language the language of the worksheet
@@ -45,7 +45,7 @@ public record Worksheet(String title, List<String> hints) {
         }
     }
 
-    /** Parses the title and the list below the heading of the hints. Indented lines continue the previous item. */
+    /** Parses the title, and the list below the heading of the hints. An indented line continues the previous item. */
     static Worksheet parse(String markdown) {
         String title = "";
         List<String> hints = new ArrayList<>();

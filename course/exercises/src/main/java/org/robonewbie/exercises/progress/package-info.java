@@ -1,5 +1,5 @@
 /**
- * Students' progress in the exercises, and the help that is revealed step by step. Start with {@link
+ * Students' progress in the exercises, and the help that is revealed to them step by step. Start with {@link
  * org.robonewbie.exercises.progress.ProgressService}.
  *
  * <p><strong>Internal</strong>: not part of the API, may change with every version.

@@ -6,16 +6,16 @@ import java.util.function.Consumer;
 import org.robonewbie.exercises.Exercise;
 import org.robonewbie.exercises.Grade;
 
-/** Programs and pitch of a student for the {@link CourseService}. */
+/** Gives the {@link CourseService} access to a student's programs and to the displayed pitch. */
 public interface CourseHost {
 
-    /** Trials of one exercise with consecutive seeds, shown to the student. */
+    /** The trials of one exercise with consecutive seeds, which the student can watch. */
     interface Attempt extends AutoCloseable {
 
         /** {@return the current status} */
         Status status();
 
-        /** Ends the attempt in any state. */
+        /** Ends the attempt, whatever its state. */
         @Override
         void close();
     }
@@ -26,7 +26,7 @@ public interface CourseHost {
         WAITING,
         /** A trial is running. */
         RUNNING,
-        /** All trials have been judged. */
+        /** All trials have been graded. */
         OVER
     }
 
@@ -44,7 +44,7 @@ public interface CourseHost {
     List<String> programs();
 
     /**
-     * Creates a program unless a file of this name exists.
+     * Creates a program unless a file with this name exists.
      *
      * @param file name of the new file
      * @param text its content
@@ -60,10 +60,10 @@ public interface CourseHost {
      * @param id number of the attempt
      * @param program a Java file or class; empty for an agent that the student starts
      * @param trials number of trials
-     * @param judged receives the grade when all trials have been judged
+     * @param judged receives the grade once all trials have been graded
      * @return the attempt
      * @throws IOException if no port is available for the program
-     * @throws IllegalArgumentException if the program cannot be judged here; the message gives the reason
+     * @throws IllegalArgumentException if the program cannot be graded here; the message gives the reason
      */
     Attempt begin(Exercise exercise, long id, String program, int trials, Consumer<Grade> judged) throws IOException;
 

@@ -23,7 +23,7 @@ import org.robonewbie.exercises.progress.SolutionRepository;
 import org.robonewbie.exercises.progress.Worksheet;
 
 /**
- * Exercises for the pages of studio and web edition. Answers are JSON. Thread-safe.
+ * Serves exercises to the pages of the studio and the web edition. Responses are JSON. Thread-safe.
  *
  * <pre>
  * GET                               the exercises, the student's programs and progress
@@ -52,7 +52,7 @@ public final class CourseService implements AutoCloseable {
      * Creates the service.
      *
      * @param progress stores the student's progress
-     * @param host the student's programs, and the pitch for attempts
+     * @param host provides the student's programs, and the pitch for attempts
      * @param student name of the student for the teacher's table
      */
     public CourseService(ProgressService progress, CourseHost host, String student) {
@@ -75,14 +75,14 @@ public final class CourseService implements AutoCloseable {
     }
 
     /**
-     * Answers a request.
+     * Handles a request.
      *
      * @param method HTTP method
      * @param path decoded segments of the path below {@code course}
      * @param parameters returns the value of a query parameter, empty if it is missing
      * @return JSON
      * @throws IOException if a file cannot be written, or no port is available
-     * @throws IllegalArgumentException if the request is refused; the message gives the reason
+     * @throws IllegalArgumentException if the request is rejected; the message gives the reason
      */
     public synchronized String answer(String method, List<String> path, UnaryOperator<String> parameters)
             throws IOException {

@@ -1,6 +1,6 @@
 /**
- * The course as a service for the pages of studio and web edition: requests in, JSON out, without HTTP server, thread, socket or file.
- * Start with {@link org.robonewbie.exercises.service.CourseService}.
+ * The course as a service for the pages of the studio and the web edition. It maps requests to JSON responses and uses no HTTP
+ * server, threads, sockets or files of its own. Start with {@link org.robonewbie.exercises.service.CourseService}.
  *
  * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */

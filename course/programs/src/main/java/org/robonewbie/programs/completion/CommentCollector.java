@@ -13,7 +13,7 @@ import javax.lang.model.element.ExecutableElement;
 import javax.lang.model.element.TypeElement;
 import org.jspecify.annotations.Nullable;
 
-/** Tree scanner that collects the documentation comments of classes and members. */
+/** Syntax tree scanner that collects the documentation comments of classes and members. */
 public final class CommentCollector extends TreePathScanner<@Nullable Void, String> {
 
     private final Map<String, String> comments = new HashMap<>();
@@ -27,8 +27,8 @@ public final class CommentCollector extends TreePathScanner<@Nullable Void, Stri
      * Returns the documentation comments of a source file.
      *
      * @param unit the file
-     * @param trees the compiler that has parsed it
-     * @return plain texts by key, such as {@code Robot.setJointSpeed/2}
+     * @param trees the syntax trees of the compiler that has parsed the file
+     * @return the comments as plain text, by keys, such as {@code Robot.setJointSpeed/2}
      */
     public static Map<String, String> read(CompilationUnitTree unit, Trees trees) {
         CommentCollector collector = new CommentCollector(trees);

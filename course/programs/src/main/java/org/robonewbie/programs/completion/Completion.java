@@ -44,9 +44,9 @@ public final class Completion {
     /**
      * Facilities of the compiler that has analysed the program.
      *
-     * @param trees syntax trees
-     * @param elements classes and members
-     * @param types types
+     * @param trees utility for syntax trees
+     * @param elements utility for classes and members
+     * @param types utility for types
      */
     public record Compiler(Trees trees, Elements elements, Types types) {}
 
@@ -56,7 +56,8 @@ public final class Completion {
      * @param compiler the compiler, which has analysed the program with a {@link PartialWord}
      * @param unit the file that contains the cursor
      * @param begun the part of the identifier before the cursor
-     * @param documentation finds the documentation of a member outside the program by class name and key, see {@link CommentCollector}
+     * @param documentation looks up the documentation of a member outside the program by class name and key, see {@link
+     *     CommentCollector}
      * @param typeNames full names of classes that are proposed where a type is expected
      * @return the proposals, the most likely ones first
      */
@@ -87,7 +88,7 @@ public final class Completion {
                 && name.toLowerCase(Locale.ROOT).startsWith(wanted);
     }
 
-    /** Members of {@code Object} are ranked last. */
+    /** Returns the sort rank of a member; members of {@code Object} are last. */
     private static int rank(Element element) {
         return element.getEnclosingElement() != null
                         && element.getEnclosingElement().toString().equals("java.lang.Object")
@@ -166,7 +167,7 @@ public final class Completion {
             return identifier.getName().contentEquals(PartialWord.STAND_IN) ? getCurrentPath() : null;
         }
 
-        /** An incomplete statement. */
+        /** Also scans the contents of an incomplete statement. */
         @Override
         public @Nullable TreePath visitErroneous(ErroneousTree unfinished, @Nullable Void nothing) {
             return scan(unfinished.getErrorTrees(), null);

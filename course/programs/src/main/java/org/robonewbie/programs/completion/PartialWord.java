@@ -1,14 +1,14 @@
 package org.robonewbie.programs.completion;
 
 /**
- * Partly typed identifier at the cursor.
+ * The partly typed identifier at the cursor.
  *
  * @param text the program with {@link #STAND_IN} in place of the identifier
  * @param begun the part before the cursor
  */
 public record PartialWord(String text, String begun) {
 
-    /** Placeholder by which the cursor is found in the syntax tree. */
+    /** Placeholder that marks the cursor in the syntax tree. */
     static final String STAND_IN = "__here__";
 
     /**

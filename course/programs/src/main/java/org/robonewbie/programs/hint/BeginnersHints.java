@@ -2,7 +2,7 @@ package org.robonewbie.programs.hint;
 
 import java.util.List;
 
-/** Advice for the compiler errors that beginners make most often. */
+/** Advice on the compiler errors that beginners cause most often. */
 final class BeginnersHints {
 
     private record Hint(String code, String text) {}
@@ -76,9 +76,9 @@ final class BeginnersHints {
     /**
      * Returns advice for an error.
      *
-     * @param code the compiler's code of the error
+     * @param code the compiler's error code
      * @param place the underlined text
-     * @return a sentence or two; may be empty
+     * @return one or two sentences; empty if there is no advice
      */
     static String of(String code, String place) {
         if (code.contains(WRONG_TYPE)) {

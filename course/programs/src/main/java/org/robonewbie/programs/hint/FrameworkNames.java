@@ -7,18 +7,18 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * Candidates for misspelt names: the framework's most used classes and their members.
+ * Candidates for the correction of misspelt names: the framework's most frequently used classes and their members.
  *
  * @param types full names by simple name
  * @param constants constants of all enumerations
- * @param methods public methods by simple class name, sorted, without those of {@code Object}
+ * @param methods public methods by simple class name, sorted and without those of {@code Object}
  */
 public record FrameworkNames(
         Map<String, String> types, Collection<String> constants, Map<String, ? extends Collection<String>> methods) {
 
     private static final String PACKAGE = "org.robonewbie.";
 
-    /** Full names of the classes that students' programs use most. */
+    /** Full names of the classes that students' programs use most often. */
     public static final List<String> TYPES = List.of(
                     "agent.Agent",
                     "agent.Nao",
@@ -57,7 +57,7 @@ public record FrameworkNames(
             .map(PACKAGE::concat)
             .toList();
 
-    /** The packages of {@link #TYPES}, and the packages of Java that students' programs use most. */
+    /** The packages of {@link #TYPES}, and the packages of Java that students' programs use most often. */
     public static final List<String> PACKAGES = Stream.concat(
                     TYPES.stream().map(name -> name.substring(0, name.lastIndexOf('.'))),
                     Stream.of(
@@ -83,18 +83,18 @@ public record FrameworkNames(
      *
      * @param name its name
      * @param declaredBy full name of the class that declares it
-     * @return whether it is declared beyond {@code Object}
+     * @return whether it is declared in a class other than {@code Object}
      */
     public static boolean isMeant(String name, String declaredBy) {
         return !declaredBy.equals("java.lang.Object") && !INHERITED.contains(name);
     }
 
-    /** The import line of a class. */
+    /** Returns the import line for a class; empty if the class is unknown. */
     Optional<String> importOf(String type) {
         return Optional.ofNullable(types.get(type)).map(name -> "import " + name + ";");
     }
 
-    /** The methods of a class; those of all classes if the class is unknown. */
+    /** Returns the methods of a class, or those of all classes if the class is unknown. */
     List<String> methodsOf(Optional<String> type) {
         return methods.entrySet().stream()
                 .filter(each -> type.map(each.getKey()::equals).orElse(true))

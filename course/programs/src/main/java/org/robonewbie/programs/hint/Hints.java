@@ -12,19 +12,21 @@ import java.util.regex.Pattern;
 import org.robonewbie.nao.text.Spelling;
 
 /**
- * Advice for compiler diagnostics: the missing import, the framework's name that was probably meant, or general advice for errors of
- * this kind.
+ * Advice for compiler diagnostics: the missing import, the framework name that was probably meant, or general advice for this
+ * kind of error.
  */
 public final class Hints {
 
-    /** Matches for example {@code location: class org.robonewbie.nao.motion.Posture}. */
+    /** Matches the location in a message, for example {@code location: class org.robonewbie.nao.motion.Posture}. */
     private static final Pattern OWNER =
             Pattern.compile("symbol: +method[^\\n]*\\n.*\\b(?:class|interface|of type) (?:\\w+\\.)*(\\w+)");
 
-    /** The compiler takes an unknown class for a package if more than one name follows. */
+    /**
+     * Matches the message for an unknown class that is followed by two or more names, which the compiler takes for a package.
+     */
     private static final Pattern TAKEN_FOR_PACKAGE = Pattern.compile("package ([A-Z]\\w*) does not exist");
 
-    /** The argument of an import: a package with a class or an asterisk. */
+    /** Matches the argument of an import: a package followed by a class or an asterisk. */
     private static final Pattern IMPORTED = Pattern.compile("((?:[a-z_]\\w*\\.)+)([A-Z]\\w*|\\*)");
 
     private static final Pattern UNKNOWN_PACKAGE = Pattern.compile("package ([a-z_]\\w*(?:\\.\\w+)*) does not exist");
@@ -33,7 +35,7 @@ public final class Hints {
     private final FrameworkNames names;
 
     /**
-     * Creates advice.
+     * Creates a source of advice.
      *
      * @param names candidates for misspelt names
      */
@@ -44,9 +46,9 @@ public final class Hints {
     /**
      * A compiler diagnostic.
      *
-     * @param code the compiler's code of the error
+     * @param code the compiler's error code
      * @param place the underlined text
-     * @param text the English message
+     * @param text the compiler's message in English
      */
     public record Remark(String code, String place, String text) {
 
@@ -56,7 +58,7 @@ public final class Hints {
                     || TAKEN_FOR_PACKAGE.matcher(text).find();
         }
 
-        /** Returns whether it concerns a qualified name, as in an import. */
+        /** Returns whether the diagnostic is about a qualified name, as in an import. */
         private boolean isAboutImport() {
             Matcher unknown = UNKNOWN_PACKAGE.matcher(text);
             boolean noPackage = unknown.find();
@@ -65,17 +67,20 @@ public final class Hints {
                     || (noPackage && unknown.group(1).contains(".") && isWholePackage());
         }
 
-        /** In an import on demand, no part of the package is underlined. */
+        /**
+         * Returns whether the diagnostic is about an import with an asterisk, for which the compiler does not underline the
+         * package.
+         */
         private boolean isWholePackage() {
             return !place.contains(".");
         }
 
-        /** The underlined text without surrounding blanks. */
+        /** Returns the underlined text without surrounding whitespace. */
         private String imported() {
             return place.strip();
         }
 
-        /** The compiler also takes an unknown variable for a package. */
+        /** Returns whether the diagnostic is about an unknown variable, which the compiler also takes for a package. */
         private boolean isUnknownVariable() {
             return UNKNOWN_PACKAGE.matcher(text).find() && !isAboutImport();
         }
@@ -94,7 +99,7 @@ public final class Hints {
      * Returns advice for a diagnostic.
      *
      * @param remark the diagnostic
-     * @return a sentence or two; may be empty
+     * @return one or two sentences; empty if there is no advice
      */
     public String of(Remark remark) {
         return meantImport(remark)
@@ -116,12 +121,13 @@ public final class Hints {
     }
 
     /**
-     * Removes follow-up errors of missing or misspelt imports: the compiler reports every later use of such a name as well.
+     * Removes follow-up errors caused by missing or misspelt imports: the compiler reports every later use of such a name as
+     * well.
      *
      * @param all all diagnostics in the compiler's order
      * @param remark converts an element to a diagnostic
      * @param <R> the type of the elements
-     * @return those about imports, without duplicates; all of them if none is about imports
+     * @return the diagnostics about imports, without duplicates; all diagnostics if none is about imports
      */
     public <R> List<R> withoutFollowUps(List<R> all, Function<? super R, Remark> remark) {
         List<R> aboutImports = new ArrayList<>();
@@ -142,7 +148,7 @@ public final class Hints {
         return aboutImports.isEmpty() ? all : aboutImports;
     }
 
-    /** Corrects a misspelt import: to the package of the class, or to one with a similar name. */
+    /** Suggests a correction for a misspelt import: the framework class of this name, or a package with a similar name. */
     private Optional<String> meantImport(Remark remark) {
         if (!remark.isAboutImport()) {
             return Optional.empty();
@@ -172,13 +178,13 @@ public final class Hints {
                 .filter(question -> !question.isEmpty());
     }
 
-    /** Lists the methods of the class if no name is similar. */
+    /** Lists the methods of the class, as advice when no name is similar. */
     private Optional<String> offers(Remark remark) {
         Optional<String> owner = remark.isUnknownName() ? owner(remark) : Optional.empty();
         return owner.map(type -> type + " has the methods " + String.join(", ", names.methodsOf(owner)) + ".");
     }
 
-    /** The framework class in which the compiler has looked for a method. */
+    /** Returns the framework class in which the compiler has looked for a method. */
     private Optional<String> owner(Remark remark) {
         Matcher place = OWNER.matcher(remark.text());
         return place.find() ? Optional.of(place.group(1)).filter(names.types()::containsKey) : Optional.empty();

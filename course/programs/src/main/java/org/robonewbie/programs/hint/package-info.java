@@ -1,6 +1,7 @@
 /**
- * Advice for compiler diagnostics, shared by the compiler on this computer and the one in the browser. Depends neither on files nor on the
- * rest of RoboNewbie, except its spelling correction. Start with {@link org.robonewbie.programs.hint.Hints}.
+ * Advice for compiler diagnostics, shared by the compiler on this computer and the one in the browser. It depends neither on
+ * files nor on the rest of RoboNewbie, except for its spelling correction. Start with {@link
+ * org.robonewbie.programs.hint.Hints}.
  *
  * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */

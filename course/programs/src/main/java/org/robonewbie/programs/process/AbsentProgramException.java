@@ -1,6 +1,6 @@
 package org.robonewbie.programs.process;
 
-/** Thrown when a program of another process has not joined, has left or does not answer. The message is meant for students. */
+/** Thrown when a program in another process has not joined, has left or does not respond. The message is meant for students. */
 public final class AbsentProgramException extends RuntimeException {
 
     private static final long serialVersionUID = 1;
@@ -8,7 +8,7 @@ public final class AbsentProgramException extends RuntimeException {
     /**
      * Creates the exception.
      *
-     * @param message what happened, as a sentence
+     * @param message a sentence that says what happened
      */
     public AbsentProgramException(String message) {
         super(message);
@@ -17,7 +17,7 @@ public final class AbsentProgramException extends RuntimeException {
     /**
      * Creates the exception.
      *
-     * @param message what happened, as a sentence
+     * @param message a sentence that says what happened
      * @param cause the I/O failure
      */
     public AbsentProgramException(String message, Throwable cause) {

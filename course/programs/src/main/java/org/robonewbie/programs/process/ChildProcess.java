@@ -16,8 +16,8 @@ import java.util.TimerTask;
 import java.util.concurrent.TimeUnit;
 
 /**
- * A running program with its process tree, which ends as a whole. Output is read as it arrives; resource use is checked against the
- * limits ten times per second.
+ * A running program with all of its descendant processes, which are killed together. Output is read as it arrives; resource use
+ * is checked against the limits ten times per second.
  */
 public final class ChildProcess implements AutoCloseable {
 
@@ -42,15 +42,15 @@ public final class ChildProcess implements AutoCloseable {
         this.limits = limits;
     }
 
-    /** A limit that a program has broken. */
+    /** A limit that a program has exceeded. */
     public enum Excess {
-        /** Too many processes at a time. */
+        /** Too many processes at the same time. */
         PROCESSES,
         /** Too much memory. */
         MEMORY,
         /** Too much processor time. */
         PROCESSOR_TIME,
-        /** No answer for too long. */
+        /** No response for too long. */
         SILENCE
     }
 
@@ -59,9 +59,10 @@ public final class ChildProcess implements AutoCloseable {
      *
      * @param command program and arguments
      * @param folder its working directory
-     * @param isAlone whether no other program uses this directory, so that processes that left the tree are recognised by it
+     * @param isAlone whether no other program uses this directory, so that it identifies processes that have detached
+     *     themselves from the tree
      * @param output the capture of its output
-     * @param limits its limits
+     * @param limits its resource limits
      * @return the running program
      * @throws IOException if it cannot be started
      */
@@ -96,7 +97,7 @@ public final class ChildProcess implements AutoCloseable {
     }
 
     /**
-     * Calls the program, see {@link ParentProcess#nextCall}.
+     * Sends a call to the program, which receives it by {@link ParentProcess#nextCall}.
      *
      * @param line the call
      * @return whether it could be sent
@@ -122,17 +123,21 @@ public final class ChildProcess implements AutoCloseable {
         return process.isAlive();
     }
 
-    /** Passes the turn between program and world. The first turn is the program's, to connect its robot. */
+    /**
+     * Passes the turn from the program to the world or back. The program has the first turn, in which it connects its robot.
+     */
     public void passTurn() {
         turns.next();
     }
 
-    /** {@return whether the program has been given its first turn back} */
+    /** {@return whether the program has completed its first turn, that is, connected its robot} */
     public boolean hasJoined() {
         return turns.hasBegun();
     }
 
-    /** {@return how long the world has waited for the program, computing or sleeping, in seconds} */
+    /**
+     * {@return how long the world has waited for the program in its current turn, in seconds of computing and sleeping time}
+     */
     public double waitedSeconds() {
         return turns.waitedSeconds();
     }
@@ -142,7 +147,7 @@ public final class ChildProcess implements AutoCloseable {
      *
      * @param ownPort TCP port of this end
      * @param otherPort TCP port of the other end
-     * @return whether a process of the program holds it; false if the system does not report that
+     * @return whether a process of the program owns that end; false if the system does not report that
      */
     public boolean holds(int ownPort, int otherPort) {
         return processes.holds(ownPort, otherPort);
@@ -161,8 +166,7 @@ public final class ChildProcess implements AutoCloseable {
                 processorTime.values().stream().mapToDouble(Duration::toMillis).sum() / 1000;
         boolean atWork = seen.stream().anyMatch(handle -> LinuxProcess.isAtWork(handle.pid()));
         turns.look(System.nanoTime() / 1e9, seconds, atWork);
-        if (alive > MAX_PROCESSES) { // checked first: many processes exceed the memory limit as well if the check comes
-            // late
+        if (alive > MAX_PROCESSES) { // checked first, because too many processes often exceed the memory limit too
             excess = Optional.of(Excess.PROCESSES);
         } else if (bytes > limits.residentBytes()) {
             excess = Optional.of(Excess.MEMORY);
@@ -178,7 +182,7 @@ public final class ChildProcess implements AutoCloseable {
     }
 
     /**
-     * Waits for the end of the program.
+     * Waits until the program ends.
      *
      * @param seconds timeout in seconds
      * @return whether it has ended
@@ -192,7 +196,7 @@ public final class ChildProcess implements AutoCloseable {
         }
     }
 
-    /** {@return the limit that has ended the program; empty if none has} */
+    /** {@return the limit for which the program was killed; empty if there is none} */
     public Optional<Excess> excess() {
         if (excess.isEmpty() && !isRunning()) {
             output.await();
@@ -201,12 +205,12 @@ public final class ChildProcess implements AutoCloseable {
         return excess;
     }
 
-    /** {@return the exit code; empty while the program runs, or if a limit ended it} */
+    /** {@return the exit code; empty while the program runs, or if it was killed for exceeding a limit} */
     public OptionalInt exitCode() {
         return excess.isPresent() || isRunning() ? OptionalInt.empty() : OptionalInt.of(process.exitValue());
     }
 
-    /** Ends the process tree. Output captured until then can still be read. */
+    /** Kills the program and its descendants. Output captured until then can still be read. */
     @Override
     public void close() {
         timer.cancel();

@@ -12,9 +12,10 @@ import org.robonewbie.programs.ClassPath;
 import org.robonewbie.programs.SourceFolder;
 
 /**
- * Compiler in a child process. In a sandbox it can read only the files of the program, so its messages cannot quote any other file.
+ * Compiles in a child process. In a sandbox, the compiler can read only the files of the program, so its messages cannot quote
+ * any other file.
  *
- * @param sandbox the sandbox of the compiler
+ * @param sandbox the sandbox in which the compiler runs
  */
 public record CompilerProcess(Sandbox sandbox) {
 

@@ -5,27 +5,27 @@ package org.robonewbie.programs.process;
  *
  * @param cause the cause
  * @param text the exception, the line of an endless loop, the reason for slowness or the exit code, depending on the cause; may be empty
- * @param advice what to do, if that depends on the program; else empty
+ * @param advice what to do, if that depends on the program; otherwise empty
  */
 public record Departure(Cause cause, String text, String advice) {
 
     /** The cause. */
     public enum Cause {
-        /** The trial was over. */
+        /** None: the robot stayed until the trial was over. */
         NONE,
         /** A step failed and the program continued. */
         FAILED_STEP,
         /** The program threw an exception. */
         THROWN,
-        /** A step did not return. */
+        /** A step of the program did not return. */
         ENDLESS,
-        /** The steps sleep or wait for too long. */
+        /** The steps of the program slept or waited for too long. */
         IDLE,
-        /** The process ended. */
+        /** The process exited. */
         EXIT,
         /** The process exhausted its memory. */
         MEMORY,
-        /** The process started too many processes or used too much processor time. */
+        /** The program ran too many processes or used too much processor time. */
         EXCESS
     }
 

@@ -16,8 +16,8 @@ import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.SensorReadings;
 
 /**
- * Controller of a robot by an agent in another process, which uses the protocol of the simulator. Its requests for a robot, a team and a
- * position are ignored, since the trial has already created the robot.
+ * Controller whose commands come from an agent in another process, which uses the protocol of the simulator. The agent's
+ * commands that create a robot, join a team or beam are ignored, because the trial has already created the robot.
  */
 final class GuestController implements Controller {
 
@@ -43,7 +43,7 @@ final class GuestController implements Controller {
         }
     }
 
-    /** Accepts an agent and reads its request for a robot. */
+    /** Accepts an agent and reads the message in which it requests a robot. */
     static GuestController welcome(SocketChannel channel) throws IOException {
         GuestController guest = new GuestController(channel);
         guest.listen();
@@ -65,7 +65,7 @@ final class GuestController implements Controller {
         }
     }
 
-    /** Reads one answer. If the agent synchronises, it ends with {@code (syn)}. */
+    /** Reads the agent's commands for one cycle. If the agent synchronises, they end with {@code (syn)}. */
     private List<EffectorCommand> listen() throws IOException {
         List<EffectorCommand> commands = new ArrayList<>();
         boolean complete = false;

@@ -18,8 +18,8 @@ import java.util.function.Predicate;
 import org.robonewbie.trial.Controller;
 
 /**
- * Entrance for agents of other processes to a trial: a port of this computer with the protocol of the simulator, so that agents in any
- * language can join.
+ * Port on which agents in other processes join a trial. It uses the protocol of the simulator, so that agents in any language
+ * can join.
  *
  * <pre>{@code
  * try (GuestDoor door = GuestDoor.open(0)) {
@@ -42,10 +42,10 @@ public final class GuestDoor implements AutoCloseable {
     }
 
     /**
-     * Opens the door on 127.0.0.1.
+     * Opens a TCP port on 127.0.0.1.
      *
-     * @param port its TCP port, 0 for any free one
-     * @return the open door
+     * @param port the TCP port, 0 for any free one
+     * @return the open port
      * @throws IOException if the port is in use
      */
     public static GuestDoor open(int port) throws IOException {
@@ -54,11 +54,11 @@ public final class GuestDoor implements AutoCloseable {
     }
 
     /**
-     * Opens a door with access control.
+     * Opens a port with access control.
      *
      * @param address a TCP port, or the file of a Unix domain socket, which is created
-     * @param welcome decides by its address whether a client of a TCP port is accepted
-     * @return the open door
+     * @param welcome decides whether a client that connects by TCP is accepted, based on its address
+     * @return the open port
      * @throws IOException if the port is in use
      */
     public static GuestDoor open(SocketAddress address, Predicate<InetSocketAddress> welcome) throws IOException {
@@ -89,9 +89,9 @@ public final class GuestDoor implements AutoCloseable {
     /**
      * Waits for the next agent.
      *
-     * @param expected polled for whether an agent may still join
+     * @param expected whether an agent may still join; polled while waiting
      * @return the agent
-     * @throws AbsentProgramException if none is expected any more
+     * @throws AbsentProgramException if no agent is expected any longer
      */
     public Controller await(BooleanSupplier expected) {
         Optional<Controller> guest = Optional.empty();
@@ -101,7 +101,7 @@ public final class GuestDoor implements AutoCloseable {
         return guest.orElseThrow(() -> new AbsentProgramException("The program ended before it asked for a robot."));
     }
 
-    /** Waits for an agent for a short time. */
+    /** Waits a short time for an agent. */
     private Optional<Controller> look() {
         try {
             selector.select(LOOK_MILLISECONDS);
@@ -122,7 +122,7 @@ public final class GuestDoor implements AutoCloseable {
         }
     }
 
-    /** Closes the entrance. Agents that have joined stay connected. */
+    /** Closes the port. Agents that have joined stay connected. */
     @Override
     public void close() {
         try {

@@ -7,13 +7,13 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.robonewbie.programs.ClassPath;
 
-/** Command lines of Java processes. They use this JVM, and other processes cannot attach to them. */
+/** Command lines of Java processes. The processes use the JVM of this one, and other processes cannot attach to them. */
 public final class JavaCommand {
 
-    /** Default memory of a program, in megabytes. */
+    /** Default maximum heap of a program in megabytes. */
     public static final int MEGABYTES = 512;
 
-    /** Option for programs with little computation: a faster start without the optimising compiler. */
+    /** JVM option for programs that compute little: start faster, without the optimising compiler. */
     public static final String QUICK_START = "-XX:TieredStopAtLevel=1";
 
     private static final String ARCHIVE = "-XX:SharedArchiveFile=";
@@ -23,7 +23,7 @@ public final class JavaCommand {
     private JavaCommand() {}
 
     /**
-     * Returns the command line of a command of RoboNewbie.
+     * Returns the command line that runs a RoboNewbie command.
      *
      * @param arguments the command and its arguments
      * @return program and arguments
@@ -33,7 +33,7 @@ public final class JavaCommand {
     }
 
     /**
-     * Returns the command line of {@link ProgramMain}.
+     * Returns the command line that runs {@link ProgramMain}.
      *
      * @param megabytes maximum heap in megabytes
      * @param options other options of the JVM
@@ -70,7 +70,7 @@ public final class JavaCommand {
     }
 
     /**
-     * Returns the files that a process reads.
+     * Returns the files that a Java process needs to read.
      *
      * @param classPath its class path
      * @return files and folders
@@ -80,7 +80,9 @@ public final class JavaCommand {
                 .toList();
     }
 
-    /** Returns the CDS archive of this process, which also speeds up the start of a child. */
+    /**
+     * Returns the option for the class data sharing (CDS) archive of this process, which also speeds up the start of a child.
+     */
     private static Stream<String> startArchive() {
         return ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
                 .filter(option -> option.startsWith(ARCHIVE))

@@ -3,12 +3,13 @@ package org.robonewbie.programs.process;
 /**
  * Resource limits of a program.
  *
- * @param memoryMegabytes memory for its data, which is the heap of a Java program
+ * @param memoryMegabytes memory for its data; for a Java program, the heap
  * @param processorSeconds processor time of all its processes
- * @param silentSeconds longest delay of an answer in seconds: computing and sleeping time if its robots are alone on the pitch, else
- *     elapsed time
+ * @param silentSeconds maximum time to respond in seconds, measured as computing and sleeping time if its robots are alone on
+ *     the pitch, otherwise as elapsed time
  * @param startSeconds time to connect its robots in seconds, measured in the same way
- * @param realSeconds elapsed time of a trial of two teams, and total sleeping time in other trials, in seconds
+ * @param realSeconds maximum elapsed time of a trial with two teams, and maximum total sleeping time in other trials, in
+ *     seconds
  */
 public record Limits(
         int memoryMegabytes, double processorSeconds, double silentSeconds, double startSeconds, double realSeconds) {
@@ -27,7 +28,7 @@ public record Limits(
     /** No limits, for a program run by its author. */
     public static final Limits NONE = new Limits(Integer.MAX_VALUE, 0, 0, 0, 0);
 
-    /** Memory of a JVM in addition to the heap, including shared pages. */
+    /** Memory that a JVM needs in addition to the heap, including shared pages. */
     private static final int BESIDE_MEGABYTES = 512;
 
     /** Returns the limit on the resident memory of all processes. */

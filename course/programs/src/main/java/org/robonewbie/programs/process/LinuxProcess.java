@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** Facts about processes and their connections from Linux's {@code /proc}. */
+/** Reads information about processes and their connections from Linux's {@code /proc}. */
 final class LinuxProcess {
 
     private static final int PAGE_BYTES = 4096;
@@ -26,7 +26,7 @@ final class LinuxProcess {
         return text.isEmpty() ? 0 : Long.parseLong(text.split(" ", -1)[1]) * PAGE_BYTES;
     }
 
-    /** Returns whether a thread of a process is runnable or waits for the disk; false if unknown. */
+    /** Returns whether a thread of a process is runnable or waiting for the disk; false if unknown. */
     static boolean isAtWork(long pid) {
         return entries(PROCESSES.resolve(pid + "/task")).stream()
                 .map(thread -> read(thread.resolve("stat")))
@@ -36,17 +36,17 @@ final class LinuxProcess {
                 });
     }
 
-    /** Returns whether the system reports the owners of connections. */
+    /** Returns whether the system reports which process owns a connection. */
     static boolean hasConnections() {
         return Files.isReadable(CONNECTIONS.get(0)) && Files.isDirectory(PROCESSES.resolve("self/fd"));
     }
 
     /**
-     * Finds the socket of one end of a connection within this computer.
+     * Finds the socket at one end of a local connection.
      *
      * @param ownPort port of this end
      * @param otherPort port of the other end
-     * @return the target of its file descriptors, such as {@code socket:[4711]}; empty if there is none
+     * @return the socket, as file descriptors refer to it, such as {@code socket:[4711]}; empty if there is none
      */
     static Optional<String> socket(int ownPort, int otherPort) {
         String own = String.format(":%04X", ownPort);
@@ -66,9 +66,9 @@ final class LinuxProcess {
     }
 
     /**
-     * Finds processes by their inherited environment or working directory, including daemons.
+     * Finds processes, including daemons, by their inherited environment or their working directory.
      *
-     * @param mark text in the environment
+     * @param mark text that the environment of a process must contain
      * @param folder working directory or a parent of it; empty if other programs may use it too
      * @return process identifiers
      */
@@ -94,7 +94,7 @@ final class LinuxProcess {
         }
     }
 
-    /** The entries of a folder; none if it does not exist. */
+    /** Returns the entries of a folder; none if it does not exist. */
     private static List<Path> entries(Path folder) {
         try (Stream<Path> entries = Files.list(folder)) {
             return entries.toList();

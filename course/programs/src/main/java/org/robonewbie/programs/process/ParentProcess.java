@@ -12,8 +12,9 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 
 /**
- * The process that started this one, see {@link ChildProcess}. Calls arrive as lines of the standard input, which is hidden from the
- * program; answers are interleaved with its output. This process ends, with its descendants, when the parent ends.
+ * The process that started this one with {@link ChildProcess}. Calls arrive as lines on standard input, which is hidden from
+ * the program; answers are interleaved with the program's output. This process ends, with its descendants, when the parent
+ * ends.
  */
 public final class ParentProcess {
 
@@ -23,7 +24,7 @@ public final class ParentProcess {
     private ParentProcess() {}
 
     /**
-     * Takes the input of this process.
+     * Takes over the standard input of this process, so that the program cannot read it.
      *
      * @return the parent
      */
@@ -43,7 +44,7 @@ public final class ParentProcess {
                 calls.add(line);
             }
         } catch (IOException gone) {
-            // Handled like the end of the input.
+            // An error is treated like the end of the input.
         }
         ProcessHandle.current().descendants().forEach(ProcessHandle::destroyForcibly);
         Runtime.getRuntime().halt(1);

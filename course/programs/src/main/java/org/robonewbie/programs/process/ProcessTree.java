@@ -11,15 +11,15 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 
 /**
- * Process of an untrusted program with all its descendants. On Linux, daemons are found by a mark in their environment or by their
- * working directory.
+ * The process of an untrusted program with all its descendants. On Linux, daemons are found by a mark in their environment or
+ * by their working directory.
  */
 public final class ProcessTree implements AutoCloseable {
 
     private static final String MARK = "ROBONEWBIE_PROGRAM";
     private static final long SECONDS_TO_END = 3;
 
-    /** A killed process may have forked just before. */
+    /** Number of passes when killing, because a process may fork just before it is killed. */
     private static final int ROUNDS = 3;
 
     private final Process process;
@@ -37,7 +37,7 @@ public final class ProcessTree implements AutoCloseable {
      * Starts a process.
      *
      * @param builder command and environment
-     * @param workFolder working directory of this program alone; empty if it is shared
+     * @param workFolder working directory if only this program uses it; empty if it is shared
      * @return the running process
      * @throws IOException if it cannot be started
      */
@@ -52,7 +52,7 @@ public final class ProcessTree implements AutoCloseable {
         return process;
     }
 
-    /** {@return whether the system reports the owners of connections, so that {@link #holds} is reliable} */
+    /** {@return whether the system reports which process owns a connection, so that {@link #holds} is reliable} */
     public static boolean hasConnections() {
         return LinuxProcess.hasConnections();
     }
@@ -62,7 +62,7 @@ public final class ProcessTree implements AutoCloseable {
      *
      * @param ownPort TCP port of this end
      * @param otherPort TCP port of the other end
-     * @return whether one of the processes holds it; false if the system does not report that
+     * @return whether one of the processes owns that end; false if the system does not report that
      */
     public synchronized boolean holds(int ownPort, int otherPort) {
         Optional<String> socket = LinuxProcess.socket(ownPort, otherPort);
@@ -77,7 +77,7 @@ public final class ProcessTree implements AutoCloseable {
         return seen.stream().anyMatch(handle -> LinuxProcess.holds(handle.pid(), socket));
     }
 
-    /** Returns all processes that have been found, running or not. */
+    /** Looks for new processes and returns all that have ever been found, whether or not they are still running. */
     synchronized Set<ProcessHandle> look(boolean alsoRunaways) {
         findChildren();
         if (alsoRunaways) {

@@ -23,22 +23,25 @@ import org.robonewbie.programs.StudentsAgents;
 /** Main class of child processes. Prepares the environment and performs the task that the first argument selects. */
 public final class ProgramMain {
 
-    /** Runs a class. Further arguments: its name and its arguments. */
+    /** Task that runs a class. Further arguments: its name and its arguments. */
     public static final String CLASS = "class";
 
-    /** Runs a command. Further arguments: the command. */
+    /** Task that runs a command. Further arguments: the command. */
     public static final String COMMAND = "command";
 
-    /** Provides robots for a {@link RobotProcess}. Further arguments: program and class path. */
+    /** Task that provides robots for a {@link RobotProcess}. Further arguments: program and class path. */
     static final String ROBOTS = "robots";
 
-    /** Waits for the call of a {@link WaitingProcess}. */
+    /** Task that waits for the call from a {@link WaitingProcess}. */
     static final String CALL = "call";
 
-    /** Runs a program for each call of a {@link WorkerPool}. Further arguments: program and class path. */
+    /** Task that runs a program for each call from a {@link WorkerPool}. Further arguments: program and class path. */
     static final String REPEAT = "repeat";
 
-    /** Compiles for a {@link CompilerProcess}. Further arguments: source folder, whether to include subfolders, class folder. */
+    /**
+     * Task that compiles for a {@link CompilerProcess}. Further arguments: source folder, whether to include subfolders, class
+     * folder.
+     */
     static final String COMPILE = "compile";
 
     private static final String EXAMPLE_TEAM = "org.robonewbie.team.";
@@ -48,7 +51,7 @@ public final class ProgramMain {
     /**
      * Performs a task.
      *
-     * @param arguments one of the words above and its further arguments
+     * @param arguments name of the task, followed by its further arguments
      * @throws IOException if files cannot be read or written
      * @throws InterruptedException if this thread is interrupted
      * @throws ClassNotFoundException if there is no such class
@@ -79,8 +82,8 @@ public final class ProgramMain {
     }
 
     /**
-     * In a sandbox, copies the program's files into the empty home and opens the port of the simulator. For grading, which uses a
-     * simulator for each trial, the files are linked.
+     * In a sandbox, copies the program's files into the empty home folder and opens a local port that leads to the simulator.
+     * For grading, where each trial has a port of its own, only links the files.
      */
     private static void prepare() throws IOException {
         if (Files.isDirectory(Sandbox.DOOR)) {
@@ -136,7 +139,7 @@ public final class ProgramMain {
         return new StudentsAgents(types);
     }
 
-    /** The example team would solve exercises that are about the students' own ideas. */
+    /** Rejects programs that extend the example team, which would solve exercises that require the students' own ideas. */
     private static void rejectExampleTeam(Class<?> program) {
         for (Class<?> type = program; type != null; type = type.getSuperclass()) {
             if (type.getName().startsWith(EXAMPLE_TEAM)) {

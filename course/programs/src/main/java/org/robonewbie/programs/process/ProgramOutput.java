@@ -14,12 +14,12 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 
 /**
- * Capture of the output of a process, limited in size. A thread reads continuously so that the program never blocks on a full pipe.
- * Lines that begin with {@link #ANSWER} are answers to calls, see {@link ParentProcess}.
+ * Captures the output of a process, up to a maximum size. A thread reads continuously, so that the program never blocks on a
+ * full pipe. Lines that begin with {@link #ANSWER} are answers to calls, see {@link ParentProcess}.
  */
 public final class ProgramOutput {
 
-    /** First character of an answer; never part of text. */
+    /** First character of an answer; not allowed in other output. */
     static final char ANSWER = '\u0001';
 
     private static final int MAX_FILE_BYTES = 1_000_000;
@@ -47,10 +47,10 @@ public final class ProgramOutput {
     }
 
     /**
-     * Writes the output to a file. Output beyond a size limit, or without room on the disk, is discarded.
+     * Writes the output to a file. Once the size limit is reached or the disk is full, further output is discarded.
      *
      * @param file the file, which is replaced
-     * @return the output of one process
+     * @return the capture for one process
      */
     public static ProgramOutput into(Path file) {
         OutputStream out;
@@ -67,7 +67,7 @@ public final class ProgramOutput {
      *
      * @param lines receives each line; long lines are split
      * @param answers receives each answer, and an empty one at the end
-     * @return the output of one process
+     * @return the capture for one process
      */
     public static ProgramOutput of(Consumer<String> lines, Consumer<String> answers) {
         return new ProgramOutput(OutputStream.nullOutputStream(), lines, answers);
@@ -88,7 +88,7 @@ public final class ProgramOutput {
                 take(bytes, count);
             }
         } catch (IOException ended) {
-            // The process ended while printing.
+            // The process ended while its output was being read.
         }
         if (line.size() > 0) {
             finishLine();
@@ -146,7 +146,7 @@ public final class ProgramOutput {
         lines.accept(text);
     }
 
-    /** Programs print in UTF-8 or as the system does. */
+    /** Decodes output as UTF-8 or, if it is not valid UTF-8, in the system's encoding. */
     private static String decoded(byte[] bytes) {
         String text = new String(bytes, StandardCharsets.UTF_8);
         return text.indexOf('\uFFFD') < 0 ? text : new String(bytes, Charset.defaultCharset());
@@ -157,17 +157,17 @@ public final class ProgramOutput {
         return List.copyOf(first);
     }
 
-    /** {@return the last characters of the output} */
+    /** {@return the end of the output} */
     public synchronized String end() {
         return end + (isAnswer ? "" : decoded(line.toByteArray()));
     }
 
-    /** Whether the JVM ended the program with an {@link OutOfMemoryError}. */
+    /** Returns whether the JVM ended the program with an {@link OutOfMemoryError}. */
     boolean isOutOfMemory() {
         return lackOfMemory;
     }
 
-    /** Waits until the output is read, for a few seconds at most, since descendants may keep the pipe open. */
+    /** Waits until all output has been read, but only for a few seconds, because descendants may keep the pipe open. */
     void await() {
         try {
             reader.join(TimeUnit.SECONDS.toMillis(3));

@@ -7,8 +7,8 @@ import java.util.Set;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * Watchdog for the progress of a program in another thread. Time counts only while the program computes or sleeps, so neither a debugger
- * nor a busy computer triggers it.
+ * Watchdog that detects when a program in another thread makes no progress. Time counts only while the program computes or
+ * sleeps, so neither a debugger nor a busy computer triggers the watchdog.
  *
  * <pre>{@code
  * watchdog.begin();                        // in the program's thread
@@ -19,14 +19,14 @@ import java.util.concurrent.atomic.AtomicLong;
  */
 public final class ProgressWatchdog {
 
-    /** Interval of {@link #tick} in milliseconds. */
+    /** Interval between calls of {@link #tick} in milliseconds. */
     public static final int TICK_MILLISECONDS = 20;
 
     private static final ThreadMXBean CLOCKS = ManagementFactory.getThreadMXBean();
     private static final double NANOSECONDS_PER_SECOND = 1e9;
     private static final double TICK_SECONDS = TICK_MILLISECONDS / 1000.0;
 
-    /** Longest duration of a step in seconds. */
+    /** Maximum duration of a step in seconds. */
     public static final int SECONDS = 4;
 
     private static final Set<Thread.State> WAITING = Set.of(Thread.State.WAITING, Thread.State.TIMED_WAITING);
@@ -55,7 +55,7 @@ public final class ProgressWatchdog {
         thread = Optional.empty();
     }
 
-    /** Samples the program. Call every 20 ms from the same thread. */
+    /** Samples the state of the program. Call this every 20 ms, always from the same thread. */
     public void tick() {
         if (progress.get() != progressBefore) {
             progressBefore = progress.get();
@@ -82,7 +82,7 @@ public final class ProgressWatchdog {
                 .orElse(0.0);
     }
 
-    /** Returns whether the program's own code sleeps or waits. */
+    /** Returns whether the program's own code is sleeping or waiting. */
     private boolean isWaiting() {
         return thread.filter(runner -> WAITING.contains(runner.getState()))
                 .flatMap(runner -> ProgramPlace.in(runner.getStackTrace()))

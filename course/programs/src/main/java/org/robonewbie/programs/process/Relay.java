@@ -11,7 +11,7 @@ import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
 import java.nio.file.Path;
 
-/** Relay from a TCP port to a Unix domain socket, by which programs in a sandbox without network reach the simulator. */
+/** Relay from a TCP port to a Unix domain socket, through which programs in a sandbox without a network reach the simulator. */
 final class Relay {
 
     private static final int CHUNK_BYTES = 1 << 16;
@@ -25,7 +25,7 @@ final class Relay {
     }
 
     /**
-     * Opens a port of 127.0.0.1.
+     * Opens a port on 127.0.0.1.
      *
      * @param number the port number, 0 for any free one
      * @param door the target of all connections
@@ -44,7 +44,7 @@ final class Relay {
                 connect(program);
             }
         } catch (IOException closed) {
-            // The process ends with its last connection.
+            // No further connections are accepted.
         }
     }
 
@@ -61,7 +61,7 @@ final class Relay {
         }
     }
 
-    /** Forwards data until one end is closed, then closes both. */
+    /** Forwards data in one direction until either connection is closed, then closes both. */
     private static void pump(SocketChannel from, SocketChannel to) {
         try (from;
                 to) {
@@ -74,7 +74,7 @@ final class Relay {
                 chunk.clear();
             }
         } catch (IOException closed) {
-            // The other end is closed now too.
+            // The try statement closes both ends.
         }
     }
 

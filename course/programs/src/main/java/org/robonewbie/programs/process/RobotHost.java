@@ -23,10 +23,13 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
 
-/** Child side of a {@link RobotProcess}: runs a robot with the student's program for each call and reports why it has left. */
+/**
+ * Child side of a {@link RobotProcess}: runs a robot with the student's program for each call, and reports why the robot has
+ * left.
+ */
 final class RobotHost {
 
-    /** Reports that the program has been loaded. */
+    /** Answer that reports that the program has been loaded. */
     static final String READY = "ready";
 
     /** Prefix of the answer that reports why the program is slow. */
@@ -47,8 +50,8 @@ final class RobotHost {
     /**
      * Request for a robot.
      *
-     * @param id identifier, with which answers begin
-     * @param door TCP port of the trial, or name of its socket in the sandbox
+     * @param id identifier of the request, with which its answers begin
+     * @param door TCP port of the trial, or the name of its socket in the sandbox
      */
     record Call(int id, String door, String team, int number, TeamSide side) {
 
@@ -112,7 +115,7 @@ final class RobotHost {
             } catch (VirtualMachineError exhausted) {
                 throw exhausted;
             } catch (IOException disconnected) {
-                // The reason does not matter then.
+                // The trial has closed the connection; no reason to report.
             } catch (RuntimeException | Error mistake) {
                 leave(new Departure(Cause.THROWN, ProgramPlace.of(mistake), ""));
             } finally {
@@ -150,7 +153,7 @@ final class RobotHost {
                 List<EffectorCommand> commands = driver.respond(reader.read(message));
                 commands.forEach(writer::write);
                 if (commands.isEmpty()) {
-                    writer.synchronise(); // a robot that has left the game stands still
+                    writer.synchronise(); // keeps a robot still that has left the game
                 }
                 if (driver.hasFailed()) {
                     departure = new Departure(Cause.FAILED_STEP, "", "");
@@ -160,7 +163,10 @@ final class RobotHost {
             }
         }
 
-        /** Ends a program that sleeps in its cycles, since a trial would take minutes. Slow computation is only reported. */
+        /**
+         * Stops a program that sleeps in its cycles, because a trial with it would take minutes. Slow computation is only
+         * reported.
+         */
         private void noteSlowness(Slowness slowness) {
             String place = " at " + slowness.cause().place();
             Departure idle =
@@ -171,7 +177,7 @@ final class RobotHost {
             }
         }
 
-        /** Reports the reason once, before the connection is closed. */
+        /** Reports why the robot leaves, once and before its connection is closed. */
         private synchronized void leave(Departure why) {
             if (!gone) {
                 gone = true;

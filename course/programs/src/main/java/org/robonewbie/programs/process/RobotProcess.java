@@ -32,8 +32,8 @@ import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.SensorReadings;
 
 /**
- * A student's program in a child process that provides robots for trials in this process. The judge learns from it only the robots'
- * commands and the reasons for their departure.
+ * A student's program in a child process that provides robots for trials in this process. This process receives from it only
+ * the robots' commands and the reasons for their departure.
  *
  * <pre>{@code
  * try (RobotProcess program = new RobotProcess(request, sandbox, System.out::println);
@@ -44,7 +44,7 @@ import org.robonewbie.trial.SensorReadings;
  */
 public final class RobotProcess implements AutoCloseable {
 
-    /** Prefix of each line that the student's program prints, so that none can be mistaken for a verdict. */
+    /** Prefix of each line that the student's program prints, so that none can be mistaken for output of the grader. */
     public static final String MARK = "  program| ";
 
     private static final double SECONDS_TO_LEAVE = 3;
@@ -62,12 +62,12 @@ public final class RobotProcess implements AutoCloseable {
      *
      * @param program name of an example, a class or a Java file
      * @param classPath folders and jars with the student's classes
-     * @param folder working directory of the program, with its motions; read-only in a sandbox
-     * @param isAlone whether only this program works there
+     * @param folder working directory of the program, which contains its motions; read-only in a sandbox
+     * @param isAlone whether no other program uses this directory
      */
     public record Request(String program, List<Path> classPath, Path folder, boolean isAlone) {
 
-        /** Makes all places absolute. */
+        /** Makes all paths absolute. */
         public Request {
             classPath = new ClassPath(classPath).places();
             folder = folder.toAbsolutePath().normalize();
@@ -84,7 +84,7 @@ public final class RobotProcess implements AutoCloseable {
                     readable, hiddenAtHome(), Optional.of(folder), Optional.of(sockets), Optional.empty());
         }
 
-        /** Hides keys and settings of the owner from a program in the home folder itself. */
+        /** Returns the owner's keys and settings, to be hidden from a program whose folder is the home folder itself. */
         private static List<Path> hiddenAtHome() {
             try (Stream<Path> entries = Files.list(Path.of(System.getProperty("user.home", "/")))) {
                 return entries.filter(
@@ -101,7 +101,7 @@ public final class RobotProcess implements AutoCloseable {
      *
      * @param request the program
      * @param sandbox the sandbox
-     * @param lines receives each line that the process prints, those of the program with a {@link #MARK}
+     * @param lines receives each line that the process prints, with the prefix {@link #MARK} for those of the program
      * @throws IOException if it cannot be started
      */
     public RobotProcess(Request request, Sandbox sandbox, Consumer<String> lines) throws IOException {
@@ -121,7 +121,7 @@ public final class RobotProcess implements AutoCloseable {
                 Limits.UNTIMED);
     }
 
-    /** Parses an answer. Forged ones can affect only the robots of the program itself. */
+    /** Parses an answer. A forged answer can affect only the program's own robots. */
     private void receive(String answer) {
         try {
             if (answer.isEmpty()) {
@@ -136,7 +136,7 @@ public final class RobotProcess implements AutoCloseable {
                 Optional.ofNullable(robots.get(id)).ifPresent(robot -> robot.complete(why));
             }
         } catch (IllegalArgumentException | IndexOutOfBoundsException forged) {
-            // Ignored: no valid answer.
+            // An invalid answer is ignored.
         }
     }
 
@@ -145,7 +145,7 @@ public final class RobotProcess implements AutoCloseable {
         return ready;
     }
 
-    /** {@return what makes the program slow, if anything does} */
+    /** {@return the reason why the program is slow; empty if it is not} */
     public Optional<Departure> slowness() {
         return slowness;
     }
@@ -155,12 +155,12 @@ public final class RobotProcess implements AutoCloseable {
         return process.output().lines();
     }
 
-    /** {@return the last output of the process} */
+    /** {@return the end of the output of the process} */
     public String output() {
         return process.output().end();
     }
 
-    /** {@return the exit code; 1 if the process still runs or was ended by a limit} */
+    /** {@return the exit code; 1 if the process is still running or was killed for exceeding a limit} */
     public int exitCode() {
         process.awaitEnd(SECONDS_TO_END);
         return process.exitCode().orElse(1);
@@ -177,9 +177,9 @@ public final class RobotProcess implements AutoCloseable {
     }
 
     /**
-     * Opens an entrance for the robots of one trial.
+     * Opens a port on which the robots of one trial connect.
      *
-     * @return the entrance
+     * @return the open port
      * @throws IOException if no port is free
      */
     public Entrance entrance() throws IOException {
@@ -190,7 +190,7 @@ public final class RobotProcess implements AutoCloseable {
         return new Entrance(address, name);
     }
 
-    /** The port for the robots of one trial; programs in concurrent trials are refused. */
+    /** Port on which the robots of one trial connect. Robots of concurrent trials are refused. */
     public final class Entrance implements Supplier<Controller>, AutoCloseable {
 
         private final GuestDoor door;
@@ -206,7 +206,7 @@ public final class RobotProcess implements AutoCloseable {
             return !ProcessTree.hasConnections() || process.holds(guest.getPort(), door.port());
         }
 
-        /** {@return a robot, which is requested from the process as soon as its team and number are known} */
+        /** {@return the controller of a robot, which is requested from the process as soon as its team and number are known} */
         @Override
         public Controller get() {
             return new CalledRobot(this);
@@ -225,9 +225,10 @@ public final class RobotProcess implements AutoCloseable {
         }
 
         /**
-         * Returns why the robots of a finished trial have left, as reported by the process, or that the process has ended.
+         * Returns why the robots of a finished trial have left: the reason that the process has reported, or that the process
+         * has exited.
          *
-         * @return the reason; empty if it is the end of the trial, or if the program was never ready
+         * @return the reason; empty if they stayed until the end of the trial, or if the program was never ready
          */
         public Optional<Departure> departure() {
             return (ready ? own : List.<CompletableFuture<Departure>>of())
@@ -281,7 +282,7 @@ public final class RobotProcess implements AutoCloseable {
         }
     }
 
-    /** Ends the program with all of its processes. */
+    /** Kills the program with all of its processes. */
     @Override
     public void close() {
         process.close();

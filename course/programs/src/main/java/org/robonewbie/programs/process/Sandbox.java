@@ -15,21 +15,22 @@ import java.util.stream.Stream;
 import org.robonewbie.nao.file.TemporaryFiles;
 
 /**
- * Sandbox by <a href="https://github.com/containers/bubblewrap">bubblewrap</a> (Linux). Programs see a read-only system, their own
- * files, an empty home, an empty temporary folder and no other processes. The only connection is a socket to the simulator.
+ * Sandbox that uses <a href="https://github.com/containers/bubblewrap">bubblewrap</a> (Linux). Programs see read-only system
+ * folders, their own files, an empty home, an empty temporary folder and no other processes. The only connection is a socket to
+ * the simulator.
  */
 public final class Sandbox {
 
-    /** TCP port of the simulator in the sandbox, relayed through the socket. */
+    /** TCP port in the sandbox that is relayed to the simulator through the socket. */
     public static final int PORT = 3100;
 
     /** Working directory in the sandbox. */
     static final Path HOME = Path.of("/home/robot");
 
-    /** The files of the program in the sandbox. */
+    /** Folder in the sandbox that contains the program's files. */
     static final Path FILES = Path.of("/team");
 
-    /** The socket in the sandbox, or a folder of sockets. */
+    /** Socket in the sandbox that leads to the simulator, or a folder of such sockets. */
     static final Path DOOR = Path.of("/run/robonewbie/door");
 
     private static final String BUBBLEWRAP = "bwrap";
@@ -38,7 +39,10 @@ public final class Sandbox {
     private static final String TEMPORARY_BYTES = Long.toString(64L << 20);
     private static final String SHARED_BYTES = Long.toString(32L << 20);
 
-    /** Shell script that opens the system call filter, its first argument, and executes the other arguments. */
+    /**
+     * Shell script that opens the file with the system call filter, its first argument, and executes the other arguments as a
+     * command.
+     */
     private static final String WITH_FILTER = "exec 9<\"$1\"; shift; exec \"$@\"";
 
     private static final List<String> SYSTEM =
@@ -61,7 +65,7 @@ public final class Sandbox {
         this.filter = filter;
     }
 
-    /** {@return the sandbox, if this computer has one} */
+    /** {@return the sandbox, which may be unavailable on this computer} */
     public static Sandbox find() {
         if (!System.getProperty("os.name").equals("Linux")) {
             return none("bubblewrap is available on Linux only");
@@ -99,10 +103,10 @@ public final class Sandbox {
     }
 
     /**
-     * Returns the absence of a sandbox.
+     * Returns an unavailable sandbox.
      *
      * @param reason the reason, as part of a sentence
-     * @return no sandbox
+     * @return an unavailable sandbox
      */
     public static Sandbox none(String reason) {
         return new Sandbox(reason, Optional.empty());
@@ -119,7 +123,7 @@ public final class Sandbox {
     }
 
     /**
-     * Wraps a command in the sandbox.
+     * Wraps a command so that it runs in the sandbox.
      *
      * @param command the command
      * @param policy its permissions
@@ -147,7 +151,10 @@ public final class Sandbox {
         return closed(words, covers, command);
     }
 
-    /** Remounts the mount points read-only last, since they are file systems without a size limit. */
+    /**
+     * Completes the command line. The mount points are remounted read-only last, because they are file systems without a size
+     * limit.
+     */
     private List<String> closed(List<String> words, List<Path> covers, List<String> command) {
         List<String> all = new ArrayList<>();
         filter.ifPresent(file -> all.addAll(List.of("/bin/sh", "-c", WITH_FILTER, "sh", file.toString())));
@@ -203,7 +210,7 @@ public final class Sandbox {
         return SYSTEM.stream().anyMatch(file::startsWith);
     }
 
-    /** Returns the settings in {@code /etc} that programs need. Accounts and passwords are not among them. */
+    /** Returns the settings in {@code /etc} that programs need. Files with accounts and passwords are not included. */
     private static List<String> settings() {
         List<String> all = new ArrayList<>();
         SETTINGS.forEach(name -> all.add("/etc/" + name));

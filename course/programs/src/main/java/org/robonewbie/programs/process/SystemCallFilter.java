@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Seccomp filter that denies the system calls that allocate memory outside of processes and file systems, which no limit counts: System V
- * shared memory and message queues, and in-memory files. It is a classic BPF program over {@code struct seccomp_data}, see {@code
- * seccomp(2)}.
+ * Seccomp filter that denies the system calls that allocate memory outside processes and file systems, which the resource
+ * limits do not cover: System V shared memory and message queues, and in-memory files. It is a classic BPF program over {@code
+ * struct seccomp_data}, see {@code seccomp(2)}.
  *
  * @param architecture audit number of the processor, as in {@code linux/audit.h}
  * @param calls numbers of the denied system calls
@@ -45,7 +45,10 @@ record SystemCallFilter(int architecture, List<Integer> calls) {
         };
     }
 
-    /** Returns the format of {@code bwrap --seccomp}. Programs for another architecture, such as 32 bits, are denied all calls. */
+    /**
+     * Encodes the filter in the format of {@code bwrap --seccomp}. Programs for another architecture, such as 32-bit ones, are
+     * denied all calls.
+     */
     byte[] toBytes() {
         int length = calls.size() + 6;
         ByteBuffer program = ByteBuffer.allocate(length * INSTRUCTION_BYTES).order(ByteOrder.nativeOrder());

@@ -3,12 +3,15 @@ package org.robonewbie.programs.process;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * Turn counter of program and world, which measures how long the world waits for the program. Computation counts by the processor time
- * of the program and sleeping by elapsed time, so the load of the computer does not matter.
+ * Counts the alternating turns of program and world, and measures how long the world waits for the program. Computation is
+ * measured in the program's processor time and sleeping in elapsed time, so the load on the computer does not matter.
  */
 final class Turns {
 
-    /** Odd during the program's turn: first to request its robot, later to answer. */
+    /**
+     * Number of turns so far, which is odd during the program's turn. In its first turn the program requests its robot, in
+     * later ones it sends commands.
+     */
     private final AtomicLong count = new AtomicLong(1);
 
     private long lastCount;
@@ -28,7 +31,7 @@ final class Turns {
     }
 
     /**
-     * Takes a sample.
+     * Adds a sample to the measurement. Call this at regular intervals.
      *
      * @param seconds elapsed time
      * @param processorSeconds processor time of the program

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import org.robonewbie.programs.ClassPath;
 
-/** Keeps one process ready that has loaded the framework, so that a program starts without waiting for Java. */
+/** Keeps one idle process that has already loaded the framework, so that a program can start without waiting for a new JVM. */
 public final class WaitingProcess implements AutoCloseable {
 
     static final String SEPARATOR = "\t";
@@ -16,9 +16,9 @@ public final class WaitingProcess implements AutoCloseable {
     private Optional<ChildProcess> waiting = Optional.empty();
 
     /**
-     * Prepares processes.
+     * Creates an instance without a process.
      *
-     * @param folder their working directory
+     * @param folder working directory of the process
      */
     public WaitingProcess(Path folder) {
         this.folder = folder;
@@ -53,7 +53,7 @@ public final class WaitingProcess implements AutoCloseable {
      *
      * @param className its class
      * @param classes its compiled classes
-     * @param options arguments of its {@code main}
+     * @param options arguments for its {@code main}
      * @return its process
      */
     public synchronized ChildProcess start(String className, Path classes, List<String> options) {

@@ -13,8 +13,8 @@ import java.util.concurrent.LinkedBlockingQueue;
 import org.robonewbie.programs.ClassPath;
 
 /**
- * Pool of child processes that run one program repeatedly, each time with fresh static fields. Standard output of the program is
- * discarded; its error output is printed. A program that ends its process costs the run that it was in and no other.
+ * Pool of child processes that run one program repeatedly, each time with fresh static fields. Standard output of the program
+ * is discarded; its error output is printed. A program that terminates its process affects no run but its own.
  */
 public final class WorkerPool implements AutoCloseable {
 
@@ -43,10 +43,11 @@ public final class WorkerPool implements AutoCloseable {
     }
 
     /**
-     * Runs the program once, in an idle process or in a new one.
+     * Runs the program once, in an idle process if there is one, otherwise in a new one.
      *
-     * @param options arguments of its {@code main}
-     * @return why it failed, as a sentence, or an empty string after success; empty if the user ended the process
+     * @param options arguments for its {@code main}
+     * @return a sentence that says why it failed, or an empty string after success; an empty {@code Optional} if the user
+     *     terminated the process
      * @throws IOException if no process can be started
      */
     public Optional<String> run(List<String> options) throws IOException {
@@ -79,7 +80,7 @@ public final class WorkerPool implements AutoCloseable {
                     command, folder, false, ProgramOutput.of(this::print, answers::add), Limits.NONE);
         }
 
-        /** Prints a line, and keeps the first one of each run. */
+        /** Prints a line, and remembers the first one of each run. */
         private void print(String line) {
             System.err.println(line);
             if (complaint.isEmpty()) {

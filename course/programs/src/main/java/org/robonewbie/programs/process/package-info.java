@@ -1,6 +1,7 @@
 /**
- * Programs in child processes with limits, in a {@link org.robonewbie.programs.process.Sandbox} if there is one. Start with {@link
- * org.robonewbie.programs.process.ChildProcess}, then read {@link org.robonewbie.programs.process.ProgramMain}, their main class.
+ * Execution of programs in child processes with resource limits, in a {@link org.robonewbie.programs.process.Sandbox} if one is
+ * available. Start with {@link org.robonewbie.programs.process.ChildProcess}, then read {@link
+ * org.robonewbie.programs.process.ProgramMain}, their main class.
  *
  * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */

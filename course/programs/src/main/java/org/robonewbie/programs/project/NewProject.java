@@ -13,8 +13,8 @@ import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.programs.CalledWronglyException;
 
 /**
- * Generator of a student's Maven or Gradle project. Its folder {@code lib} is a Maven repository with RoboNewbie, its sources and its
- * Javadoc, so the project opens in any IDE, builds offline, and keeps the version it was generated with.
+ * Generates a Maven or Gradle project for a student. Its folder {@code lib} is a Maven repository with RoboNewbie, its sources
+ * and its Javadoc, so the project opens in any IDE, builds offline, and keeps the version it was generated with.
  */
 public final class NewProject {
 
@@ -43,7 +43,7 @@ public final class NewProject {
         /** Gradle, with a {@code build.gradle}. */
         GRADLE;
 
-        /** Target path in the project, by template. */
+        /** Returns the path of each file in the project, by template. */
         private Map<String, String> files() {
             return this == MAVEN
                     ? Map.of("pom.xml", "pom.xml", "maven.config", ".mvn/maven.config")
@@ -73,7 +73,7 @@ public final class NewProject {
     /**
      * Writes all files.
      *
-     * @param project folder of the project
+     * @param project folder in which to create the project
      * @throws CalledWronglyException if {@code jar} does not exist
      * @throws IOException if a file cannot be written
      */

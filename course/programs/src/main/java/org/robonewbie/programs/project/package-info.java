@@ -1,5 +1,5 @@
 /**
- * Projects of students: {@link org.robonewbie.programs.project.NewProject}.
+ * Generation of students' projects by {@link org.robonewbie.programs.project.NewProject}.
  *
  * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */

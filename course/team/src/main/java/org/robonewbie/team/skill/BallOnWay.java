@@ -18,31 +18,34 @@ record BallOnWay(Translation2d ball, double turn) {
     private static final double MAX_TURN = 25;
 
     /**
-     * Returns the predicted ball for the moment when the robot's next steps take effect, with the path from the current ball to
-     * a target on the map.
+     * Creates the position from the ball's predicted position at the time when the robot's next steps take effect; the path
+     * leads from the ball's current position to a target on the map.
      */
     static BallOnWay of(WorldModel world, Translation2d expected, Translation2d now, Translation2d target) {
         double way = target.minus(now).degrees();
         return new BallOnWay(expected, Angles.wrap(way - world.pose().degrees()));
     }
 
-    /** Distance of the ball ahead of the robot along the path, in metres. */
+    /** Returns the distance in metres along the path by which the ball is ahead of the robot. */
     double ahead() {
         return ball.dot(direction());
     }
 
-    /** Distance of the robot to the left of the ball across the path, in metres. */
+    /** Returns the distance in metres across the path by which the robot is to the left of the ball. */
     double aside() {
         return -ball.dot(left());
     }
 
-    /** Whether the robot is behind the ball: it faces along the path, and the ball is in a cone that begins between the feet. */
+    /**
+     * Returns whether the robot is behind the ball: it faces along the path, and the ball is in a cone that begins between the
+     * feet.
+     */
     boolean isInCone(double metres, double slope) {
         double width = metres + slope * Math.max(0, ahead() - BEHIND_METRES);
         return ahead() >= MIN_AHEAD && Math.abs(aside()) <= width && Math.abs(turn) <= MAX_TURN;
     }
 
-    /** Walks to the position behind the ball, around the ball if necessary. */
+    /** Makes the robot walk to the position behind the ball, around the ball if necessary. */
     void getBehind(Footwork feet, WorldModel world) {
         Translation2d behind = ball.minus(direction().times(BEHIND_METRES));
         double side = aside() >= 0 ? 1 : -1;
@@ -58,7 +61,7 @@ record BallOnWay(Translation2d ball, double turn) {
         return Translation2d.polar(turn + 90, 1);
     }
 
-    /** Applies a dead band to a deviation, since each correction slows down the robot. */
+    /** Applies a dead band to a deviation, because each correction slows down the robot. */
     static double beyond(double deviation, double deadBand) {
         return Math.signum(deviation) * Math.max(0, Math.abs(deviation) - deadBand);
     }

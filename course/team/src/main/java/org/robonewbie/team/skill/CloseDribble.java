@@ -13,13 +13,14 @@ import org.robonewbie.team.world.WorldModel;
  * dribble.bring(world, target);         // in each cycle
  * }</pre>
  *
- * <p>A foot stands half of the time, so while it swings it is at least twice as fast as the robot. A ball that it meets with
- * more than 0.8 m/s bounces off. Three measures keep the ball close:
+ * <p>Each foot is on the ground half of the time, so while it swings it is at least twice as fast as the robot. A ball that a
+ * foot hits at more than 0.8 m/s bounces off. Three measures keep the ball close:
  * <ul>
- * <li>The feet swing as evenly as the motors allow, so a foot is never much faster than that ({@link #STYLE}).
- * <li>The robot walks only so fast that it can brake in time for a foot to meet the ball with about 0.8 m/s. A ball that rolls
- * away may be met faster.
- * <li>The robot follows a ball that rolls away faster than it could push it.
+ * <li>The feet swing at as constant a speed as the motors allow, so a foot is never much faster than twice the robot ({@link
+ * #STYLE}).
+ * <li>The robot walks slowly enough to brake before a foot hits the ball, which it does at about 0.8 m/s. A ball that is
+ * rolling away may be hit at a higher speed.
+ * <li>When the ball is rolling away, the robot follows it at a higher speed than it could push it.
  * </ul>
  */
 public final class CloseDribble {
@@ -39,7 +40,7 @@ public final class CloseDribble {
      * Creates the skill.
      *
      * @param walk the walk, with {@link #STYLE}
-     * @param feet navigation of the robot
+     * @param feet navigation, which makes the robot walk to positions
      */
     public CloseDribble(Walk walk, Footwork feet) {
         this(walk, feet, CloseDribbleNumbers.FOUND);
@@ -49,7 +50,7 @@ public final class CloseDribble {
      * Creates the skill with other parameters, for a search.
      *
      * @param walk the walk, with the style of the parameters
-     * @param feet navigation of the robot
+     * @param feet navigation, which makes the robot walk to positions
      * @param numbers parameters of the skill
      */
     public CloseDribble(Walk walk, Footwork feet, CloseDribbleNumbers numbers) {
@@ -59,7 +60,7 @@ public final class CloseDribble {
     }
 
     /**
-     * Dribbles towards a target in the current cycle.
+     * Dribbles towards a target. Call this in each cycle.
      *
      * @param world the world model
      * @param target target of the ball in the coordinates of the team
@@ -82,7 +83,7 @@ public final class CloseDribble {
         walk.towards(speed, -aside / numbers.seconds(way.ahead(), speed), turn);
     }
 
-    /** Speed of the ball along the path in metres per second; 0 if it comes back. */
+    /** Returns the speed of the ball along the path in metres per second; 0 if it rolls back towards the robot. */
     private static double rolling(WorldModel world, BallOnWay way) {
         Translation2d rolled = world.ballAtFeetIn(LOOK_SECONDS).minus(world.ballAtFeetIn(0));
         return Math.max(0, rolled.dot(Translation2d.polar(way.turn(), 1))) / LOOK_SECONDS;

@@ -11,16 +11,16 @@ import org.robonewbie.agent.walk.WalkVelocity;
  *
  * @param style walking style
  * @param touchSpeed speed at which the robot touches a resting ball, metres per second
- * @param rollingShare speed added per metre per second of a ball that rolls away
+ * @param rollingShare additional speed for each metre per second at which the ball is rolling away
  * @param braking assumed deceleration of the robot, metres per second squared
- * @param touchMetres distance of the ball ahead of the robot when a foot touches it
+ * @param touchMetres distance in metres from robot to ball, along the path, when a foot touches the ball
  * @param aheadSeconds prediction time for the ball
- * @param calmMetres dead band of the lateral correction
- * @param calmDegrees dead band of the heading correction
+ * @param calmMetres dead band of the lateral correction in metres
+ * @param calmDegrees dead band of the heading correction in degrees
  * @param turn turn rate per degree of heading error
  * @param ballTurn turn rate per degree of the ball's bearing to the left
  * @param leastSeconds minimum time for a lateral correction
- * @param behindMetres distance of the ball ahead at which the lateral correction should be complete
+ * @param behindMetres distance in metres from robot to ball, along the path, at which the lateral correction should be complete
  */
 public record CloseDribbleNumbers(
         WalkStyle style,
@@ -49,7 +49,7 @@ public record CloseDribbleNumbers(
     /**
      * Creates parameters from the coordinates of a search.
      *
-     * @param x coordinates of {@link FastWalk}, then one for each further parameter; 1 is a noticeable change
+     * @param x coordinates of {@link FastWalk}, then one for each further parameter; a change by 1 is noticeable
      * @return the parameters
      */
     public static CloseDribbleNumbers of(double... x) {
@@ -72,14 +72,16 @@ public record CloseDribbleNumbers(
                 0.03 * x[i]);
     }
 
-    /** Maximum speed from which the robot can brake before it touches a ball at a given distance and rolling speed. */
+    /**
+     * Returns the maximum speed from which the robot can brake before it touches a ball at a given distance and rolling speed.
+     */
     double speed(double ahead, double rolling) {
         double touch = touchSpeed + rollingShare * rolling;
         double gap = Math.max(0, ahead - touchMetres);
         return Math.sqrt(touch * touch + 2 * braking * gap);
     }
 
-    /** Time for a lateral correction at a given speed, in seconds. */
+    /** Returns the time in seconds for a lateral correction, given the distance and the speed of the robot. */
     double seconds(double ahead, double speed) {
         return Math.max(leastSeconds, (ahead - behindMetres) / speed);
     }

@@ -9,10 +9,11 @@ import org.robonewbie.team.world.WorldModel;
  * along. It never stops as long as the ball stays on the path.
  *
  * <p>While the ball is in a cone that begins between the feet, the robot walks on and only corrects its course; else it walks
- * around the ball. If an opponent is near and the ball is ahead, it runs through the ball instead.
+ * around the ball. If an opponent is near and the ball is ahead, it does not correct its course but walks straight through the
+ * ball.
  *
- * <p>A swinging foot is more than twice as fast as the robot, and a ball that it meets with more than 0.8 m/s bounces off and
- * may roll a metre ahead. Without opponents near that does no harm. {@link CloseDribble} keeps the ball closer.
+ * <p>A swinging foot is more than twice as fast as the robot, and a ball that it hits at more than 0.8 m/s bounces off and may
+ * roll a metre ahead. That does no harm when no opponent is near. {@link CloseDribble} keeps the ball closer.
  */
 public final class Dribble {
 
@@ -35,7 +36,7 @@ public final class Dribble {
      * Creates the skill.
      *
      * @param walk the walk
-     * @param feet navigation of the robot
+     * @param feet navigation, which makes the robot walk to positions
      */
     public Dribble(Walk walk, Footwork feet) {
         this.walk = walk;
@@ -43,7 +44,7 @@ public final class Dribble {
     }
 
     /**
-     * Dribbles towards a target in the current cycle; the ball may roll a metre ahead.
+     * Dribbles towards a target; the ball may roll a metre ahead. Call this in each cycle.
      *
      * @param world the world model
      * @param target target of the ball in the coordinates of the team
@@ -68,7 +69,9 @@ public final class Dribble {
         return world.opponentDistance(world.ball()) < CONTESTED_METRES;
     }
 
-    /** Runs through the ball without getting behind it first, since an opponent would take it in the meantime. */
+    /**
+     * Walks straight through the ball without getting behind it first, because an opponent would take the ball in the meantime.
+     */
     private void charge(WorldModel world, BallOnWay way) {
         walk.towards(Footwork.speed(world), 0, (way.ball().degrees() + way.turn()) / 2);
     }

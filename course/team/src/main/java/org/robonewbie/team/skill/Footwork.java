@@ -13,12 +13,12 @@ import org.robonewbie.team.world.Mate;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * Navigation to target poses. A distant target is approached like a pedestrian would: the robot turns and walks straight ahead,
- * around all other robots. The last steps are sideways or backward, while it turns to the final heading.
+ * Navigation to target poses. The robot approaches a distant target as a pedestrian would: it turns towards the target and
+ * walks forward, avoiding all other robots. The last steps may be sideways or backward, while it turns to the final heading.
  */
 public final class Footwork {
 
-    /** Walking style of the players: fast ahead, with turns and accelerations that do not cause falls. */
+    /** Walking style of the players: fast when walking forward, with turns and accelerations limited to avoid falls. */
     public static final WalkStyle STYLE = WalkStyle.FAST.withLimits(
             new WalkVelocity(0.69, 0.2, 120), WalkStyle.FAST.backward(), new WalkVelocity(0.13, 0.085, 19));
 
@@ -55,8 +55,8 @@ public final class Footwork {
     }
 
     /**
-     * Walks to a pose around all other robots, and stops there. At maximum speed an undisturbed robot stumbles about once in
-     * two minutes; a small team has no substitute, so its players walk more slowly.
+     * Walks to a pose, avoiding all other robots, and stops there. At maximum speed, even an undisturbed robot stumbles about once
+     * in two minutes. In a small team no other player can take over, so its players walk more slowly.
      *
      * @param world the world model
      * @param place target in the coordinates of the team
@@ -83,7 +83,7 @@ public final class Footwork {
     }
 
     /**
-     * Follows a moving target closely: where {@link #go} would stand still, the robot makes small steps.
+     * Follows a moving target closely: in situations in which {@link #go} would stand still, the robot takes small steps.
      *
      * @param world the world model
      * @param place target in the coordinates of the team
@@ -101,7 +101,7 @@ public final class Footwork {
     }
 
     /**
-     * Walks towards a point near the ball without stopping there; a distant point is approached around all other robots.
+     * Walks towards a point near the ball without stopping there; on the way to a distant point, it avoids all other robots.
      *
      * @param world the world model
      * @param place target in the robot's frame
@@ -127,8 +127,8 @@ public final class Footwork {
     }
 
     /**
-     * Returns the maximum forward speed: low if another robot is close ahead, since running into an opponent is a foul, and
-     * both fall.
+     * Returns the maximum forward speed: low if another robot is close ahead, because running into an opponent is a foul and
+     * makes both robots fall.
      *
      * @param world the world model
      * @return metres per second
@@ -142,8 +142,8 @@ public final class Footwork {
     }
 
     /**
-     * Estimates the time to walk around the ball to the side opposite to its target. From far away it is short, since the
-     * detour is small.
+     * Estimates the additional time that the robot needs to walk around the ball to the side opposite its target. It is short
+     * if the robot is far away, because the detour is small.
      *
      * @param world the world model
      * @param directionDegrees intended direction of the ball in the coordinates of the team
@@ -159,7 +159,7 @@ public final class Footwork {
      * Returns the obstacles for path planning.
      *
      * @param world the world model
-     * @return the robots in sight
+     * @return the robots in sight, as obstacles
      */
     public static List<Obstacle> others(WorldModel world) {
         List<Obstacle> obstacles = new ArrayList<>();

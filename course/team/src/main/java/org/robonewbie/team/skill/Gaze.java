@@ -6,8 +6,9 @@ import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * Gaze control. The camera sees 60° to each side, so the ball need not be in the centre of the picture: the head turns from the
- * ball towards the closer goal, whose posts and flags help to localise the robot. If the ball is lost, the head scans.
+ * Gaze control. The camera sees 60° to each side, so the ball need not be in the centre of the image: the head turns from the
+ * ball towards the goal with the closer bearing, whose posts and flags help to localise the robot. If the ball is lost, the
+ * head scans.
  */
 public final class Gaze {
 
@@ -44,7 +45,10 @@ public final class Gaze {
         body.nao().setJointAngle(Joint.NECK_PITCH, PITCH_DEGREES, SPEED);
     }
 
-    /** Bearing of the goal that is closer to the ball's direction, relative to the ball, in degrees to the left. */
+    /**
+     * Returns the bearing of a goal relative to the bearing of the ball, in degrees to the left, for the goal with the smaller
+     * difference.
+     */
     private static double goalBeside(WorldModel world, double ball) {
         double theirs = beside(world.theirGoal(), world, ball);
         double ours = beside(world.ourGoal(), world, ball);

@@ -1,9 +1,9 @@
 package org.robonewbie.team.skill;
 
 /**
- * Getting up: the quick motion first, and if the robot still lies after it, the slow and reliable one of {@code
- * motions.startGetUp()}. Robots with long legs have their own quick motions. From a side, which is rare, only the slow motion
- * is used.
+ * Gets up with a quick motion. If the robot is still lying afterwards, it uses the slow but reliable motion of {@code
+ * motions.startGetUp()}. Robots with long legs have their own quick motions. A robot that lies on its side, which is rare, uses
+ * only the slow motion.
  */
 public final class GetUp {
 

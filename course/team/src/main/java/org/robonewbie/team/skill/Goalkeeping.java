@@ -7,9 +7,9 @@ import org.robonewbie.team.world.WorldModel;
 /**
  * Goalkeeping: stands between ball and goal, and dives for a ball that would cross the line.
  *
- * <p>A dive takes a second, and a kick from a few metres half of that. So a keeper without team mates comes out: the closer it
- * is to the ball, the smaller the angle of the goal that it leaves open. It clears the ball if it can reach it well before the
- * attacker.
+ * <p>A dive takes a second, but a ball that is kicked from a few metres away needs only half of that. So a keeper without
+ * teammates comes out: the closer it is to the ball, the smaller the part of the goal that it leaves open. It clears the ball
+ * if it can reach it well before the attacker.
  */
 public final class Goalkeeping {
 
@@ -35,7 +35,7 @@ public final class Goalkeeping {
     }
 
     /**
-     * Returns the keeper's position.
+     * Returns the position at which the keeper should stand.
      *
      * @param world the world model
      * @return the position in the coordinates of the team
@@ -52,20 +52,20 @@ public final class Goalkeeping {
     }
 
     /**
-     * Whether the keeper leaves its line.
+     * Returns whether the keeper leaves its line.
      *
      * @param world the world model
-     * @return whether it has no team mates and the ball is near
+     * @return whether it has no teammates and the ball is near
      */
     public static boolean comesOut(WorldModel world) {
         return world.mates().isEmpty() && world.ball().distanceTo(world.ourGoal()) < COMES_OUT_METRES;
     }
 
     /**
-     * Whether a keeper without team mates should clear the ball.
+     * Returns whether a keeper without teammates should clear the ball.
      *
      * @param world the world model
-     * @return whether it is clearly the first at the ball
+     * @return whether it will clearly reach the ball first
      */
     public static boolean mayClear(WorldModel world) {
         double own = world.place().distanceTo(world.ball());
@@ -87,7 +87,10 @@ public final class Goalkeeping {
         return !body.walk().isWalking() && body.motions().start(crossing > 0 ? "dive-left" : "dive-right");
     }
 
-    /** Lateral distance at which a dangerous ball will pass the robot, in metres to the left; NaN if there is no danger. */
+    /**
+     * Returns the lateral distance at which a dangerous ball will pass the robot, in metres to the left; NaN if there is no
+     * danger.
+     */
     private static double crossing(WorldModel world) {
         Translation2d ball = world.ball();
         Translation2d velocity = world.ballVelocity();

@@ -5,10 +5,11 @@ import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * A kick. It is a keyframe motion that begins in the stance with the ball in front of a foot, so the robot walks there, stops,
- * checks that the ball is within reach, and only then kicks; else it walks on. With an opponent near, larger deviations are
- * accepted, but not ahead: a ball that touches the foot already rolls only two metres, one that is too far ahead only one. The
- * last step before the stop moves the robot back a little, so it stops only where the ball will still be within reach.
+ * A kick. It is a keyframe motion that begins in the stance with the ball in front of a foot. So the robot walks to the ball
+ * and stops; if the ball is then within reach it kicks, otherwise it walks on. With an opponent near, larger deviations are
+ * accepted, except in the distance ahead: a ball that already touches the foot rolls only two metres, and one that is too
+ * far ahead only one. The last step before the stop moves the robot back a little, so it stops only where the ball will still
+ * be within reach.
  */
 public final class Kick {
 
@@ -35,7 +36,7 @@ public final class Kick {
      * Creates the quick kick.
      *
      * @param body the robot
-     * @param feet navigation of the robot
+     * @param feet navigation, which makes the robot walk to positions
      */
     public Kick(Limbs body, Footwork feet) {
         this(body, feet, KickKind.QUICK);
@@ -45,7 +46,7 @@ public final class Kick {
      * Creates a kick.
      *
      * @param body the robot
-     * @param feet navigation of the robot
+     * @param feet navigation, which makes the robot walk to positions
      * @param kind kind of kick
      */
     public Kick(Limbs body, Footwork feet, KickKind kind) {
@@ -55,7 +56,7 @@ public final class Kick {
     }
 
     /**
-     * Estimates the time until the ball is kicked, for a robot at the ball.
+     * Estimates the time that a robot needs from reaching the ball until the foot hits it.
      *
      * @param world the world model
      * @param directionDegrees direction of the kick in the coordinates of the team
@@ -66,14 +67,14 @@ public final class Kick {
         return kind.seconds() + Footwork.aroundSeconds(world, directionDegrees);
     }
 
-    /** Required position of the ball in the robot's frame, for the foot on the side of the ball. */
+    /** Returns the required position of the ball in the robot's frame, for a kick with the foot on the side of the ball. */
     private Translation2d requiredBall(Translation2d ball) {
         Translation2d left = kind.ballOnLeft(body.nao().getType());
         return new Translation2d(left.x(), (ball.y() > 0 ? 1 : -1) * left.y());
     }
 
     /**
-     * Approaches the ball, or kicks.
+     * Approaches the ball, or kicks it if it is within reach. Call this in each cycle.
      *
      * @param world the world model
      * @param directionDegrees direction of the kick in the coordinates of the team
@@ -92,7 +93,7 @@ public final class Kick {
         }
     }
 
-    /** Kicks as soon as the robot stands, if the ball is still within reach. */
+    /** Starts the kick as soon as the robot stands still, if the ball is still within reach. */
     private void kickFromStance(Translation2d ball, double turn, double tolerance) {
         if (body.walk().isWalking()) {
             body.walk().stop();
@@ -115,12 +116,12 @@ public final class Kick {
                 && Math.abs(turn) < factor * factor * kind.turned();
     }
 
-    /** Distance of the ball beyond its required position, in metres. */
+    /** Returns by how many metres the ball is ahead of its required position. */
     private double beyond(Translation2d ball) {
         return ball.x() - requiredBall(ball).x();
     }
 
-    /** Walks to the kick position; from the wrong side around the ball. */
+    /** Walks to the position for the kick, around the ball if the robot is on the wrong side. */
     private void approach(WorldModel world, Translation2d ball, double turn) {
         Translation2d direction = Translation2d.polar(turn, 1);
         Translation2d aside = Translation2d.polar(turn + 90, 1);

@@ -3,13 +3,16 @@ package org.robonewbie.team.skill;
 import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.nao.model.RobotType;
 
-/** Kinds of kicks, with the required positions of the ball. */
+/** Kinds of kicks, each with the position of the ball that it requires. */
 public enum KickKind {
 
-    /** A quick kick of more than five metres, for use with opponents near. */
+    /** A quick kick of more than five metres, for use when opponents are near. */
     QUICK("quick-kick-left", "quick-kick-right", 0.0375, 0.028, 0.027, 8),
 
-    /** A high kick of 13 m, in which the robot hops ahead. The foot swings across, so the right foot kicks a ball on the left. */
+    /**
+     * A high kick of 13 m, in which the robot hops forward. The foot swings across the body, so the right foot kicks a ball on
+     * the left.
+     */
     FAR("far-kick-right", "far-kick-left", 0.022, 0.034, 0.022, 5);
 
     private final String onLeft;
@@ -29,7 +32,8 @@ public enum KickKind {
     }
 
     /**
-     * Whether a robot type can perform the kick: in a far kick, longer legs or toes stub the foot, and the robot falls.
+     * Returns whether a robot type can perform the kick: in a far kick, robots with longer legs or toes stub the foot on the
+     * ground and fall.
      *
      * @param type the robot type
      * @return whether it can
@@ -38,27 +42,30 @@ public enum KickKind {
         return this == QUICK || type == RobotType.TYPE_0 || type == RobotType.TYPE_2;
     }
 
-    /** {@return the typical range in metres; for the far kick less than the mean, since a shot has to reach the goal} */
+    /**
+     * {@return the typical range in metres; for the far kick this is below the mean, because a shot at goal has to reach it}
+     */
     public double metres() {
         return this == QUICK ? 5.4 : 13;
     }
 
-    /** {@return the time until the ball is kicked in seconds, for a robot in position} */
+    /** {@return the time in seconds that a robot in position needs until the foot hits the ball} */
     public double seconds() {
         return this == QUICK ? 1.4 : 1.5;
     }
 
     /**
-     * Whether the ball is high at some distance, where robots seldom stop it and it may pass over the goal's bar at 0.8 m.
+     * Returns whether the ball is high after a given distance. Robots seldom stop a high ball, and it may pass over the
+     * crossbar at 0.8 m.
      *
      * @param metres distance that the ball has travelled
-     * @return whether it is high there
+     * @return whether it is high at that point
      */
     public boolean isHigh(double metres) {
         return this == FAR && metres > 1.2 && metres < 6.5;
     }
 
-    /** Returns the motion for a ball on the left or right. */
+    /** Returns the name of the motion for a ball on the left or right. */
     String motion(boolean isOnLeft) {
         return isOnLeft ? onLeft : onRight;
     }
@@ -78,7 +85,7 @@ public enum KickKind {
         };
     }
 
-    /** Settling time between walk and kick in seconds; robots with longer legs rock after a stop. */
+    /** Returns the settling time in seconds between walk and kick; robots with longer legs sway after stopping. */
     double calmSeconds(RobotType type) {
         return switch (type) {
             case TYPE_1 -> 0.3;
@@ -87,22 +94,22 @@ public enum KickKind {
         };
     }
 
-    /** Tolerance towards the robot, in metres. */
+    /** Returns by how many metres the ball may be closer to the robot than required. */
     double nearer() {
         return nearer;
     }
 
-    /** Tolerance away from the robot, in metres. */
+    /** Returns by how many metres the ball may be farther from the robot than required. */
     double farther() {
         return farther;
     }
 
-    /** Lateral tolerance, in metres. */
+    /** Returns the lateral tolerance in metres. */
     double aside() {
         return aside;
     }
 
-    /** Heading tolerance, in degrees. */
+    /** Returns the heading tolerance in degrees. */
     double turned() {
         return turned;
     }

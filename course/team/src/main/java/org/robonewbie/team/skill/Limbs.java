@@ -6,7 +6,7 @@ import org.robonewbie.agent.motion.Motions;
 import org.robonewbie.agent.walk.Walk;
 
 /**
- * The parts of the robot that skills use.
+ * Access to the robot for skills: its sensors, motors and motions.
  *
  * @param nao sensors and motors
  * @param walk the omnidirectional walk

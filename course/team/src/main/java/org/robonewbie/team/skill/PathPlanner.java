@@ -7,8 +7,8 @@ import java.util.Optional;
 import org.robonewbie.nao.geometry.Translation2d;
 
 /**
- * Path planner with circular obstacles. Where the straight path crosses a circle, the planner tries both sides: it goes to a
- * point beside the circle and continues recursively from there. The shorter of both paths is returned.
+ * Path planner that avoids circular obstacles. Where the straight path crosses a circle, the planner tries both sides: it goes
+ * to a point beside the circle and continues recursively from there. The shorter of the two paths is returned.
  *
  * <pre>{@code
  * List<Translation2d> way = PathPlanner.way(here, there, List.of(new PathPlanner.Obstacle(opponent, 0.5)));
@@ -36,7 +36,7 @@ public final class PathPlanner {
      * @param from start
      * @param to target
      * @param obstacles obstacles to avoid; those that contain the target are ignored
-     * @return the corners of the path and its end
+     * @return the corners of the path, followed by its end
      */
     public static List<Translation2d> way(Translation2d from, Translation2d to, List<Obstacle> obstacles) {
         List<Obstacle> possible = obstacles.stream()
@@ -58,7 +58,10 @@ public final class PathPlanner {
                 .min(Comparator.comparingDouble(obstacle -> obstacle.centre.distanceTo(from)));
     }
 
-    /** A robot inside a circle may leave it, but not get closer. */
+    /**
+     * Returns the minimum distance to keep from the centre of an obstacle. A robot inside the circle may leave it, but not get
+     * closer to the centre.
+     */
     private static double leastDistance(Translation2d from, Obstacle obstacle) {
         return 0.95 * from.distanceTo(obstacle.centre);
     }

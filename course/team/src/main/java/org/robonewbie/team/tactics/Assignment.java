@@ -5,10 +5,10 @@ import java.util.Arrays;
 /**
  * Assignment of players to places with minimum total cost, by the Hungarian method.
  *
- * <p>The nearest place for each player is no solution, since two players may want the same one, and a greedy choice one after
- * the other leaves a long way to the last player. With n players there are n! assignments, for ten more than three million. The
- * method finds the best in about n³ steps: it adds one player after the other, and moves the previous players to other places
- * where that is cheaper in total.
+ * <p>Sending each player to its nearest place does not work, because two players may want the same one, and a greedy choice for
+ * one player after another may leave a long path for the last one. With n players there are n! assignments, for ten more than
+ * three million. The method finds the best one in about n³ steps: it adds one player after the other, and moves the previous
+ * players to other places where that is cheaper in total.
  *
  * <p>Source: H. W. Kuhn, <em>The Hungarian method for the assignment problem</em>, 1955, in the form with potentials.
  */
@@ -19,7 +19,10 @@ public final class Assignment {
     private final int places;
     private final double[] playerPotential;
     private final double[] placePotential;
-    /** Player of each place, from 1; 0 for none. Index 0 is the player that is being added. */
+    /**
+     * For each place, from index 1 on, the player assigned to it; players are counted from 1, and 0 means none. Element 0 is
+     * the player that is being added.
+     */
     private final int[] playerOf;
 
     private final int[] cameFrom;
@@ -37,7 +40,8 @@ public final class Assignment {
     /**
      * Computes an optimal assignment.
      *
-     * @param cost cost of each place for each player; at least as many places as players
+     * @param cost cost of each place for each player, as {@code cost[player][place]}; there must be at least as many places as
+     *     players
      * @return the index of the place of each player
      */
     public static int[] cheapest(double[][] cost) {
@@ -94,7 +98,7 @@ public final class Assignment {
         }
     }
 
-    /** Moves all players along the augmenting path to the next place, up to the free one. */
+    /** Moves each player on the augmenting path to the next place on it, ending at the free place. */
     private void augment(int free) {
         int place = free;
         while (place != 0) {

@@ -8,8 +8,8 @@ import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.talk.TeamRole;
 
 /**
- * Positions of the field players without the ball. They depend on the ball, so the whole team moves with it. A team of fewer
- * than eleven fills the positions in the order of their importance.
+ * Positions of the field players that do not play the ball. They depend on the ball, so the whole team moves with it. A team of
+ * fewer than eleven fills the positions in the order of their importance.
  */
 public final class Formation {
 
@@ -42,7 +42,7 @@ public final class Formation {
      *
      * @param ball position of the ball in the coordinates of the team
      * @param players number of players
-     * @return as many positions, at most nine
+     * @return that many positions by role, at most nine
      */
     public Map<TeamRole, Translation2d> places(Translation2d ball, int players) {
         Map<TeamRole, Translation2d> places = new LinkedHashMap<>();

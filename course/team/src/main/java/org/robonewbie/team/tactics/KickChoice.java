@@ -16,11 +16,11 @@ import org.robonewbie.team.world.Situation;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * Choice of the action with the ball: the option with the highest expected gain per second.
+ * Chooses what to do with the ball: the option with the highest expected gain per second.
  *
- * <p>Each option moves the ball to a place, takes some time, and succeeds with some probability. {@link #value} is the value of
- * a ball position: 1 in the opponents' goal, −1 in the own goal. The gain is the expected value afterwards, over the
- * probabilities that either team then has the ball, minus the current value.
+ * <p>Each option moves the ball to a position, takes some time, and succeeds with some probability. {@link #value} is the value
+ * of a ball position: 1 in the opponents' goal, −1 in the team's own goal. The gain is the expected value afterwards, weighted
+ * by the probability that each team then has the ball, minus the current value.
  */
 public final class KickChoice {
 
@@ -56,7 +56,7 @@ public final class KickChoice {
      * @param world the world model
      * @param mayDribble whether the player may touch the ball more than once
      * @param mayScore whether a goal would count
-     * @param before the current plan, which is preferred since changes take time
+     * @param before the current plan, which is preferred because changing it takes time
      */
     public KickChoice(WorldModel world, boolean mayDribble, boolean mayScore, Plan before) {
         this.world = world;
@@ -102,7 +102,10 @@ public final class KickChoice {
         return List.copyOf(all);
     }
 
-    /** Adds the options for a direction. Only small teams use far kicks, since in a large team passes gain more. */
+    /**
+     * Adds the options that move the ball in one direction. Only small teams use far kicks, because large teams gain more by
+     * passing.
+     */
     private void add(List<Option> all, double degrees) {
         if (mayDribble) {
             all.add(dribble(degrees));
@@ -150,7 +153,7 @@ public final class KickChoice {
         return new Option(plan, undisturbed(seconds) * (goal * shot + (1 - goal) * rest));
     }
 
-    /** Probability that no opponent interferes; in pass mode the referee prevents that. */
+    /** Returns the probability that no opponent interferes in the meantime; in pass mode the referee keeps opponents away. */
     private double undisturbed(double seconds) {
         if (world.situation() == Situation.OUR_PASS) {
             return 1;
@@ -160,8 +163,8 @@ public final class KickChoice {
     }
 
     /**
-     * Gain per second if the ball reaches a place and the team keeps it with some probability; otherwise half of the gain is
-     * lost.
+     * Returns the gain per second of moving the ball to a position, given the probability that the team keeps the ball there.
+     * If the ball is lost, half of the gain is lost too.
      */
     private double gain(Translation2d end, double keeps, double seconds) {
         double better = isOnPitch(end) ? value(end) - value(world.ball()) : -LOSS;
@@ -169,9 +172,9 @@ public final class KickChoice {
     }
 
     /**
-     * Weight of the time until a player reaches the ball. Without opponents near, the team has to wait for that time; else it
-     * matters more that the ball is away from them. A far kick is followed by a long run in which a pass could have been
-     * played, so all of the time counts.
+     * Returns the weight of the time that a player needs to reach the ball after a kick. If no opponents are near, the team
+     * loses that time; otherwise it matters more to move the ball away from them. After a far kick, the run to the ball is so
+     * long that a pass could have been played in the meantime, so all of the time counts.
      */
     private double runShare(KickKind kind) {
         boolean alone = world.opponentDistance(world.ball()) > ALONE_METRES;
@@ -187,14 +190,17 @@ public final class KickChoice {
      * Returns the value of a ball position.
      *
      * @param spot the position
-     * @return from −1 in the own goal to 1 in the opponents' goal
+     * @return from −1 in the team's own goal to 1 in the opponents' goal
      */
     public double value(Translation2d spot) {
         return PortableMath.exp(-spot.distanceTo(world.theirGoal()) / VALUE_METRES)
                 - PortableMath.exp(-spot.distanceTo(world.ourGoal()) / VALUE_METRES);
     }
 
-    /** Probability that an unobstructed kick scores. The goal must be within range, and the ball must not pass over the bar. */
+    /**
+     * Returns the probability that an unobstructed kick scores. The goal must be within range, and the ball must not pass over
+     * the bar.
+     */
     private double goalProbability(KickKind kind, Translation2d ball, double degrees) {
         double metres = ball.distanceTo(world.theirGoal());
         double post = world.field().goalWidth() / 2 - 0.1;
@@ -209,7 +215,7 @@ public final class KickChoice {
     }
 
     /**
-     * Probability that no robot stops the ball. Kicks deviate, so the lane grows wider with the distance. A high ball passes
+     * Returns the probability that no robot stops the ball. Kicks deviate, so the lane widens with distance. A high ball passes
      * over most robots.
      */
     private double freeLane(KickKind kind, Translation2d from, Translation2d to) {
@@ -235,7 +241,7 @@ public final class KickChoice {
         return Math.max(1.5, from.distanceTo(to) / RUN_SPEED - patience);
     }
 
-    /** Logistic function. */
+    /** Returns the probability of being first, as a logistic function of the lead. */
     private static double probability(double lead) {
         return 1 / (1 + PortableMath.exp(-lead));
     }

@@ -4,8 +4,9 @@ import org.robonewbie.nao.SoccerField;
 import org.robonewbie.nao.geometry.Pose2d;
 
 /**
- * Kick-off positions by player number. Numbers from 2 on are close to the ball first, so that small teams attack too. All
- * positions are in the own half, and outside the centre circle except for the kicker and the player that plays the ball next.
+ * Kick-off positions by player number. Low numbers from 2 on get the positions closest to the ball, so that small teams attack
+ * too. All positions are in the team's own half, and outside the centre circle except for the kicker and the player that plays
+ * the ball next.
  */
 public final class KickOffPositions {
 
@@ -33,7 +34,7 @@ public final class KickOffPositions {
      * Returns the position of a player.
      *
      * @param number player number, 1 to 11
-     * @param kicksOff whether this team will kick off
+     * @param kicksOff whether this team takes the kick-off
      * @param small whether the team is too small for a keeper
      * @param field the field
      * @return the pose in the coordinates of the team

@@ -9,7 +9,7 @@ import org.robonewbie.team.talk.TeamRole;
  * @param role its role
  * @param action its action
  * @param target target of the player or of the ball in the coordinates of the team
- * @param headingDegrees final heading, or the direction of the kick
+ * @param headingDegrees final heading of the player, or direction of the kick, in the coordinates of the team
  * @param receiver player number of the receiver of a pass; 0 for none
  */
 public record Plan(TeamRole role, Action action, Translation2d target, double headingDegrees, int receiver) {
@@ -18,13 +18,13 @@ public record Plan(TeamRole role, Action action, Translation2d target, double he
     public enum Action {
         /** Walks to the target. */
         GO,
-        /** Searches the ball. */
+        /** Searches for the ball. */
         SEARCH,
-        /** Dribbles the ball. */
+        /** Dribbles. */
         DRIBBLE,
         /** Kicks the ball. */
         KICK,
-        /** Kicks the ball far. */
+        /** Kicks the ball with a far kick. */
         FAR_KICK,
         /** Waits behind the ball until the receiver is ready. */
         WAIT,
@@ -54,6 +54,6 @@ public record Plan(TeamRole role, Action action, Translation2d target, double he
         return kicksNow() || action == Action.WAIT;
     }
 
-    /** Plan of a player before its first decision. */
+    /** A player's plan before its first decision. */
     public static final Plan NONE = new Plan(TeamRole.SUPPORTER, Action.STAND, Translation2d.ORIGIN, 0, 0);
 }

@@ -12,7 +12,7 @@ import org.robonewbie.team.world.Mate;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * Distribution of roles. All players compute the same result from their messages, so they agree without a captain.
+ * Assigns roles to players. All players compute the same assignment from their messages, so they agree without a captain.
  *
  * <p>The player with the shortest time to the ball is the striker. The others share the positions of the {@link Formation} at
  * minimum total cost. Hysteresis keeps roles stable: a new striker must be faster by {@link #STRIKER_LEAD_SECONDS}, and the
@@ -33,7 +33,7 @@ public final class Roles {
     private record Candidate(int number, Translation2d place, TeamRole role) {}
 
     /**
-     * Prepares the distribution.
+     * Creates the assignment; the role is computed on demand.
      *
      * @param world the world model
      * @param before the player's current role
@@ -56,8 +56,8 @@ public final class Roles {
     }
 
     /**
-     * Whether a player is the keeper. A team of fewer than eight has no keeper, since each player is needed near the ball. But
-     * a number 1 that starts alone in its goal is there for a penalty shoot-out.
+     * Returns whether a player is the keeper. A team of fewer than eight has no keeper, because every player is needed near the
+     * ball. But a player number 1 that starts alone in its goal is the keeper in a penalty shoot-out.
      *
      * @param world the world model
      * @param number player number
@@ -69,7 +69,7 @@ public final class Roles {
     }
 
     /**
-     * Whether the player is a keeper without team mates, as in a penalty shoot-out.
+     * Returns whether the player is a keeper without teammates, as in a penalty shoot-out.
      *
      * @param world the world model
      * @return whether it is
@@ -111,7 +111,7 @@ public final class Roles {
         return Math.max(0, metres) * Math.max(0, metres);
     }
 
-    /** All players except keeper and striker, by number. */
+    /** Returns all players except keeper and striker, sorted by number. */
     private List<Candidate> players() {
         int striker = striker();
         List<Candidate> players = new ArrayList<>();

@@ -9,8 +9,8 @@ import org.robonewbie.team.world.WorldModel;
 
 /**
  * Rules for kick-offs, kick-ins, corners, goal kicks and free kicks. The taker of a kick must not touch the ball again before
- * another player has, so it kicks far instead of dribbling, and then leaves the ball to the others. While the opponents take a
- * kick, all players keep away from the ball.
+ * another player has touched it, so it kicks far instead of dribbling, and then leaves the ball to the others. While the
+ * opponents take a kick, all players keep away from the ball.
  */
 public final class SetPlay {
 
@@ -36,11 +36,11 @@ public final class SetPlay {
     private Translation2d end = Translation2d.ORIGIN;
     private boolean forbidden;
 
-    /** Creates a set play before the first kick-off. */
+    /** Creates the state before the first kick-off. */
     public SetPlay() {}
 
     /**
-     * Updates the state of the set play. Call it before each decision.
+     * Updates the state of the set play. Call this before each decision.
      *
      * @param world the world model
      * @param role the player's current role
@@ -69,7 +69,10 @@ public final class SetPlay {
         return world.seconds() < forbiddenUntil;
     }
 
-    /** Whether another robot has touched the ball: one is close, and the ball will not come to rest where it was predicted to. */
+    /**
+     * Returns whether another robot has touched the ball: one is close, and the ball will come to rest elsewhere than
+     * predicted.
+     */
     private boolean isTouchedByOthers(WorldModel world) {
         boolean near = world.opponentDistance(world.ball()) < OTHERS_METRES
                 || world.mates().stream()
@@ -78,14 +81,15 @@ public final class SetPlay {
         return near && world.ballIn(LATER_SECONDS).distanceTo(end) > MOVED_METRES;
     }
 
-    /** {@return whether the player must not touch the ball, since it has just taken a kick} */
+    /** {@return whether the player must not touch the ball, because it has just taken a kick} */
     public boolean isForbidden() {
         return forbidden;
     }
 
     /**
-     * Whether a goal would count. After pass mode it does not for ten seconds, unless two players of the team have touched the
-     * ball; the duration of the shot is taken into account. Kick-ins and most free kicks are indirect.
+     * Returns whether a goal would count. For ten seconds after pass mode it does not count, unless two players of the team
+     * have touched the ball; the time that the ball takes to reach the goal is taken into account. Kick-ins and most free kicks
+     * are indirect.
      *
      * @param world the world model
      * @return whether a shot makes sense
@@ -97,9 +101,9 @@ public final class SetPlay {
     }
 
     /**
-     * Whether the player should request pass mode, which keeps opponents a metre away from the ball for four seconds: it is
-     * about to pass, or to kick from a distance at which it cannot score, and an opponent is approaching. A player without team
-     * mates does not pass. The referee decides.
+     * Returns whether the player should request pass mode, which keeps opponents a metre away from the ball for four seconds:
+     * it is about to pass, or to kick from a distance at which it cannot score, and an opponent is approaching. A player
+     * without teammates does not pass. The referee decides.
      *
      * @param world the world model
      * @param plan the player's plan
@@ -118,17 +122,17 @@ public final class SetPlay {
     }
 
     /**
-     * Whether the player is about to take a kick.
+     * Returns whether the player is about to take a kick.
      *
      * @param world the world model
-     * @return whether it may touch the ball only once; false when the time for the kick has nearly elapsed
+     * @return whether it may touch the ball only once; false once the time allowed for the kick has nearly elapsed
      */
     public boolean mayTouchOnce(WorldModel world) {
         return world.situation().isOurs() && !world.mates().isEmpty() && world.secondsInSituation() < PATIENCE_SECONDS;
     }
 
     /**
-     * Whether the taker of a kick should wait for the receiver; opponents keep away in the meantime.
+     * Returns whether the taker of a kick should wait for the receiver; opponents keep away in the meantime.
      *
      * @param world the world model
      * @param kick the player's plan
@@ -154,7 +158,8 @@ public final class SetPlay {
     }
 
     /**
-     * Returns the striker's position while the opponents take a kick: between ball and goal, as close as the rules allow.
+     * Returns the striker's position while the opponents take a kick: between the ball and the team's own goal, as close to the
+     * ball as the rules allow.
      *
      * @param world the world model
      * @return the position
@@ -164,7 +169,7 @@ public final class SetPlay {
     }
 
     /**
-     * Moves a position away from the ball if the opponents take a kick, and into the own half at a kick-off.
+     * Moves a position away from the ball if the opponents take a kick, and into the team's own half at a kick-off.
      *
      * @param world the world model
      * @param place the preferred position

@@ -11,8 +11,8 @@ import org.robonewbie.team.world.Situation;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * Decision of a player, once per camera picture: first its role, by {@link Roles}; then the striker's action, by {@link
- * KickChoice}, or the position of the others, by {@link Formation}. {@link SetPlay} adds the rules of set plays.
+ * Makes a player's decisions once per camera image: {@link Roles} assigns its role; then {@link KickChoice} chooses the action
+ * of a striker, or {@link Formation} the position of any other player. {@link SetPlay} adds the rules of set plays.
  */
 public final class Strategy {
 
@@ -67,7 +67,10 @@ public final class Strategy {
         }
     }
 
-    /** A player that prepares a kick keeps its plan for a while, since each change requires new steps. */
+    /**
+     * Returns whether the current plan may be replaced. A player that prepares a kick keeps its plan for a while, because each
+     * change requires additional steps.
+     */
     private boolean isOld(Plan next) {
         return world.seconds() - planSeconds > KICK_LASTS_SECONDS
                 || next.action() == Action.WAIT
@@ -114,7 +117,7 @@ public final class Strategy {
         return new Plan(role, Action.GO, legal, facing(legal), 0);
     }
 
-    /** Position for receiving a current pass of a team mate to this player. */
+    /** Returns the position for receiving a pass that a teammate has announced to this player; empty if there is none. */
     private Optional<Translation2d> passTarget() {
         return world.mates().stream()
                 .filter(mate -> mate.message().receiver() == world.number())
@@ -124,7 +127,10 @@ public final class Strategy {
                 .findFirst();
     }
 
-    /** Position for receiving a ball: behind its target, as seen from the own goal, and beside its path. */
+    /**
+     * Returns the position for receiving a ball: between the ball's target and the team's own goal, and beside the line that
+     * connects them.
+     */
     private Translation2d behind(Translation2d end) {
         Translation2d back = world.ourGoal().minus(end);
         Translation2d behind = end.towards(world.ourGoal(), BESIDE_METRES);
@@ -135,7 +141,10 @@ public final class Strategy {
         return left.distanceTo(world.place()) < right.distanceTo(world.place()) ? left : right;
     }
 
-    /** Heading of a waiting player: towards the ball, but never away from the opponents' goal, where it has to play next. */
+    /**
+     * Returns the heading of a waiting player: towards the ball, but never facing away from the opponents' goal, towards which
+     * it will play the ball.
+     */
     private double facing(Translation2d place) {
         double goal = world.theirGoal().minus(place).degrees();
         double turned = Angles.wrap(world.ball().minus(place).degrees() - goal);
@@ -143,10 +152,10 @@ public final class Strategy {
     }
 
     /**
-     * Estimates the time until the player could play the ball, from the intercept with the rolling ball and the necessary
-     * turns.
+     * Estimates the time until the player could play the ball, from the point at which it intercepts the rolling ball and the
+     * turns that this requires.
      *
-     * @return seconds, {@link #NEVER_SECONDS} if the player does not claim the ball
+     * @return seconds; {@link #NEVER_SECONDS} if the player does not claim the ball
      */
     public double secondsToBall() {
         boolean keeps = Roles.isKeeper(world, world.number())

@@ -3,10 +3,10 @@ package org.robonewbie.team.talk;
 import java.util.Optional;
 
 /**
- * Bit stream that is encoded as text. A message has at most 20 characters; blanks and brackets are forbidden, and quotation
- * marks confuse some servers. The 64 characters in use hold six bits each.
+ * Bit stream that is encoded as the text of a voice message. Such a message has at most 20 characters; spaces and parentheses
+ * are forbidden, and quotation marks confuse some servers. Of the other characters, 64 are used, so that each holds six bits.
  *
- * <p>The last five bits are a checksum, so that messages of other programs are not mistaken for those of this team.
+ * <p>The last five bits are a checksum, so that messages from other programs are not mistaken for messages from this team.
  */
 final class Characters {
 
@@ -19,7 +19,7 @@ final class Characters {
     private final boolean[] bits = new boolean[ALL_BITS];
     private int next;
 
-    /** Decodes a text; empty if it is no message of this team. */
+    /** Decodes a text; empty if it is not a message from this team. */
     static Optional<Characters> of(String text) {
         if (text.length() != LENGTH || text.chars().anyMatch(letter -> ALPHABET.indexOf(letter) < 0)) {
             return Optional.empty();
@@ -34,21 +34,24 @@ final class Characters {
         return right ? Optional.of(result) : Optional.empty();
     }
 
-    /** Writes a non-negative integer. */
+    /** Writes a non-negative integer with the given number of bits. */
     void write(int number, int width) {
         for (int bit = width - 1; bit >= 0; bit--) {
             bits[next++] = ((number >> bit) & 1) == 1;
         }
     }
 
-    /** Writes a number, quantised between two limits; values beyond are clamped. */
+    /**
+     * Writes a number as an integer of the given number of bits, scaled between two limits. Values outside the limits are
+     * clamped.
+     */
     void write(double value, int width, double least, double most) {
         int steps = (1 << width) - 1;
         double share = (value - least) / (most - least);
         write((int) Math.floor(Math.max(0, Math.min(1, Double.isNaN(share) ? 0 : share)) * steps + 0.5), width);
     }
 
-    /** Reads an integer. */
+    /** Reads a non-negative integer with the given number of bits. */
     int read(int width) {
         int number = 0;
         for (int i = 0; i < width; i++) {
@@ -57,12 +60,12 @@ final class Characters {
         return number;
     }
 
-    /** Reads a number between two limits. */
+    /** Reads a number that was written with the same width and limits. */
     double read(int width, double least, double most) {
         return least + (most - least) * read(width) / ((1 << width) - 1);
     }
 
-    /** Adds the checksum and returns the text. */
+    /** Appends the checksum and returns the encoded text. */
     String finish() {
         next = ALL_BITS - CHECK_BITS;
         write(checksum(), CHECK_BITS);

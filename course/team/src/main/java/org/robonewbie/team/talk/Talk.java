@@ -3,9 +3,9 @@ package org.robonewbie.team.talk;
 import org.robonewbie.nao.Cycle;
 
 /**
- * Time-division schedule for speaking. A robot receives one message of its team in 40 ms; if two robots speak at the same time,
- * one message is lost. So each number has its own time slot in a period of eleven slots of 40 ms. All robots have the same
- * clock.
+ * Time-division schedule for speaking. A robot can receive one message from its team every 40 ms; if two robots speak at the
+ * same time, one message is lost. So each player number has its own time slot in a period of eleven slots of 40 ms. All robots
+ * have synchronised clocks.
  */
 public final class Talk {
 
@@ -15,7 +15,7 @@ public final class Talk {
     private Talk() {}
 
     /**
-     * Whether a robot may speak.
+     * Returns whether a robot may speak.
      *
      * @param seconds simulated time
      * @param number player number, 1 to 11

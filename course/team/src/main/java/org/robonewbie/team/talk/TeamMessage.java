@@ -5,8 +5,8 @@ import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.geometry.Translation2d;
 
 /**
- * Message of a player to its team: its pose and role, the ball, and the time to reach it. It takes 18 of the 20 characters that the
- * rules allow; {@link Characters} encodes six bits in each.
+ * Message from a player to its team: its pose and role, the ball, and the time to reach it. It takes 18 of the 20 characters
+ * that the rules allow; {@link Characters} encodes six bits in each.
  *
  * <table>
  * <caption>Bits and resolution</caption>
@@ -30,7 +30,7 @@ import org.robonewbie.nao.geometry.Translation2d;
  * @param role its role
  * @param ball position of the ball in the coordinates of the team
  * @param ballVelocity velocity of the ball, metres per second
- * @param ballAgeSeconds seconds since it has seen the ball, at most {@link #MAX_AGE_SECONDS}
+ * @param ballAgeSeconds seconds since it last saw the ball, at most {@link #MAX_AGE_SECONDS}
  * @param secondsToBall time until it could play the ball
  * @param receiver player number of the receiver of a pass; 0 for none
  * @param passTarget target of the pass
@@ -47,7 +47,7 @@ public record TeamMessage(
         int receiver,
         Translation2d passTarget) {
 
-    /** Maximum age of the ball that a message can contain; it also stands for older sightings. */
+    /** Maximum age of a ball sighting that a message can express; it also stands for anything older. */
     public static final double MAX_AGE_SECONDS = 6.2;
 
     private static final double MAX_METRES = 20.5;

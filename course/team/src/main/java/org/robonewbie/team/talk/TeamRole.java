@@ -1,20 +1,20 @@
 package org.robonewbie.team.talk;
 
-/** Role of a player in its team. */
+/** A player's role in its team. */
 public enum TeamRole {
     /** Keeps the goal; number 1 in a team of eight or more. */
     KEEPER("white"),
-    /** Plays the ball; one player at a time. */
+    /** Plays the ball; only one player at a time has this role. */
     STRIKER("red"),
-    /** Follows the striker and takes over a lost ball. */
+    /** Follows the striker and takes over if the striker loses the ball. */
     SUPPORTER("orange"),
-    /** Waits for passes between the ball and the opponents' goal. */
+    /** Waits between the ball and the opponents' goal for passes. */
     FORWARD("yellow"),
     /** Waits for passes on the left. */
     LEFT_WING("yellow"),
     /** Waits for passes on the right. */
     RIGHT_WING("yellow"),
-    /** Stands between the ball and the own goal. */
+    /** Stands between the ball and the team's own goal. */
     SWEEPER("blue"),
     /** Defends on the left. */
     LEFT_BACK("blue"),

@@ -7,11 +7,11 @@ import org.robonewbie.nao.math.PortableMath;
  * Kalman filter for position and velocity of the ball.
  *
  * <p>Model: the grass decelerates the ball in proportion to its speed, v(t) = v₀ e<sup>−t/τ</sup>, so it travels v₀ τ (1 −
- * e<sup>−t/τ</sup>), in total τ = 0.677 s times its speed. This model is linear, as the filter requires.
+ * e<sup>−t/τ</sup>), and before it stops τ = 0.677 s times its initial speed v₀. This model is linear, as the filter requires.
  *
- * <p>Filter: {@link #roll} predicts, and the uncertainty grows. {@link #see} corrects by a sighting; the less certain the
- * estimate, the greater the weight of the sighting. A sighting that contradicts the estimate indicates a kick: then the
- * velocity is unknown until the next picture.
+ * <p>Filter: {@link #roll} predicts the ball, which increases the uncertainty. {@link #see} corrects the estimate by a
+ * sighting; the less certain the estimate, the greater the weight of the sighting. A sighting that contradicts the estimate
+ * indicates a kick, after which the velocity is unknown until the next image.
  *
  * <p>Both axes have the same uncertainty, so three numbers replace the matrix: the variances of position and velocity, and
  * their covariance.
@@ -20,7 +20,7 @@ import org.robonewbie.nao.math.PortableMath;
  */
 public final class BallFilter {
 
-    /** Time constant τ: the ball travels this number of metres for each metre per second of speed. */
+    /** Time constant τ: before it stops, the ball travels this number of metres for each metre per second of its speed. */
     public static final double ROLLING_SECONDS = 0.677;
 
     private static final double SPEED_NOISE = 0.5;
@@ -51,7 +51,7 @@ public final class BallFilter {
     }
 
     /**
-     * Predicts the ball.
+     * Advances the estimate by a prediction.
      *
      * @param seconds elapsed time
      */

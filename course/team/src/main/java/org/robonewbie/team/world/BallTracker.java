@@ -9,8 +9,8 @@ import org.robonewbie.nao.geometry.Translation2d;
 
 /**
  * Ball tracker with a {@link BallFilter}, in a frame that does not move with the robot. There are two variants. The default one
- * uses the odometry's frame and assumes an upright torso; kick and tactics are tuned for it. The exact one uses the field's
- * frame and compensates the tilt of the torso, which displaces the ball in the picture.
+ * uses the odometry frame and assumes that the torso is upright; kicks and tactics are tuned for it. The exact one uses the
+ * field's frame and compensates for the tilt of the torso, which displaces the ball in the image.
  */
 final class BallTracker {
 
@@ -37,7 +37,7 @@ final class BallTracker {
         }
     }
 
-    /** Corrects the estimate if there is a new picture. */
+    /** Corrects the estimate if there is a new image. */
     void look(SelfLocalisation self, FieldItem ball, double seconds) {
         here = exact ? self.pose() : self.odometry().pose();
         if (ball.isKnown() && ball.ageSeconds() == 0) {
@@ -47,23 +47,23 @@ final class BallTracker {
         }
     }
 
-    /** Clears the estimate after the robot was placed elsewhere. */
+    /** Clears the estimate; for use after the robot has been placed elsewhere. */
     void reset() {
         filter.reset();
         seenSeconds = Double.NEGATIVE_INFINITY;
     }
 
-    /** Time of the last sighting. */
+    /** Returns the simulated time of the last sighting in seconds. */
     double seenSeconds() {
         return seenSeconds;
     }
 
-    /** Position of the ball in the robot's frame. */
+    /** Returns the position of the ball in the robot's frame. */
     Translation2d position() {
         return filter.position().seenFrom(here);
     }
 
-    /** Velocity of the ball in the robot's frame, metres per second. */
+    /** Returns the velocity of the ball in the robot's frame in metres per second. */
     Translation2d velocity() {
         return filter.velocity().seenFrom(new Pose2d(0, 0, here.degrees()));
     }

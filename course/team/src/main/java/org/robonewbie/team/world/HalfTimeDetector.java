@@ -15,13 +15,13 @@ final class HalfTimeDetector {
     private Pose2d beamedTo = Pose2d.ORIGIN;
     private double beamedSeconds = Double.NEGATIVE_INFINITY;
 
-    /** Sets the target of a beam, in the coordinates of the team. */
+    /** Records that the robot has beamed to a pose, in the coordinates of the team. */
     void beamed(Pose2d place, double seconds) {
         beamedTo = place;
         beamedSeconds = seconds;
     }
 
-    /** Compares the target of the beam with the estimated pose. */
+    /** Compares the target of the beam with the pose estimated from landmarks. */
     void look(Pose2d seen, double seconds) {
         boolean waited = seconds - beamedSeconds > CERTAIN_SECONDS;
         if (waited && seconds - beamedSeconds < 2 && isAt(seen, turned(beamedTo))) {
@@ -35,12 +35,12 @@ final class HalfTimeDetector {
                 && pose.translation().length() > NEAR_METRES;
     }
 
-    /** {@return whether the team plays on the other side than at first} */
+    /** {@return whether the team has changed sides since the start of the game} */
     boolean isChanged() {
         return changed;
     }
 
-    /** Converts between the coordinates of the first and the current side. */
+    /** Converts a pose between the coordinates of the team's first side and those of its current side, in either direction. */
     Pose2d convert(Pose2d pose) {
         return changed ? turned(pose) : pose;
     }

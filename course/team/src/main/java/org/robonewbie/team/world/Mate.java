@@ -4,10 +4,10 @@ import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.talk.TeamMessage;
 
 /**
- * A team mate, as described by its last message.
+ * A teammate, as described by its last message.
  *
  * @param message its last message
- * @param heardSeconds time of the message, in simulated seconds
+ * @param heardSeconds simulated time in seconds at which the message was heard
  */
 public record Mate(TeamMessage message, double heardSeconds) {
 

@@ -25,8 +25,8 @@ import org.robonewbie.team.talk.TeamMessage;
  * World model of a player: its pose, the ball, the other robots, and the referee's decisions. All other classes of this team
  * access the game through it, in the coordinates of the team.
  *
- * <p>Information that the player's own sensors have not provided for a while comes from messages of team mates, which contain
- * their poses and ball sightings.
+ * <p>What the player's own sensors have not shown for a while is taken from teammates' messages, which contain their poses and
+ * ball sightings.
  */
 public final class WorldModel {
 
@@ -39,7 +39,7 @@ public final class WorldModel {
     private static final double BEGIN_SECONDS = 1;
     private static final int SMALL_TEAM = 8;
 
-    /** Maximum tilt; sightings of a falling robot are unreliable. */
+    /** Maximum tilt of the torso at which sightings are used; while the robot is falling they are unreliable. */
     private static final double UPRIGHT_DEGREES = 15;
 
     private final SelfLocalisation self = new SelfLocalisation();
@@ -69,7 +69,7 @@ public final class WorldModel {
     public WorldModel() {}
 
     /**
-     * Processes one cycle. Call it once at the beginning of each cycle.
+     * Processes one cycle. Call this once at the beginning of each cycle.
      *
      * @param nao the robot
      * @param view the robot's field view
@@ -101,7 +101,7 @@ public final class WorldModel {
         }
     }
 
-    /** Detects a robot that was placed in its goal, at first or before a game. */
+    /** Detects a robot that was placed in its goal, at the start of the program or before a game. */
     private void detectStartInGoal() {
         boolean begins = !placed || seconds - lineUpSeconds < BEGIN_SECONDS;
         if (self.isKnown() && begins) {
@@ -121,7 +121,7 @@ public final class WorldModel {
         }
     }
 
-    /** Uses the robot's own estimate of the ball if it is recent, else the latest sighting of a team mate. */
+    /** Uses the robot's own estimate of the ball if it is recent, otherwise the latest sighting by a teammate. */
     private void updateBall() {
         ball = tracker.position().onMap(pose);
         ballVelocity = tracker.velocity().onMap(new Pose2d(0, 0, pose.degrees()));
@@ -154,7 +154,10 @@ public final class WorldModel {
                 .toList();
     }
 
-    /** Whether a robot lies, with its head far below the own one; it is an obstacle, but does not play. */
+    /**
+     * Returns whether another robot is lying: its head is far below this robot's own head. Such a robot is an obstacle, but
+     * does not play.
+     */
     private static boolean isLying(PlayerItem player) {
         FieldItem head = player.part(BodyPart.HEAD);
         boolean seen = head.isKnown() && head.lastSeenSeconds() == player.lastSeenSeconds();
@@ -162,7 +165,7 @@ public final class WorldModel {
     }
 
     /**
-     * Processes the messages of team mates. Call it after {@link #update} in each cycle.
+     * Processes the messages from teammates. Call this after {@link #update} in each cycle.
      *
      * @param nao the robot
      */
@@ -181,7 +184,7 @@ public final class WorldModel {
     }
 
     /**
-     * Processes a beam of the robot.
+     * Records that the robot has beamed.
      *
      * @param place target pose in the coordinates of the team
      */
@@ -194,7 +197,7 @@ public final class WorldModel {
         pose = place;
     }
 
-    /** {@return simulated seconds} */
+    /** {@return the simulated time in seconds} */
     public double seconds() {
         return seconds;
     }
@@ -254,7 +257,7 @@ public final class WorldModel {
         return begunInGoal;
     }
 
-    /** {@return the position of the robot} */
+    /** {@return the position of the robot in the coordinates of the team} */
     public Translation2d place() {
         return pose.translation();
     }
@@ -295,7 +298,8 @@ public final class WorldModel {
     }
 
     /**
-     * Predicts the ball from the robot's own sightings with compensated tilt, which is more precise near the feet.
+     * Predicts the ball from the robot's own sightings with compensation for the tilt of the torso, which is more precise near
+     * the feet.
      *
      * @param later seconds from now
      * @return the predicted position in the robot's frame
@@ -304,7 +308,7 @@ public final class WorldModel {
         return BallFilter.predict(exactTracker.position(), exactTracker.velocity(), later);
     }
 
-    /** {@return the team mates with recent messages, by number} */
+    /** {@return the teammates with recent messages, by number} */
     public List<Mate> mates() {
         return List.copyOf(mates.values());
     }
