@@ -74,13 +74,13 @@ final class HillTask implements Task {
         }
         if (fallen) {
             return Score.failed(
-                    reached ? 3 : 0, finding, "Walk slowly: 0.2 m/s leads up safely. Stop before the steps.");
+                    reached ? 3 : 0, finding, "Walk slowly: 0.2 m/s is safe on the slope. Stop in front of the steps.");
         }
         return Score.failed(
                 reached ? 4 : 0,
                 finding,
                 reached
-                        ? "Stop on the top, which is from x = -3.0 to x = -2.3, and stand still for 3 s."
+                        ? "Stop at the top, which extends from x = -3.0 to x = -2.3, and stand still for 3 s."
                         : "The slope is 2 m wide and begins at x = -4.2. Walk to (-4.5, 0) first, turn to 0°, then walk up.");
     }
 }

@@ -106,7 +106,7 @@ record ClassTable(
                 .filter(each -> each.unchanged() > 0)
                 .map(each -> each.exercise() + ": " + each.unchanged())
                 .collect(Collectors.joining(", "));
-        return names.isEmpty() ? "" : "Unchanged start code was submitted (" + names + ").";
+        return names.isEmpty() ? "" : "The starter code was submitted unchanged (" + names + ").";
     }
 
     private String csv() {

@@ -120,8 +120,8 @@ public final class CourseService implements AutoCloseable {
 
     private static Exercise find(String name) {
         return Exercises.find(name)
-                .orElseThrow(() -> new IllegalArgumentException(
-                        "There is no exercise named \"" + name + "\". Load the page again."));
+                .orElseThrow(() ->
+                        new IllegalArgumentException("There is no exercise named \"" + name + "\". Reload the page."));
     }
 
     private static int trials(String text) {
