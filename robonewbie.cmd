@@ -1,11 +1,11 @@
 @echo off
-rem Runs RoboNewbie; app\src\launcher\java\Build.java builds it first where that is needed. "robonewbie" does it on Linux and macOS.
+rem Runs RoboNewbie; app\src\launcher\java\Build.java builds it first if necessary. Linux and macOS use the script "robonewbie".
 setlocal DisableDelayedExpansion
 set "JAR="
 set "JAVA=java"
 if exist "%JAVA_HOME%\bin\java.exe" set "JAVA=%JAVA_HOME%\bin\java.exe"
 if exist "%~dp0runtime\bin\java.exe" set "JAVA=%~dp0runtime\bin\java.exe"
-rem Java 17 is the first that knows this option.
+rem Java 17 is the first version with this option.
 "%JAVA%" --enable-native-access=ALL-UNNAMED -version >nul 2>&1
 if errorlevel 1 goto no_java
 set "RELEASE=%~dp0maven\org\robonewbie\robonewbie"
@@ -24,7 +24,7 @@ exit /b %ERRORLEVEL%
 exit /b %ERRORLEVEL%
 
 :no_java
->&2 echo robonewbie: Java 17 or newer is needed, a JDK. "%JAVA%" is none.
+>&2 echo robonewbie: a JDK 17 or newer is needed. "%JAVA%" is not one.
 >&2 echo   Install a JDK, for example Temurin from https://adoptium.net (any version from 17 on),
 >&2 echo   open a new window and try again. If it is installed already, set JAVA_HOME to its folder.
 exit /b 1

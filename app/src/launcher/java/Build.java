@@ -17,8 +17,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 
 /**
- * Builds RoboNewbie where that is needed; the launchers run this file as it is: {@code java Build.java HOME}. With
- * {@code start} and arguments behind it, the program is started then.
+ * Builds RoboNewbie if it is missing or outdated. The launchers run this source file directly: {@code java Build.java HOME}.
+ * With {@code start} and further arguments it also starts the program.
  */
 final class Build {
 
@@ -45,7 +45,7 @@ final class Build {
         System.exit(result);
     }
 
-    /** Builds, unless the program is newer than all sources. One process builds, others wait for it. */
+    /** Builds unless the program is newer than all sources. A file lock lets one process build while others wait. */
     private int ifNeeded() throws Exception {
         if (isFresh()) {
             return 0;
@@ -56,20 +56,20 @@ final class Build {
                     launch.resolve("lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
                 FileLock lock = channel.tryLock();
                 if (lock == null) {
-                    System.err.println("RoboNewbie is being built in another window; waiting for it ...");
+                    System.err.println("RoboNewbie is being built in another window; waiting ...");
                     channel.lock();
                 }
                 return isFresh() ? 0 : buildAlone();
             }
         } catch (java.nio.file.FileSystemException unwritable) {
-            System.err.println("robonewbie: cannot write into " + launch + ".");
-            System.err.println("  RoboNewbie has to be built once. Copy its folder to a place where you may write, for example"
+            System.err.println("robonewbie: cannot write to " + launch + ".");
+            System.err.println("  RoboNewbie must be built once. Copy its folder to a writable place, for example"
                     + " your home folder.");
             return 1;
         }
     }
 
-    /** The newest program: while one runs Windows keeps its file, so that each build gets a name of its own there. */
+    /** Returns the newest program file. Windows locks a running program, so that each build has its own name there. */
     private Optional<Path> program() throws IOException {
         if (!Files.isDirectory(launch)) {
             return Optional.empty();
@@ -142,10 +142,10 @@ final class Build {
 
     private static void stop() {
         ProcessHandle.current().descendants().forEach(ProcessHandle::destroy);
-        System.err.println(System.lineSeparator() + "The build was stopped. The next start begins it again.");
+        System.err.println(System.lineSeparator() + "The build was stopped. The next start repeats it.");
     }
 
-    /** One line that changes while Maven works; without a terminal it was written once. */
+    /** Progress line that is updated during the build; printed once without a terminal. */
     private void showProgress(Process maven, String title, boolean terminal) throws Exception {
         for (int seconds = 1; !maven.waitFor(1, TimeUnit.SECONDS); seconds++) {
             if (terminal) {
@@ -181,8 +181,8 @@ final class Build {
         err.println();
         String lower = all.toLowerCase(Locale.ROOT);
         if (all.contains("COMPILATION ERROR")) {
-            err.println("What to do: correct the Java file and line that the first ERROR names. \"git diff\" shows what you"
-                    + " changed.");
+            err.println("What to do: correct the Java file at the line of the first ERROR. \"git diff\" shows your"
+                    + " changes.");
         } else if (Stream.of("could not transfer", "unknown host", "failed to fetch", "connect", "could not resolve")
                 .anyMatch(lower::contains)) {
             err.println("What to do: the first build needs the internet, later ones do not. Check the connection (and the"
@@ -190,10 +190,10 @@ final class Build {
         } else {
             err.println("What to do: read the first ERROR above. \"./mvnw clean\" and a new start often help.");
         }
-        err.println("The whole output is in " + log);
+        err.println("The full output is in " + log);
     }
 
-    /** A program that is still running keeps its own file, since the new one takes the name in one step. */
+    /** Installs the new program. A running program keeps its old file, since the rename is atomic. */
     private void keepProgram(Instant started) throws IOException {
         String name = WINDOWS ? "robonewbie-" + started.getEpochSecond() + ".jar" : "robonewbie.jar";
         Path copy = launch.resolve(name + ".new");

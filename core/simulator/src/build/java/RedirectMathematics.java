@@ -15,11 +15,11 @@ import java.util.jar.JarEntry;
 import java.util.jar.JarFile;
 
 /**
- * Copies those classes of ode4j that call {@code Math.sin} and its kin into a folder that comes first on the class path, with
- * the calls redirected to {@code PortableMath}. Everything else of them stays as it is.
+ * Copies those classes of ode4j that call {@code Math.sin} or similar functions into a folder that comes first on the
+ * class path, with these calls redirected to {@code PortableMath}. Everything else in the classes remains unchanged.
  *
- * <p>Only the table of constants of a class file changes (Java Virtual Machine Specification, 4.4): a reference to a method
- * names its class by number, and gets the number of a class that is appended to the table.
+ * <p>Only the constant pool of a class file changes (Java Virtual Machine Specification, 4.4): a method reference
+ * contains the index of its class, which is replaced by the index of a class appended to the pool.
  *
  * <p>Usage: {@code java -cp ode4j.jar RedirectMathematics.java FOLDER}
  */
@@ -105,7 +105,7 @@ final class RedirectMathematics {
         return PLATFORM.contains(text(at(method, 1), 1)) && FUNCTIONS.contains(text(at(method, 3), 1));
     }
 
-    /** The constant that a constant refers to by the number at an offset. */
+    /** Returns the constant whose index is stored at an offset within another constant. */
     private byte[] at(byte[] constant, int offset) {
         return constants.get(Short.toUnsignedInt(ByteBuffer.wrap(constant).getShort(offset)));
     }

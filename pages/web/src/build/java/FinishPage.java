@@ -22,7 +22,7 @@ final class FinishPage {
 
     private static final String LIST = "files.json";
     private static final String SERVICE_WORKER = "service-worker.js";
-    /** Not cached, since a teacher may change the solutions at any time. */
+    /** Not cached, because a teacher may change the solutions at any time. */
     private static final String SOLUTIONS = "solutions/";
 
     private static final String STYLE = "    <link rel=\"stylesheet\" href=\"page/page.css\" />\n  </head>";

@@ -17,8 +17,7 @@ import org.robonewbie.programs.completion.CommentCollector;
 import org.robonewbie.web.compiling.ProgramLibrary;
 
 /**
- * Writes the Javadoc of RoboNewbie's classes that programs may use, as plain text by class and member, for the code completion of the
- * page.
+ * Writes the Javadoc of RoboNewbie's classes that programs may use, as plain text by class and member, for the page's code completion.
  *
  * <p>Usage: {@code java -cp CLASS_PATH PackComments.java ROOT FILE}
  */

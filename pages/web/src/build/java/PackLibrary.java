@@ -23,10 +23,10 @@ import org.robonewbie.web.compiling.ProgramLibrary;
 
 /**
  * Packs the class files that the compiler in the page needs: the Java classes that programs may use, their dependencies, and those of
- * RoboNewbie. Format: number of classes, then for each its path, the number of its bytes, and its content.
+ * RoboNewbie. Format: number of classes, then the path, size in bytes, and content of each.
  *
- * <p>Usage: {@code java -cp CLASS_PATH PackLibrary.java FILE MISSING}. The second file receives the names of Java classes that are not
- * available in the page, one line per package: its name, then the class names.
+ * <p>Usage: {@code java -cp CLASS_PATH PackLibrary.java FILE MISSING}. The second file receives the names of Java
+ * classes that are not available in the page: one line per package, with the package name followed by the class names.
  */
 final class PackLibrary {
 
@@ -45,7 +45,7 @@ final class PackLibrary {
         "java.lang.IncompatibleClassChangeError"
     };
 
-    /** Modules whose classes students may know. */
+    /** Modules whose classes students may try to use. */
     private static final List<String> MODULES =
             List.of("java.base", "java.desktop", "java.logging", "java.net.http", "java.prefs", "java.sql", "java.xml");
 
@@ -76,7 +76,10 @@ final class PackLibrary {
         System.out.println(classes.size() + " classes, " + packed.size() + " bytes");
     }
 
-    /** Lists Java's public classes that are missing in the page, except those whose simple name exists there. */
+    /**
+     * Lists Java's public classes that are missing in the page, except those with the same simple name as an available
+     * class.
+     */
     private static String missing(Set<String> files) throws IOException, ClassNotFoundException {
         Set<String> known = files.stream()
                 .map(file -> file.substring(file.lastIndexOf('/') + 1).replace(".class", ""))

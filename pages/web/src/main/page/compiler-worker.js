@@ -28,7 +28,7 @@ function compile(exports, sources) {
   return { remarks, classes: files.map((/** @type {string} */ _, /** @type {number} */ i) => exports.classFile(i)) };
 }
 
-/** @param {any} exports @param {[string, string][]} sources the edited one first @param {number} at index at index of the cursor */
+/** @param {any} exports @param {[string, string][]} sources the edited one first @param {number} at index of the cursor */
 function complete(exports, sources, at) {
   for (const [path, text] of sources) {
     exports.takeSource(path, text);

@@ -13,7 +13,11 @@ async function list() {
   return { cacheName: OURS + version, files };
 }
 
-/** Whether a cache is an older one of this edition; the first version did not put the folder into the name. @param {string} name */
+/**
+ * Whether a cache belongs to an older version of this edition; the first version's cache name did not contain the folder.
+ *
+ * @param {string} name
+ */
 async function isOlder(name) {
   const isNameless = /^robonewbie-\w+$/.test(name);
   return name.startsWith(OURS) || (isNameless && (await (await caches.open(name)).match(SCOPE)) !== undefined);

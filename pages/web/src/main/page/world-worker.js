@@ -1,6 +1,6 @@
 /**
- * Web worker with the simulator and its agent. A message such as `{begin: {agents, seed}}` or `{ask: command}` contains the name of an
- * action and its argument. News are sent as texts, states as bytes.
+ * Web worker that runs the simulator and the agents. A message such as `{begin: {agents, seed}}` or `{ask: command}`
+ * contains the name of an action and its argument. The worker sends messages as texts or objects, and states as bytes.
  */
 import { load } from './webassembly-loader.js';
 
@@ -35,7 +35,7 @@ function report(exports) {
  * Called when a new world has started.
  *
  * @param {any} exports
- * @param {string} begun name name of the agent; empty for a program of the user
+ * @param {string} begun name of the agent; empty for a user program
  */
 function announceStart(exports, begun) {
   postMessage({ begun, agents: exports.agents().split(' ') });

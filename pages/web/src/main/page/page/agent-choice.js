@@ -1,4 +1,4 @@
-/** Choice of the shipped agents that play: two lists in the toolbar and a restart button. */
+/** Toolbar elements for choosing the shipped agents that play: two lists and a restart button. */
 import { button, choice, setEntries } from '../panels/elements.js';
 
 const FIRST = 'Agent_BetterSoccer';
@@ -10,7 +10,7 @@ export class AgentChoice {
   /** @type {(agent: string) => void} */
   #join = () => {};
 
-  /** @param {readonly string[]} wanted wanted agents requested by the page's address */
+  /** @param {readonly string[]} wanted agents that the page's address requests */
   constructor([first, ...others]) {
     this.chosen = first ?? FIRST;
     /** Agents that play beside the selected one, or beside the user's program. */

@@ -1,4 +1,4 @@
-/** Local replacement for the course server: the course service in the world's worker, with what this browser stores for it. */
+/** Local replacement for the course server: asks the course service in the world's worker, and stores its data in this browser. */
 import { storage } from './page-storage.js';
 
 const LANGUAGE = 'robonewbie-page-language';
@@ -34,7 +34,7 @@ export class CourseServer {
       storage().set(PROGRESS, JSON.stringify(this.#progress));
       this.#unsaved = {};
     } catch {
-      // The next attempt to save a program reports the full storage; the next change tries again.
+      // The next change tries again; a full storage is reported when a program is saved.
     }
   }
 
@@ -125,7 +125,7 @@ async function solution(file) {
   }
 }
 
-/** Converts the progress that earlier editions have stored. @param {any} stored @returns {{exercises: States}} */
+/** Converts progress that earlier editions stored. @param {any} stored @returns {{exercises: States}} */
 function migrated(stored) {
   if (stored.exercises) {
     return stored;

@@ -1,4 +1,4 @@
-/** Advice for Java features that this page lacks. Pure. */
+/** Advice for Java features that this page lacks. Pure functions. */
 
 const ELSEWHERE = 'RoboNewbie on your computer has it.';
 const THREADS = `This page has no threads: let think() do a little of each behaviour, one after the other, and count cycles or compare nao.getTime() instead of waiting. ${ELSEWHERE}`;
@@ -6,7 +6,7 @@ const FILES = `This page has neither files nor a keyboard for programs: log.info
 const DATES = `Time on the pitch is nao.getTime(), in seconds. Dates are not available in this page. ${ELSEWHERE}`;
 const WINDOWS = `Programs of this page cannot open windows. ${ELSEWHERE}`;
 
-/** Prefixes of full Java names, with advice. @type {Array<[RegExp, string]>} */
+/** Patterns for qualified Java names, with advice. @type {Array<[RegExp, string]>} */
 const BY_NAME = [
   [/^java\.(util\.concurrent|lang\.Thread|util\.Timer|lang\.(Runtime|Process))/, THREADS],
   [/^java\.(io|nio|net)\.|^java\.util\.(Scanner|Properties|zip|jar)\b/, FILES],
@@ -35,7 +35,7 @@ const SIMILAR = {
   ThreadLocalRandom: 'Random',
 };
 
-/** Messages of javac about parts of RoboNewbie, with advice. @type {Array<[RegExp, string]>} */
+/** Patterns for javac's messages about parts of RoboNewbie that this page lacks, with advice. @type {Array<[RegExp, string]>} */
 const OF_ROBONEWBIE = [
   [
     /package org\.robonewbie\.(exercises|trial|simulator|learning)|class (Grader|Exercises|ExerciseCheck)\b/,
@@ -43,7 +43,7 @@ const OF_ROBONEWBIE = [
   ],
 ];
 
-/** Names that javac or the page reports as missing. */
+/** Patterns that extract a missing name from a message of javac or the page. */
 const NAMES = [
   /package ((?:[a-z]\w*\.)+[a-z]\w*) does not exist/,
   /symbol: +(?:class|variable|static) +([A-Z]\w*)[^]*location: +package ([\w.]+)/,

@@ -1,4 +1,4 @@
-/** Local replacement for the motion server: the user's motions, those of the library, and trials on a physical robot. */
+/** Local replacement for the motion server: the user's motions, those of the library, and trials on a robot with full physics. */
 import { decodeText } from '../state/decoded-text.js';
 import { asBytes, asText, BrowserRepository, versionOf } from './browser-repository.js';
 
@@ -16,7 +16,7 @@ export class MotionServer {
   #poses = new BrowserRepository('robonewbie-page-postures:');
   /** @type {Promise<string> | undefined} */
   #robot;
-  /** Called when a motion of the user was saved or removed. */
+  /** Called after one of the user's motions has been saved or removed. */
   changed = () => {};
 
   /** @param {import('./world-questions.js').WorldQuestions} questions */

@@ -8,7 +8,7 @@ import { insteadOfMissing, missingClasses } from './missing-classes.js';
  * @typedef {Record<string, Record<string, string>>} Comments documentation by class and member
  */
 
-/** Folders cached for offline use once the user programs. */
+/** Folders cached for offline use once the user starts programming. */
 const FOR_PROGRAMS = ['compiler/', 'programs/', 'examples/', 'vendor/codemirror/'];
 
 export class PageCompiler {
@@ -42,7 +42,7 @@ export class PageCompiler {
 
   /**
    * @param {Map<string, string>} sources text by path, the file in the editor first
-   * @param {number} at index index of the cursor
+   * @param {number} at index of the cursor
    * @returns {Promise<Proposal[]>}
    */
   async complete(sources, at) {
@@ -85,7 +85,7 @@ export class PageCompiler {
  * @param {string} shown
  * @param {string} text
  * @param {Map<string, string>} missing
- * @returns {Remark[]} those of the shown file, and those without a place
+ * @returns {Remark[]} the diagnostics; only those of the shown file have a position
  */
 function remarks(lines, shown, text, missing) {
   return lines.map((line) => {
@@ -103,7 +103,7 @@ function remarks(lines, shown, text, missing) {
   });
 }
 
-/** @param {string} line line of the compiler, with tab-separated fields @param {Comments} comments @returns {Proposal} */
+/** @param {string} line proposal of the compiler, with tab-separated fields @param {Comments} comments @returns {Proposal} */
 function proposal(line, comments) {
   const [label, detail, kind, insert, own = '', owner = '', key = ''] = line.split('\t');
   const documentation = own || comments[owner.replace(/\$.*/, '')]?.[key] || '';

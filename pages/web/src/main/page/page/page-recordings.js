@@ -1,4 +1,4 @@
-/** The recordings of this browser: the one of the shown world grows; the others are kept until space is needed. */
+/** The recordings of this browser: that of the displayed world is still growing; the others are kept until space is needed. */
 import { unpack } from '../replay/unpack.js';
 import { dateName } from './date-name.js';
 import { OpenRecording } from './open-recording.js';
@@ -10,7 +10,7 @@ import { pack } from './pack.js';
  */
 
 const MAX_BYTES = 100_000_000;
-/** About an hour of one robot. */
+/** About one hour with one robot. */
 const MAX_BYTES_OF_ONE = 40_000_000;
 const SAVE_MILLISECONDS = 10_000;
 const HOUR_MILLISECONDS = 3_600_000;
@@ -22,7 +22,7 @@ const MAX_OPEN = 3;
 export class PageRecordings {
   /** @type {Map<number, Entry>} */
   #entries = new Map();
-  /** Recordings opened last, and the growing one. @type {Map<number, Promise<OpenRecording>>} */
+  /** The most recently opened recordings, and the growing one. @type {Map<number, Promise<OpenRecording>>} */
   #open = new Map();
   /** @type {{entry: Entry, content: OpenRecording, savedBytes: number, savedNotes: number} | undefined} */
   #running;
@@ -54,7 +54,7 @@ export class PageRecordings {
     }
   }
 
-  /** @param {Uint8Array} bytes bytes of the shown world @param {boolean} isFirst whether they start another recording */
+  /** @param {Uint8Array} bytes next part of the recording @param {boolean} isFirst whether it starts another recording */
   receive(bytes, isFirst) {
     this.#enqueue(async () => {
       if (isFirst || !this.#running) {
@@ -108,12 +108,12 @@ export class PageRecordings {
     }
   }
 
-  /** @param {boolean} [hurry] whether the page may be closed immediately */
+  /** @param {boolean} [hurry] whether the page may be about to close, which leaves no time for compression */
   #save(hurry = false) {
     this.#enqueue(() => this.#write(hurry));
   }
 
-  /** Stores what has arrived since the last write. @param {boolean} [hurry] */
+  /** Stores the data that has arrived since the last write. @param {boolean} [hurry] */
   async #write(hurry = false) {
     const running = this.#running;
     if (!running || running.savedBytes === running.content.length) {
@@ -134,7 +134,7 @@ export class PageRecordings {
     await this.store.put(entry, piece);
   }
 
-  /** Removes the oldest recordings; starred ones are kept and do not count. */
+  /** Removes the oldest recordings until the others fit; starred ones are kept and do not count. */
   async #makeRoom() {
     let sum = 0;
     for (const { id, starred, bytes } of [...this.#entries.values()].reverse()) {
@@ -279,7 +279,7 @@ export class PageRecordings {
     return this.#change(name, { starred });
   }
 
-  /** @param {string} name @param {Bookmark} bookmark replaces one at the same moment */
+  /** @param {string} name @param {Bookmark} bookmark replaces an existing one at the same time */
   async addBookmark(name, { seconds, note }) {
     const others = this.#find(name).bookmarks.filter((each) => each.seconds !== seconds);
     if (others.length >= MAX_BOOKMARKS) {

@@ -3,7 +3,7 @@
 const NOT_HERE = 'This is not available in this page. Use RoboNewbie on your computer.';
 
 /**
- * @typedef {{answer: (place: string, options: RequestInit) => Promise<Response>}} Part request handler of a part of the server
+ * @typedef {{answer: (place: string, options: RequestInit) => Promise<Response>}} Part request handler for one part of the API
  * @param {Record<string, Part>} parts handlers by the first segment of their path
  */
 export function answerInsteadOfServer(parts) {

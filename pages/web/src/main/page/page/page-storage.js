@@ -1,9 +1,9 @@
 /**
- * Texts in the browser's local storage. All pages of an origin share one storage; each folder uses its own part of it, so that two editions
- * of RoboNewbie on one host do not share programs.
+ * Texts in the browser's local storage. All pages of an origin share one storage; each folder uses its own key prefix,
+ * so that two editions of RoboNewbie on one host do not share programs.
  */
 
-/** Keys from before each folder had its own part. */
+/** Keys written before each folder had its own prefix. */
 const COMMON = /^robonewbie-page-/;
 const MIGRATED = 'robonewbie-migrated';
 
@@ -89,7 +89,7 @@ export class PageStorage {
     return Array.from({ length: this.#store.length }, (_, index) => this.#store.key(index) ?? '');
   }
 
-  /** Copies the data of the whole host once and keeps the original if possible, because another edition may need it too. */
+  /** Copies the data stored before prefixes were introduced, once. Keeps the original if possible, because another edition may need it. */
   #migrate() {
     if (this.get(MIGRATED) !== null) {
       return;
@@ -100,7 +100,7 @@ export class PageStorage {
       }
       this.set(MIGRATED, 'yes');
     } catch {
-      // The storage is full; the next visit continues.
+      // The storage is full; the next visit tries again.
     }
   }
 

@@ -3,7 +3,7 @@ import { freeName } from '../state/program/documents.js';
 import { fileName } from '../state/program/remarks.js';
 import { BrowserRepository } from './browser-repository.js';
 
-/** @typedef {{path: string, before: string}} Shared a program opened by a link, and the one that was open before */
+/** @typedef {{path: string, before: string}} Shared a program opened from a link, and the one that was open before */
 
 const SHARED_NAME = 'Shared.java';
 const CLASS_FILE = /^[\p{L}_$][\p{L}\p{N}_$]{0,79}\.java$/u;
@@ -36,7 +36,7 @@ export class ProgramRepository {
     return this.#drafts.list;
   }
 
-  /** @returns {Shared[]} programs opened by links and neither kept nor discarded yet */
+  /** @returns {Shared[]} programs opened from links that have been neither saved nor discarded yet */
   get shared() {
     const drafts = new Set(this.drafts.map(({ path }) => path));
     return this.#shared.list

@@ -51,7 +51,7 @@ export class ProgramServer {
   #repository;
   #run = { id: 0, state: 'NONE', program: '', output: '', exitCode: 0, entersFirst: true };
 
-  /** Class of the program started last, by itself or in an exercise. */
+  /** Class of the most recently started program, on the pitch or in an exercise. */
   lastTried = '';
 
   /**

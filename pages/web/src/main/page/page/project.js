@@ -58,7 +58,7 @@ function classFiles(programs) {
  *
  * @param {Template} template
  * @param {Map<string, string>} programs texts by path
- * @param {string} shown path path of the program that the project runs by default
+ * @param {string} shown path of the program that the project runs by default
  * @returns {Map<string, string>} texts by path
  */
 export function filled(template, programs, shown) {

@@ -1,5 +1,5 @@
 /**
- * Persistent store of recordings in the browser's IndexedDB. It is empty if the browser stores nothing, for example in a private window.
+ * Persistent store of recordings in the browser's IndexedDB. It stays empty if the browser stores nothing, for example in a private window.
  *
  * @typedef {object} Entry metadata of a recording
  * @property {number} id start time in milliseconds; unique
@@ -14,11 +14,11 @@
  * @typedef {object} Piece the next part of a recording
  * @property {Uint8Array} bytes
  * @property {boolean} isPacked whether they are gzip-compressed
- * @property {string} notes logs and drawings of the robots meanwhile
+ * @property {string} notes logs and drawings of the robots during this part
  */
 import { folderOfPage, storage } from './page-storage.js';
 
-/** Name of the database from before each folder had its own. */
+/** Name of the database that was in use before each folder had its own. */
 const COMMON = 'robonewbie';
 const MIGRATED = 'robonewbie-migrated-recordings';
 
@@ -60,7 +60,8 @@ async function open() {
 }
 
 /**
- * Copies the recordings of the whole host once; they are not removed, because another edition on the host may need them too.
+ * Copies the recordings from the former database of the whole host once. The originals are kept, because another
+ * edition on the host may need them too.
  *
  * @param {IDBDatabase} database
  */

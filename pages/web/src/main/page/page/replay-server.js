@@ -64,7 +64,7 @@ export class ReplayServer {
     };
   }
 
-  /** @param {string} name @param {number} skip bytes already known */
+  /** @param {string} name @param {number} skip number of bytes that the page already has */
   async #notes(name, skip) {
     const { notes } = await this.recordings.open(name);
     return new Response(new TextEncoder().encode(notes).slice(skip));
@@ -83,7 +83,7 @@ export class ReplayServer {
 
 /**
  * @param {Reply} reply
- * @param {{read?: () => Promise<Response>}} [list] handler of requests without a name
+ * @param {{read?: () => Promise<Response>}} [list] handler for requests without a name
  */
 function part(reply, { read } = {}) {
   return {

@@ -16,7 +16,11 @@ export class WorldQuestions {
     return this.#send('call', { name, args });
   }
 
-  /** @param {string} request start of an exercise @param {Int8Array[]} classes of the program @returns {Promise<string>} its answer */
+  /**
+   * @param {string} request request that starts an exercise
+   * @param {Int8Array[]} classes of the program
+   * @returns {Promise<string>} its answer
+   */
   begin(request, classes) {
     return this.#send('exercise', { request, classes });
   }
@@ -38,7 +42,7 @@ export class WorldQuestions {
     this.#waiting.delete(id);
   }
 
-  /** Repeats the unanswered requests to a new worker. */
+  /** Sends the unanswered requests again, to the new worker. */
   #repeatRequests() {
     for (const { message } of this.#waiting.values()) {
       this.world.postMessage(message);

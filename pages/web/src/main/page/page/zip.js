@@ -23,7 +23,7 @@ const MODE_OF_SCRIPTS = 0o100755;
 const NAMES_ARE_UTF8 = 0x0800;
 const DATE = 0x21; // the earliest date of the format
 
-/** @param {number[]} fields fields pairs of byte count and value @returns {Uint8Array<ArrayBuffer>} */
+/** @param {number[]} fields pairs of byte count and value @returns {Uint8Array<ArrayBuffer>} */
 function header(...fields) {
   const bytes = [];
   for (let i = 0; i < fields.length; i += 2) {

@@ -28,7 +28,10 @@ public final class Main {
         System.exit(RoboNewbieCommand.run(arguments));
     }
 
-    /** Deletes the folder in which the launcher linked this program because its path is not possible in a class path. */
+    /**
+     * Deletes the temporary folder with the launcher's link to this program. The launcher creates it if the program's
+     * path cannot be part of a class path.
+     */
     private static void deleteOnExit(String link) {
         File folder = new File(link);
         folder.deleteOnExit(); // deletion runs in reverse order

@@ -8,9 +8,10 @@ import java.util.Optional;
 import org.robonewbie.programs.ClassPath;
 
 /**
- * Class-data archive that halves the start time (application class-data sharing, JEP 310 and JEP 350). The launcher passes its path
- * and uses the file if it exists. The archive is created in the background when the program exits for the first time, so that it does
- * not take processor time from a robot; the JVM rejects an archive of another program or JVM.
+ * Class-data archive that halves the start time (application class-data sharing, JEP 310 and JEP 350). The launcher
+ * passes its path and uses the file if it exists. The archive is created in the background when the program exits for
+ * the first time, so that its creation takes no processor time from a robot; the JVM rejects an archive of another
+ * program or JVM.
  */
 final class StartArchive {
 
@@ -38,7 +39,7 @@ final class StartArchive {
         }
     }
 
-    /** The JVM rejects an archive if the jar was changed or moved since. */
+    /** The JVM rejects an archive whose jar has been changed or moved since its creation. */
     private boolean isValid() throws IOException {
         Path note = noteOf(file);
         return Files.isRegularFile(file)
@@ -52,7 +53,7 @@ final class StartArchive {
         return archive.resolveSibling(archive.getFileName() + ".txt");
     }
 
-    /** Starts another process, so that this one exits without delay. */
+    /** Creates the archive in a separate process, so that this one can exit without delay. */
     private void startCreation() {
         try {
             ProcessBuilder builder = new ProcessBuilder(List.of(

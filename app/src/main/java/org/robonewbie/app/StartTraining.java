@@ -14,7 +14,7 @@ import org.robonewbie.app.command.RoboNewbieCommand;
 import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.file.FolderLock;
 
-/** Creates a {@link StartArchive}: a JVM that runs typical first commands dumps the classes that it loaded. */
+/** Creates a {@link StartArchive}: a separate JVM runs typical first commands and dumps the classes that it has loaded. */
 final class StartTraining {
 
     private static final int MAX_SECONDS = 60;

@@ -15,7 +15,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ScopeType;
 
-/** The command line of the workshop: measures motions, agents, and the simulator's speed and fidelity. */
+/** Command line of the workshop: measures motions, agents, and the speed and fidelity of the simulator. */
 @Command(
         name = "bench",
         description = "Measure motions, agents and the simulator on this computer.",
@@ -43,10 +43,22 @@ public final class Bench {
             description = "Show this help.")
     boolean help;
 
+    static final int MAX_ROBOTS = 22;
+    static final int MAX_TYPE = RobotType.values().length - 1;
+
     private Bench() {}
 
+    /** Returns the value of an option, or throws if it is out of range. */
+    static int checked(String option, int value, int min, int max) {
+        if (value < min || value > max) {
+            String range = max == Integer.MAX_VALUE ? "of at least " + min : "from " + min + " to " + max;
+            throw new IllegalArgumentException(option + " " + value + ": give a number " + range + ".");
+        }
+        return value;
+    }
+
     /**
-     * Measures.
+     * Runs a measurement.
      *
      * @param arguments the subject and its options
      */
@@ -54,7 +66,7 @@ public final class Bench {
         System.exit(commandLine().execute(arguments));
     }
 
-    /** Creates the command; a wrong value of an option is one sentence and exit code 2. */
+    /** Creates the command. Invalid option values are reported in one sentence with exit code 2. */
     static CommandLine commandLine() {
         return new CommandLine(new Bench())
                 .setCaseInsensitiveEnumValuesAllowed(true)
@@ -68,23 +80,20 @@ public final class Bench {
                 });
     }
 
-    /** The trials of a measurement. */
+    /** Options for the number and seeds of trials. */
     static final class Trials {
 
         @Option(
                 names = "--seeds",
                 paramLabel = "N",
-                description = "Trials of each one, each disturbed in another way (20).")
+                description = "Trials of each one, each with a different disturbance (20).")
         private int seeds = 20;
 
         @Option(names = "--first-seed", paramLabel = "N", description = "Seed of the first trial (1).")
         private long firstSeed = 1;
 
         private int seeds() {
-            if (seeds < 1) {
-                throw new IllegalArgumentException("--seeds " + seeds + ": give a number of trials of at least 1.");
-            }
-            return seeds;
+            return checked("--seeds", seeds, 1, Integer.MAX_VALUE);
         }
     }
 
@@ -103,7 +112,7 @@ public final class Bench {
                             names = "--only",
                             paramLabel = "PART",
                             defaultValue = "",
-                            description = "Only those whose name has this in it, such as kick.")
+                            description = "Only those whose name contains this, such as kick.")
                     String part,
             @Option(
                             names = "--type",
@@ -115,10 +124,7 @@ public final class Bench {
             @Option(names = "--json", paramLabel = "FILE", description = "Write the results as JSON too.")
                     Optional<Path> json)
             throws IOException {
-        if (type < 0 || type >= RobotType.values().length) {
-            throw new IllegalArgumentException("--type " + type + ": give the number of a robot type, 0 to 4.");
-        }
-        RobotType built = RobotType.values()[type];
+        RobotType built = RobotType.values()[checked("--type", type, 0, MAX_TYPE)];
         new MotionMeasurement(trials.seeds(), trials.firstSeed, part, built, System.out)
                 .with(PlayerChecks.all(built))
                 .run(json);
@@ -133,7 +139,7 @@ public final class Bench {
                             names = "--only",
                             paramLabel = "PART",
                             defaultValue = "",
-                            description = "Only those whose name has this in it, such as Better.")
+                            description = "Only those whose name contains this, such as Better.")
                     String part,
             @Option(names = "--json", paramLabel = "FILE", description = "Write the results as JSON too.")
                     Optional<Path> json)
@@ -163,9 +169,7 @@ public final class Bench {
                             defaultValue = TeamMeasurement.DEFAULT_OPPONENT,
                             description = "The others, Agent_BetterSoccer or Agent_Team (${DEFAULT-VALUE}).")
                     String opponent) {
-        if (players < 1 || players > 11) {
-            throw new IllegalArgumentException("--players " + players + ": a team has 1 to 11 players.");
-        }
-        new TeamMeasurement(trials.seeds(), trials.firstSeed, System.out).run(players, opponent);
+        new TeamMeasurement(trials.seeds(), trials.firstSeed, System.out)
+                .run(checked("--players", players, 1, 11), opponent);
     }
 }

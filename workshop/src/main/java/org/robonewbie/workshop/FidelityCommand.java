@@ -37,7 +37,7 @@ final class FidelityCommand implements Callable<Integer> {
             names = "--link",
             paramLabel = "LINK",
             defaultValue = "none",
-            description = "How the recorded commands reach the robot: none (straight in the world; default), in-process"
+            description = "How the recorded commands reach the robot: none (directly to the world; default), in-process"
                     + " or tcp (as an agent's messages, through a whole server).")
     private String link = "none";
 
@@ -48,7 +48,7 @@ final class FidelityCommand implements Callable<Integer> {
     public Integer call() throws IOException {
         directory.filter(folder -> !Files.isDirectory(folder)).ifPresent(folder -> {
             throw new IllegalArgumentException(
-                    folder + " is not a folder. Name one with recordings (*.jsonl, *.jsonl.gz).");
+                    folder + " is not a folder. Give one with recordings (*.jsonl, *.jsonl.gz).");
         });
         AgentRoute route = route();
         FidelityReport report =
@@ -67,7 +67,7 @@ final class FidelityCommand implements Callable<Integer> {
             case "in-process" -> AgentRoute.IN_PROCESS;
             case "tcp" -> AgentRoute.TCP;
             default ->
-                throw new IllegalArgumentException("There is no link \"" + link + "\". Use none, in-process or tcp.");
+                throw new IllegalArgumentException("Unknown link \"" + link + "\". Use none, in-process or tcp.");
         };
     }
 }

@@ -14,13 +14,13 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Option;
 
-/** Records robots and balls on a running server, so that {@code fidelity} can tell whether our simulator does the same. */
+/** Records robots and balls on a running server for {@code bench fidelity} to replay. */
 @Command(
         name = "record",
         description = {
             "Record robots and balls on a running rcssserver3d (or robonewbie simulator), for \"bench fidelity\" to replay.",
             "",
-            "The server must wait for its agents and tell monitors each cycle: in a real server's spark.rb"
+            "The server must wait for its agents and send a monitor message in each cycle: in a real server's spark.rb"
                     + " $agentSyncMode = true and $monitorStep = 0.02, and $threadedMode = false; for exact numbers no beam noise"
                     + " (naosoccersim.rb: BeamNoiseXY and BeamNoiseAngle 0)."
         },
@@ -30,14 +30,12 @@ import picocli.CommandLine.Option;
             "  bench record                          ten scenarios into the folder reference",
             "  bench record --host lab7 --out lab7 --type 3",
             "  bench record --scenario h_squat --scenario d_fall_front",
-            "  bench record --commands my/h_squat.jsonl.gz   the commands of another recording again",
+            "  bench record --commands my/h_squat.jsonl.gz   repeat the commands of another recording",
             "  robonewbie simulator --sync --no-noise --monitor-step 0.02 --set BeamNoiseXY=0 --set BeamNoiseAngle=0",
-            "                                                       a server of ours to try it with",
-            "  bench fidelity reference                        compare what was recorded"
+            "                                                       a simulator to try it with",
+            "  bench fidelity reference                        compare the recordings"
         })
 final class RecordCommand implements Callable<Integer> {
-
-    private static final int LAST_TYPE = 4;
 
     @Option(
             names = "--host",
@@ -74,20 +72,18 @@ final class RecordCommand implements Callable<Integer> {
             description = "Build of the robot (default: ${DEFAULT-VALUE}).")
     private int type;
 
-    @Option(names = "--scenario", paramLabel = "NAME", description = "Record only this; may be repeated.")
+    @Option(names = "--scenario", paramLabel = "NAME", description = "Record only this scenario; may be repeated.")
     private List<String> names = new ArrayList<>();
 
     @Option(
             names = "--commands",
             paramLabel = "FILE",
-            description = "Record a robot that gets the commands of this recording (.jsonl or .jsonl.gz).")
+            description = "Record a robot with the commands of this recording (.jsonl or .jsonl.gz).")
     private Optional<Path> commands = Optional.empty();
 
     @Override
     public Integer call() throws IOException {
-        if (type < 0 || type > LAST_TYPE) {
-            throw new IllegalArgumentException("--type " + type + ": give a number from 0 to " + LAST_TYPE + ".");
-        }
+        Bench.checked("--type", type, 0, Bench.MAX_TYPE);
         List<ReferenceScenario> scenarios = scenarios();
         new ReferenceRecorder(new ReferenceServer(host, port, monitorPort), type, System.out)
                 .record(scenarios, directory);
@@ -104,7 +100,7 @@ final class RecordCommand implements Callable<Integer> {
         for (String name : names) {
             if (!known.contains(name)) {
                 throw new IllegalArgumentException(
-                        "There is no scenario \"" + name + "\". There are " + String.join(", ", known) + ".");
+                        "Unknown scenario \"" + name + "\". Available: " + String.join(", ", known) + ".");
             }
         }
         return all.stream()

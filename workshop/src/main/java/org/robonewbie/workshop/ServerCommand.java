@@ -10,19 +10,17 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Option;
 
-/** Puts a server under the load of whole matches. */
+/** Load test of a server with whole matches. */
 @Command(
         name = "server",
-        description = "Let many robots play whole matches over TCP; does the server keep step with the clock?",
+        description = "Let many robots play whole matches over TCP; does the server keep up with real time?",
         footer = {
             "",
             "Examples:",
-            "  bench server                 11 against 11 for 10 minutes on the clock",
+            "  bench server                 11 against 11 for 10 minutes in real time",
             "  bench server --fast --matches 3"
         })
 final class ServerCommand implements Callable<Integer> {
-
-    private static final int MAX_ROBOTS = 22;
 
     @Option(
             names = "--robots",
@@ -42,25 +40,23 @@ final class ServerCommand implements Callable<Integer> {
             names = "--matches",
             paramLabel = "N",
             defaultValue = "1",
-            description = "Matches that one server plays one after the other (default: 1).")
+            description = "Consecutive matches on one server (default: 1).")
     private int matches;
 
-    @Option(names = "--fast", description = "Wait for all robots and run as fast as possible instead of on the clock.")
+    @Option(names = "--fast", description = "Wait for all robots and run as fast as possible instead of in real time.")
     private boolean fast;
 
-    /** Plays the matches and prints what they cost; the exit code is 1 when the world has missed a cycle. */
+    /** Plays the matches and prints their cost; the exit code is 1 if the simulation missed a cycle. */
     @Override
     public Integer call() throws IOException {
-        if (robots < 2 || robots > MAX_ROBOTS) {
-            throw new IllegalArgumentException("--robots " + robots + ": give a number from 2 to " + MAX_ROBOTS + ".");
-        }
         if (!(seconds >= 1) || Double.isInfinite(seconds)) {
             throw new IllegalArgumentException("--seconds " + seconds + ": give a length of at least 1 second.");
         }
-        if (matches < 1) {
-            throw new IllegalArgumentException("--matches " + matches + ": give a number of at least 1.");
-        }
-        LoadSettings load = new LoadSettings(robots, seconds, matches, !fast);
+        LoadSettings load = new LoadSettings(
+                Bench.checked("--robots", robots, 2, Bench.MAX_ROBOTS),
+                seconds,
+                Bench.checked("--matches", matches, 1, Integer.MAX_VALUE),
+                !fast);
         List<MatchLoadResult> results = new MatchLoad(load, System.out).run();
         System.out.println(MatchLoadResult.TITLE);
         results.forEach(result -> System.out.println(result.toLine()));

@@ -19,7 +19,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Option;
 
-/** Measures how fast a server is with 1 to 22 robots. */
+/** Benchmark of a server with 1 to 22 robots. */
 @Command(
         name = "speed",
         description = "Measure how fast the simulator is with 1 to 22 robots that stand, walk or lie in a heap.",
@@ -31,20 +31,20 @@ import picocli.CommandLine.Option;
             "Examples:",
             "  bench speed",
             "  bench speed --robots 1,22 --scene walking --seconds 60 --json result.json",
-            "  bench speed --robots 1 --scene walking --seconds 20000 --heap-every 2000      10^6 cycles: is memory lost?",
+            "  bench speed --robots 1 --scene walking --seconds 20000 --heap-every 2000      10^6 cycles: is there a memory leak?",
             "  bench speed --json figures.json --table table.md      the table of docs/performance.md",
             "  bench speed --host 127.0.0.1 --pid 4711      another server in sync mode, such as rcssserver3d",
             "",
-            "A real rcssserver3d: say $agentSyncMode = true and $enableRealTimeMode = false in a copy of its spark.rb in the folder",
+            "A real rcssserver3d: set $agentSyncMode = true and $enableRealTimeMode = false in a copy of its spark.rb in the folder",
             "in which it starts, start it there without any monitor, find its process with \"pidof rcssserver3d\", and measure it on",
             "the same computer as above; --port and --monitor-port if it has others than 3100 and 3200. Robots join one after the",
-            "other, and are placed by its monitor port. A server that admits no more of them, or is silent for 20 s, is told. Memory is that of this process, not of the server."
+            "other, and are placed by its monitor port. The measurement ends with a message if the server admits no more robots or",
+            "sends nothing for 20 s. Memory is that of this process, not of the server."
         })
 final class SpeedCommand implements Callable<Integer> {
 
-    private static final int MAX_ROBOTS = 22;
     private static final int MAX_THREADS = 16;
-    private static final int LAST_PORT = 65535;
+    private static final int MAX_PORT = 65535;
 
     @Option(
             names = "--robots",
@@ -66,7 +66,7 @@ final class SpeedCommand implements Callable<Integer> {
     @Option(
             names = "--warm-up",
             paramLabel = "T",
-            description = "Simulated seconds before that, in which Java compiles what is used most (20).")
+            description = "Simulated seconds before the measurement, for the JIT compiler (20).")
     private double warmUpSeconds = 20;
 
     @Option(
@@ -78,7 +78,7 @@ final class SpeedCommand implements Callable<Integer> {
     @Option(
             names = "--threads",
             paramLabel = "N",
-            description = "How many threads our server works on, and robots think on in between, 1 to 16 (1).")
+            description = "Threads of the embedded server and of the agents, 1 to 16 (1).")
     private int threads = 1;
 
     @Option(names = "--json", paramLabel = "FILE", description = "Write the results as JSON too.")
@@ -87,7 +87,10 @@ final class SpeedCommand implements Callable<Integer> {
     @Option(names = "--table", paramLabel = "FILE", description = "Write the results as a Markdown table too.")
     private Optional<Path> table = Optional.empty();
 
-    @Option(names = "--host", paramLabel = "H", description = "Measure the server on this computer instead of ours.")
+    @Option(
+            names = "--host",
+            paramLabel = "H",
+            description = "Measure the server on this computer instead of the embedded one.")
     private Optional<String> host = Optional.empty();
 
     @Option(names = "--port", paramLabel = "N", description = "Its port for agents (3100).")
@@ -120,7 +123,7 @@ final class SpeedCommand implements Callable<Integer> {
         return ExitCode.OK;
     }
 
-    /** A table that has no line has no head either. */
+    /** Prints the header before the first line. */
     private void print(String line) {
         if (!begun) {
             System.out.print(BenchmarkReport.header());
@@ -130,21 +133,13 @@ final class SpeedCommand implements Callable<Integer> {
     }
 
     private BenchmarkPlan plan() {
-        for (int number : robots) {
-            if (number < 1 || number > MAX_ROBOTS) {
-                throw new IllegalArgumentException(
-                        "--robots " + number + " is not possible. Two teams have 1 to " + MAX_ROBOTS + " robots.");
-            }
-        }
+        robots.forEach(number -> Bench.checked("--robots", number, 1, Bench.MAX_ROBOTS));
         checkSeconds("--seconds", seconds);
         checkSeconds("--warm-up", warmUpSeconds);
         heapEvery.ifPresent(distance -> checkSeconds("--heap-every", distance));
-        if (threads < 1 || threads > MAX_THREADS) {
-            throw new IllegalArgumentException(
-                    "--threads " + threads + " is not possible. Give 1 to " + MAX_THREADS + " threads.");
-        }
-        checkPort("--port", port);
-        checkPort("--monitor-port", monitorPort);
+        Bench.checked("--threads", threads, 1, MAX_THREADS);
+        Bench.checked("--port", port, 1, MAX_PORT);
+        Bench.checked("--monitor-port", monitorPort, 1, MAX_PORT);
         OptionalDouble heap = heapEvery.map(OptionalDouble::of).orElse(OptionalDouble.empty());
         return new BenchmarkPlan(robots, scenes, warmUpSeconds, seconds, heap, threads, host.map(this::address));
     }
@@ -161,19 +156,12 @@ final class SpeedCommand implements Callable<Integer> {
         }
     }
 
-    private static void checkPort(String option, int number) {
-        if (number < 1 || number > LAST_PORT) {
-            throw new IllegalArgumentException(
-                    option + " " + number + " does not exist. Ports are 1 to " + LAST_PORT + ".");
-        }
-    }
-
-    /** It would be a pity to learn after all measurements that they cannot be written. */
+    /** Rejects an unwritable folder before the measurement, not after it. */
     private static void checkFolder(Path file) {
         Path folder = Objects.requireNonNullElse(file.toAbsolutePath().getParent(), file.toAbsolutePath());
         if (!Files.isWritable(folder)) {
             throw new IllegalArgumentException(
-                    "The results cannot be written to the folder " + folder + ": name another one.");
+                    "The results cannot be written to the folder " + folder + ": choose another one.");
         }
     }
 }

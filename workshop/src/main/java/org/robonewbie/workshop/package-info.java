@@ -1,5 +1,5 @@
 /**
- * The maintainers' measurements. Read {@link org.robonewbie.workshop.Bench} first, the command line.
+ * Measurements for maintainers. Start with the command line, {@link org.robonewbie.workshop.Bench}.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

@@ -45,14 +45,14 @@ class BenchTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "agents --seeds 0 | --seeds 0: give a number of trials of at least 1.",
-                "motions --type 5 | --type 5: give the number of a robot type, 0 to 4.",
-                "team --players 12 | --players 12: a team has 1 to 11 players.",
+                "agents --seeds 0 | --seeds 0: give a number of at least 1.",
+                "motions --type 5 | --type 5: give a number from 0 to 4.",
+                "team --players 12 | --players 12: give a number from 1 to 11.",
                 "team --against Agent_Nobody | --against Agent_Nobody: write Agent_BetterSoccer or Agent_Team.",
                 "server --robots 1 | --robots 1: give a number from 2 to 22.",
-                "speed --robots 1,23 | --robots 23 is not possible. Two teams have 1 to 22 robots.",
+                "speed --robots 1,23 | --robots 23: give a number from 1 to 22.",
                 "speed --seconds 0 | --seconds 0.0 is not possible. Give simulated seconds above 0, such as 20.",
-                "speed --host localhost --port 70000 | --port 70000 does not exist. Ports are 1 to 65535.",
+                "speed --host localhost --port 70000 | --port 70000: give a number from 1 to 65535.",
                 "speed --json no/such/folder/figures.json | The results cannot be written to the folder",
                 "record --type 7 | --type 7: give a number from 0 to 4.",
                 "fidelity nowhere | nowhere is not a folder"

@@ -6,7 +6,7 @@ import org.robonewbie.trial.batch.BatchRunner;
 import org.robonewbie.trial.batch.ThreadRunner;
 import picocli.CommandLine.Option;
 
-/** Command-line options for the runner of trials: this computer or a cluster. */
+/** Command-line options that select where trials run: on this computer or on a cluster. */
 final class EngineOption {
 
     private static final String LOCAL = "local";

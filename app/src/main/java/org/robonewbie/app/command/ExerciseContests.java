@@ -12,7 +12,7 @@ import org.robonewbie.exercises.Task;
 /** Contests whose task is an exercise. */
 final class ExerciseContests {
 
-    /** Prefix of an exercise on the command line. */
+    /** Prefix of the command-line argument that marks an exercise. */
     static final String PREFIX = "exercise:";
 
     private ExerciseContests() {}

@@ -35,7 +35,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Grades solutions of exercises, lists the exercises, and writes start code. */
+/** Grades solutions of exercises, lists the exercises, and writes starter code. */
 @Command(
         name = "grade",
         description = "Grade your solution of an exercise. Without arguments it lists the exercises.",
@@ -210,7 +210,7 @@ final class GradeCommand implements Callable<Integer> {
         return ExitCode.OK;
     }
 
-    /** Returns the version of the grader. */
+    /** Returns the modification time of the grader's jar, which identifies its version. */
     private static String version() throws IOException {
         Optional<Path> jar = ClassPath.ownJar();
         return jar.isPresent() ? Files.getLastModifiedTime(jar.get()).toString() : "not packaged";

@@ -5,8 +5,8 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * Formatter for the examples below a command's help text. A line that is wider than the terminal is wrapped with a hanging indent, first
- * between the command and its description.
+ * Formatter for the examples below a command's help text. A line that is wider than the terminal is first broken
+ * between the command and its description, then wrapped with a hanging indent.
  */
 final class HelpExamples {
 

@@ -22,7 +22,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Command that learns a policy of a task by an evolution strategy, or evaluates one. */
+/** Command that learns a policy for a task with an evolution strategy, or evaluates one. */
 @Command(
         name = "learn",
         description = {
@@ -148,7 +148,9 @@ final class LearnCommand implements Callable<Integer> {
         };
     }
 
-    /** The name of a task's shipped policy, such as {@code kick-to}, {@code get-up} for {@code QuickGetUp}, {@code walk} for {@code WalkGait}. */
+    /**
+     * The name of a task's shipped policy: {@code get-up} for {@code QuickGetUp}, {@code walk} for {@code WalkGait}.
+     */
     private static String shippedName(String task) {
         return task.replaceFirst("^Quick(?=[A-Z])|Gait$", "")
                 .replaceAll("(?<=[a-z])(?=[A-Z])", "-")

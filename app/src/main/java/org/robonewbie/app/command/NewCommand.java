@@ -94,8 +94,8 @@ final class NewCommand implements Callable<Integer> {
     }
 
     /**
-     * Returns a version that identifies this jar. A local build gets the checksum in its version, because Maven caches an artifact by
-     * its version.
+     * Returns a version that identifies this jar. The version of a local build contains the jar's checksum, because
+     * Maven caches artifacts by version.
      */
     static String versionOf(Path jar) throws IOException {
         String version = Optional.ofNullable(NewCommand.class.getPackage().getImplementationVersion())

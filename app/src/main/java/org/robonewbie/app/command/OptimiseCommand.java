@@ -207,7 +207,7 @@ final class OptimiseCommand implements Callable<Integer> {
         return result;
     }
 
-    /** Runs an agent once with output, since the output of the following trials is suppressed. */
+    /** Runs an agent once with its output shown, because the output of the following trials is suppressed. */
     private void reportErrors(Parametrization subject) throws IOException {
         SilentPrograms.complaining(() -> subject.evaluate(new double[subject.dimension()], seed));
     }

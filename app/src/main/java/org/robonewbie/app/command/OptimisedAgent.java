@@ -15,7 +15,7 @@ import org.robonewbie.programs.StudentsAgents;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** Command-line options for an agent whose numbers are optimised, and for the scene of its trials. */
+/** Command-line options for an agent whose parameters are optimised, and for the scene of its trials. */
 public final class OptimisedAgent {
 
     @Option(
@@ -72,13 +72,13 @@ public final class OptimisedAgent {
         return name.substring(name.lastIndexOf('.') + 1);
     }
 
-    /** {@return the file of numbers that the agent reads} */
+    /** {@return the file from which the agent reads its parameters} */
     public Path file() {
         return Path.of(TunableNumbers.fileName(simpleName()));
     }
 
     /**
-     * Looks up an objective, a built-in measure or a class of the class path.
+     * Looks up an objective: a built-in measure or a class on the class path.
      *
      * @param label the name of the measure
      * @return the objective

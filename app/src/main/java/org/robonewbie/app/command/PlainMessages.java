@@ -45,7 +45,7 @@ final class PlainMessages implements IParameterExceptionHandler, IExecutionExcep
                 || exception.getCause() instanceof UnreadableFileException;
     }
 
-    /** Completes the messages of Java's file exceptions, which are often a bare path. */
+    /** Explains Java's file exceptions, whose messages are often only a path. */
     private static String messageOf(Exception exception) {
         String message = Optional.ofNullable(exception.getMessage()).orElse(exception.toString());
         if (exception instanceof AccessDeniedException) {

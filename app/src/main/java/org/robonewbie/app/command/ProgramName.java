@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 
 /**
- * Name of this program as the user's shell finds it: {@code robonewbie} if it is on the PATH, otherwise with a path, such as
+ * Name by which the user's shell finds this program: {@code robonewbie} if it is on the PATH, otherwise with a path, such as
  * {@code ./robonewbie}. Commands in messages use it, so that they can be copied into the terminal.
  *
  * @param text the name

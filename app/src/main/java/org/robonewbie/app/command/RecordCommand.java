@@ -20,7 +20,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Runs an agent many times and writes its perception, its commands and the true state as tables. */
+/** Runs an agent many times and writes its perception, its commands and the ground truth as tables. */
 @Command(
         name = "record",
         description = {
@@ -90,7 +90,7 @@ final class RecordCommand implements Callable<Integer> {
     public Integer call() throws IOException {
         check();
         String agent = agentAndOptions.get(0);
-        new ProgramFinder(classPath.folders()).findRepeatedly(agent); // rejects a bad program
+        new ProgramFinder(classPath.folders()).findRepeatedly(agent); // reports an invalid program before the recording
         DataSet set = create();
         FolderLock lock = FolderLock.take(folder.resolve(LOCK))
                 .orElseThrow(() -> new CalledWronglyException("Another recording is using the folder " + folder
@@ -126,7 +126,7 @@ final class RecordCommand implements Callable<Integer> {
         }
     }
 
-    /** Completes the table of runs when this process is ended during the recording, as by Ctrl+C. */
+    /** Completes the table of runs when this process is terminated during the recording, for example by Ctrl+C. */
     private void endEarly(DataSet set) {
         try {
             set.endEarly();

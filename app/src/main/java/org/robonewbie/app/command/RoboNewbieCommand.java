@@ -141,7 +141,7 @@ public final class RoboNewbieCommand {
                 .collect(Collectors.joining());
     }
 
-    /** Writes the examples of each help text so that they can be copied into this terminal. */
+    /** Adapts the examples in each help text so that they can be copied into this terminal. */
     private static void localizeExamples(CommandLine commandLine) {
         ProgramName word = ProgramName.here();
         commandLine

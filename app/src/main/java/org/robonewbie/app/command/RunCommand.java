@@ -80,7 +80,7 @@ final class RunCommand implements Callable<Integer> {
         return program.run(options);
     }
 
-    /** Runs the program without output; an error of the program will occur again in the real run. */
+    /** Runs the program without output before the real run, which will show any errors. */
     private void rehearse(Program program, List<String> options) throws IOException {
         List<String> all = withoutServer(options);
         all.addAll(List.of("--seed", "1", "--fast", "--headless", "--seconds", Double.toString(rehearsalSeconds)));

@@ -194,7 +194,10 @@ final class SimulatorCommand implements Callable<Integer> {
         return ExitCode.OK;
     }
 
-    /** Under another process name, ignores unknown options as rcssserver3d does, because scripts of teams pass some; otherwise refuses them. */
+    /**
+     * Under another process name, ignores unknown options as rcssserver3d does, because teams' scripts pass some;
+     * otherwise rejects them.
+     */
     private void ignoreUnknown(Console console) {
         CommandLine command = Objects.requireNonNull(spec).commandLine();
         if (!unknown.isEmpty() && processName.isEmpty()) {
@@ -223,7 +226,7 @@ final class SimulatorCommand implements Callable<Integer> {
         warmUp.start();
     }
 
-    /** Translates the options; the command line takes precedence over the script. */
+    /** Converts the options to settings; the command line takes precedence over the script. */
     SimulatorSettings settings(Console console) throws UnreadableFileException {
         if (league && beginner) {
             throw new CalledWronglyException("--league and --beginner exclude each other. Omit one of them.");

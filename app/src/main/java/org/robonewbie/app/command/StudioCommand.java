@@ -128,7 +128,7 @@ final class StudioCommand implements Callable<Integer> {
         return ExitCode.OK;
     }
 
-    /** Opens the port at which robots of other processes send telemetry, which is optional. */
+    /** Opens the port to which robots in other processes send telemetry; the studio also works without it. */
     private void openTelemetry(Viewer.View view) {
         try {
             TelemetryServer telemetry = TelemetryServer.open(TelemetryServer.portFor(agentPort), view.telemetry());

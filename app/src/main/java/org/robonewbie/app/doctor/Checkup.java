@@ -45,7 +45,7 @@ public final class Checkup {
      * Returns the checks of a classroom computer.
      *
      * @param headless whether to skip studio, browser and graphics
-     * @return the checks of the installation, and those of what a lesson needs beyond it
+     * @return the checks of the installation, and of everything else that a lesson needs
      */
     public static Checkup ofRoom(boolean headless) {
         Checkup checkup = of(headless);

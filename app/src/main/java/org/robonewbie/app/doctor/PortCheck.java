@@ -7,7 +7,7 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 
-/** Checks whether a TCP port is free, and else guesses what listens there. */
+/** Checks whether a TCP port is free, and otherwise guesses what is listening on it. */
 final class PortCheck {
 
     private static final int MILLISECONDS = 500;

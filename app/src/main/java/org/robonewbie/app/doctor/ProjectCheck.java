@@ -11,7 +11,7 @@ import org.robonewbie.nao.file.TemporaryFolder;
 import org.robonewbie.programs.ClassPath;
 import org.robonewbie.programs.process.JavaCommand;
 
-/** Creates a project as {@code robonewbie new} does and runs its program; neither may need a network. */
+/** Creates a project as {@code robonewbie new} does and runs its program; both must work without a network. */
 final class ProjectCheck {
 
     private static final String SUBJECT = "A project";

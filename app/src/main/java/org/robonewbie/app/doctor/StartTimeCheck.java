@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import org.robonewbie.programs.process.JavaCommand;
 
-/** Measures the start time of this program, which shows virus scanners and slow network drives. */
+/** Measures the start time of this program, which reveals slow virus scanners and network drives. */
 final class StartTimeCheck {
 
     private static final String SUBJECT = "Start time";

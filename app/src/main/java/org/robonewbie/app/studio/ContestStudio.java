@@ -92,7 +92,7 @@ public final class ContestStudio implements Spectators, AutoCloseable {
         };
     }
 
-    /** Waits for a page before the first trial, since some trials take only seconds; the wait is limited. */
+    /** Waits, for a limited time, until a page is open before the first trial, because some trials take only seconds. */
     private synchronized void awaitEyes() throws IOException {
         try {
             if (!hasWaited) {

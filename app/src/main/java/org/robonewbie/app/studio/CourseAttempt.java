@@ -23,7 +23,10 @@ import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.watch.WatchedTrial;
 
-/** Attempt with the program in its own process, or one that the student starts, so that its failures cannot harm the studio. */
+/**
+ * Attempt at an exercise whose program runs in a process of its own, started by the studio or the student, so that its
+ * failures cannot harm the studio.
+ */
 final class CourseAttempt implements CourseHost.Attempt {
 
     /** Preferred port for students' own agents. */
@@ -76,7 +79,7 @@ final class CourseAttempt implements CourseHost.Attempt {
         thread.start();
     }
 
-    /** Opens the same port each time if possible, without a timeout, since the student's agent may be held by a debugger. */
+    /** Opens the same port each time if possible. It has no timeout, because a debugger may suspend the student's agent. */
     private static GuestDoor defaultDoor() throws IOException {
         try {
             return GuestDoor.open(DEFAULT_PORT);

@@ -14,7 +14,7 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.studio.ShownSimulation;
 
-/** A folder with a student's programs, and the studio's pitch, which attempts replace. */
+/** Runs attempts with the programs in a student's folder, and shows them in the studio in place of the free pitch. */
 public class LocalCourseHost implements CourseHost {
 
     private final Path folder;
@@ -26,7 +26,7 @@ public class LocalCourseHost implements CourseHost {
      * Creates the host.
      *
      * @param folder folder of the student's programs
-     * @param freePitch simulation that is shown without an attempt
+     * @param freePitch simulation that is shown while no attempt runs
      * @param shown the displayed simulation
      */
     public LocalCourseHost(Path folder, SimulationControl freePitch, ShownSimulation shown) {

@@ -65,7 +65,7 @@ public record OpenedFile(StudioFolders folders, String place, Path programs) {
                 StudioFolders.ofWorkingDirectory().withRecording(recording), "#replay/" + encoded(shown) + PLAYING);
     }
 
-    /** Address fragment of the motion editor with a motion of the studio's folder. */
+    /** Address fragment that opens a motion from the studio's folder in the motion editor. */
     static String motionPlace(Path file) {
         String name = String.valueOf(file.getFileName());
         return "#motion/" + encoded(name.substring(0, name.length() - MOTION.length()));
@@ -97,7 +97,7 @@ public record OpenedFile(StudioFolders folders, String place, Path programs) {
         }
     }
 
-    /** Converts a log to a temporary recording, which is deleted when the program ends. */
+    /** Converts a log to a temporary recording, which is deleted when the program exits. */
     private static Path converted(Path log, String name) throws IOException {
         Path folder = TemporaryFiles.folder("robonewbie-log");
         Path recording = folder.resolve(name.replaceAll("\\.(log|txt|gz)", "") + RecordingRepository.ENDING);

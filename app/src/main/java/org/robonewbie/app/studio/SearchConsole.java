@@ -10,7 +10,7 @@ import org.robonewbie.learning.optimise.OptimisationListener;
 import org.robonewbie.learning.optimise.OptimisationResult;
 import org.robonewbie.trial.batch.BatchProgress;
 
-/** Prints the progress of an optimisation. Generations from before an interruption are not printed again. */
+/** Prints the progress of an optimisation. Generations that were run before an interruption are not printed again. */
 public final class SearchConsole implements OptimisationListener {
 
     private final PrintStream out;

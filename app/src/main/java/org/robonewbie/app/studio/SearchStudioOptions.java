@@ -17,7 +17,7 @@ public final class SearchStudioOptions {
     /** Creates the default options. */
     public SearchStudioOptions() {}
 
-    /** {@return whether the search is shown without a page} */
+    /** {@return whether the search runs without a page} */
     public boolean isHeadless() {
         return isHeadless;
     }

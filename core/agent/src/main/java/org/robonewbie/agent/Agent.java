@@ -69,9 +69,9 @@ public abstract class Agent {
     protected Agent() {}
 
     /**
-     * Returns the default team, number and starting pose; options of the user take precedence. The pose belongs to the number
-     * given here (1 if there is none): when started with another {@code --number}, the robot uses the default pose of that
-     * number.
+     * Returns the default team, number and starting pose; the user's options take precedence. The pose applies only to
+     * the player number given here (1 if none is given): a robot that is started with another {@code --number} uses the
+     * default pose of that number.
      *
      * @return the default options; override this, for example with {@code Options.none().withTeam("Blue").withPose(-1, 0, 0)}
      */
@@ -80,16 +80,16 @@ public abstract class Agent {
     }
 
     /**
-     * Declares a tunable number: a slider of the studio can change it while the robot plays, and so can {@code robonewbie
-     * optimise --agent}. It has its default value unless a file named after the class, such as {@code Walker.numbers}, sets
-     * another one.
+     * Declares a tunable number: a slider in the studio can change it while the robot plays, and {@code robonewbie
+     * optimise --agent} can search for a better value. It has its default value unless a file named after the class,
+     * such as {@code Walker.numbers}, overrides it.
      *
      * <pre>{@code
      * private final double nearMetres = number("near", 0.3, 0.1, 0.8);
      * }</pre>
      *
      * <p>Moving a slider also updates fields that were computed from the number, as above, if the class has a no-arg
-     * constructor. A number that is read in {@code think()} always has the value of its slider.
+     * constructor. A call in {@code think()} always returns the value of the slider.
      *
      * @param name name of the number
      * @param usual default value
@@ -121,7 +121,7 @@ public abstract class Agent {
      * Runs several robots of one program in the same game, each in its own thread. Exit codes are those of {@link #run}.
      *
      * @param args the arguments of {@code main}; they apply to all robots
-     * @param agents the robots, with different numbers or number 0
+     * @param agents the robots; their player numbers must differ unless they are 0, which stands for any free number
      */
     public static void runTogether(String[] args, Agent... agents) {
         int exitCode;
@@ -172,7 +172,7 @@ public abstract class Agent {
         session.leave();
     }
 
-    /** Reports a misspelt {@code think()} and numbers of the file that the program does not declare. */
+    /** Reports a misspelt {@code think()}, and numbers that the file sets but the program does not declare. */
     final void reportWhatIsMissing() {
         ThinkSpelling.problemIn(getClass(), Agent.class, nameOf(getClass()))
                 .ifPresent(sentence -> runtime.diagnostics().reportAt("", sentence, () -> sentence));
@@ -195,7 +195,7 @@ public abstract class Agent {
         return failed;
     }
 
-    /** Reports an exception and completes the cycle without the program. */
+    /** Reports an exception from the program and completes the cycle in its place. */
     private void report(Throwable thrown) {
         boolean reportedBefore = failed && String.valueOf(thrown.getMessage()).startsWith(CLASS_THAT_FAILED_BEFORE);
         failed = true;
@@ -210,14 +210,14 @@ public abstract class Agent {
         session.complete();
     }
 
-    /** Keeps the report short, since little memory is left. */
+    /** Reports that the heap is exhausted. The report is short because little memory is left. */
     private void reportExhausted(OutOfMemoryError exhausted) {
         failed = true;
         String step = failedStep(exhausted.getStackTrace());
         runtime.diagnostics().reportAt(Failure.place(exhausted), "memory", () -> step + " " + Failure.MEMORY);
     }
 
-    /** The step that {@link #run} called: the frame directly above it. */
+    /** Returns the step that failed, such as {@code think()}: the method that {@link #run} called. */
     private static String failedStep(StackTraceElement[] calls) {
         for (int i = 1; i < calls.length; i++) {
             if (isRun(calls[i])) {
@@ -231,7 +231,7 @@ public abstract class Agent {
         return call.getMethodName().equals("run") && call.getClassName().equals(Agent.class.getName());
     }
 
-    /** The stack trace without frames of the framework, one call per line. */
+    /** Returns the stack trace without the framework's frames, one call per line. */
     private static String stack(Throwable mistake) {
         return Arrays.stream(mistake.getStackTrace())
                 .limit(MAX_CALLS)

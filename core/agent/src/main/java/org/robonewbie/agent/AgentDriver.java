@@ -20,8 +20,8 @@ import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 
 /**
- * Runs an agent without thread, clock or simulator: perception in, commands out. Intended for tests, grading, learning and
- * replay; robot programs do not need it.
+ * Runs an agent without a thread, clock or simulator: perception in, commands out. Intended for tests, grading,
+ * learning and replays; robot programs do not need it.
  *
  * <pre>{@code
  * AgentDriver driver = new AgentDriver(new MyAgent());
@@ -48,7 +48,7 @@ public final class AgentDriver {
     /**
      * Sets the identity that a simulator would assign.
      *
-     * @param identity team, number and robot type, among others
+     * @param identity options that include team, number and robot type
      * @param side the half that the team defends
      */
     public void introduce(Options identity, TeamSide side) {
@@ -87,7 +87,7 @@ public final class AgentDriver {
      * Plays a whole game in the current thread.
      *
      * @param link the robot's end of the connection
-     * @param options team, number, type and starting pose, among others
+     * @param options options that include team, number, type and starting pose
      * @throws IOException if the simulator closes the connection before the game
      * @throws StartUpException if the simulator refuses the robot
      */
@@ -100,7 +100,7 @@ public final class AgentDriver {
      * Joins a game and beams to the starting pose. Call {@link #resume} to play.
      *
      * @param link the robot's end of the connection
-     * @param options team, number, type and starting pose, among others
+     * @param options options that include team, number, type and starting pose
      * @throws IOException if the simulator closes the connection before the game
      * @throws StartUpException if the simulator refuses the robot
      */
@@ -113,8 +113,8 @@ public final class AgentDriver {
     }
 
     /**
-     * Plays the {@link #join joined} game until the connection has no more messages. A non-blocking connection returns control
-     * after each message.
+     * Plays the {@link #join joined} game until the connection delivers no more messages. With a non-blocking
+     * connection, this method returns after each message.
      */
     public void resume() {
         agent.run(session);
@@ -148,7 +148,7 @@ public final class AgentDriver {
      * Joins a game over an open connection.
      *
      * @param link the robot's end of the connection
-     * @param options team, number, type and starting pose, among others
+     * @param options options that include team, number, type and starting pose
      * @return the robot at its starting pose
      * @throws StartUpException if the simulator refuses the robot
      */

@@ -99,8 +99,9 @@ final class AgentRunner {
     }
 
     /**
-     * Runs all agents. They connect in order, so that each seed gives the same game. On a server each agent joins when the
-     * previous one has reached its place, unless the server waits for all of them.
+     * Runs all agents. They connect in order, so that each seed gives the same game. On a server, each agent joins only
+     * after the previous one has reached its starting pose, unless the server starts its clock only when all have
+     * joined.
      */
     private int runAll(List<Agent> agents, List<Options> options) {
         if (agents.size() == 1) {
@@ -168,7 +169,7 @@ final class AgentRunner {
         exitCode.accumulateAndGet(code, Math::max);
     }
 
-    /** Explains why a robot could not join; a very short run ends before that. */
+    /** Explains why a robot could not join: the simulator refused it, or the run was too short. */
     static String joinFailure(Options options, IOException lost) {
         double seconds = options.seconds().orElse(Double.POSITIVE_INFINITY);
         return seconds < SECONDS_OF_THE_START

@@ -4,7 +4,7 @@ import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
-/** Checkpoint of an agent in a saved world: the agent's own fields, if its class implements {@link Restorable}. */
+/** An agent's part of a saved world: the agent's own fields, if its class implements {@link Restorable}. */
 final class AgentState implements Restorable {
 
     private final Agent agent;

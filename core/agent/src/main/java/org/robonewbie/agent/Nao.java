@@ -70,7 +70,7 @@ public final class Nao extends Robot implements AutoCloseable {
     /**
      * Connects a robot to the simulator that the options select, or starts one.
      *
-     * @param options simulator, team, number and starting pose, among others
+     * @param options options that include simulator, team, number and starting pose
      * @return the robot at its starting pose
      * @throws StartUpException if there is no such simulator or it refuses the robot
      */
@@ -105,8 +105,8 @@ public final class Nao extends Robot implements AutoCloseable {
     }
 
     /**
-     * Waits for the next message of the simulator and reads all sensors. If {@link #act} was not called since the last message,
-     * it is called first.
+     * Waits for the next message from the simulator and reads all sensors. If {@link #act} was not called since the
+     * last message, it is called first.
      *
      * @return false if the run is over
      */
@@ -123,7 +123,7 @@ public final class Nao extends Robot implements AutoCloseable {
     }
 
     /**
-     * Performs a motion and returns when it is over. Senses and acts in the meantime.
+     * Performs a motion, sensing and acting in each cycle, and returns when it is over.
      *
      * @param motion name of the motion, see {@link Motions#start(String)}
      * @return whether it was played to its end; false if there is no such motion or the run is over

@@ -10,8 +10,8 @@ import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 
 /**
- * A {@link Nao} for a caller that advances the world between two calls of its program, such as a page that steps through it.
- * Needs no thread, clock or simulator; robot programs do not need it.
+ * Runs a {@link Nao} for a caller that advances the world between two calls from the robot's program, such as a web
+ * page that steps through the program. It needs no thread, clock or simulator; robot programs do not need it.
  */
 public final class NaoDriver {
 
@@ -27,7 +27,7 @@ public final class NaoDriver {
      * Joins a game over an open connection.
      *
      * @param link the robot's end of the connection
-     * @param options team, number, type and starting pose, among others
+     * @param options options that include team, number, type and starting pose
      * @param viewer receives the robot's telemetry
      * @return a driver with the robot at its starting pose
      * @throws IOException if the simulator closes the connection before the game
@@ -46,7 +46,7 @@ public final class NaoDriver {
         return nao;
     }
 
-    /** Answers the last message unless that has already happened, so that the world can advance. */
+    /** Answers the last message, unless it has already been answered, so that the world can advance. */
     public void complete() {
         session.complete();
     }

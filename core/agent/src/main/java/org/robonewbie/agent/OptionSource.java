@@ -18,7 +18,7 @@ enum OptionSource {
         this.where = where;
     }
 
-    /** Value of an option with the precedence of its source. */
+    /** Value of an option and the precedence of its source. */
     record Value(String text, int strength) {}
 
     static Map<Option, Value> ofEnvironment(Map<String, String> environment) {

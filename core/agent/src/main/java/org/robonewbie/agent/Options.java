@@ -27,7 +27,7 @@ import org.robonewbie.nao.model.RobotType;
  */
 public final class Options {
 
-    /** Default starting poses of numbers 1 to 11, which fit on the small pitch; number 1 keeps the goal. */
+    /** Default starting poses for player numbers 1 to 11, which fit on the small pitch; number 1 is the goalkeeper. */
     private static final List<Pose2d> LINE_UP = List.of(
             new Pose2d(-5, 0, 0),
             new Pose2d(-0.6, 0, 0),
@@ -73,7 +73,7 @@ public final class Options {
     }
 
     /**
-     * Reads the options of this program; those that the user does not set keep their present value.
+     * Reads the options of this program; those that the user does not set keep their current value.
      *
      * @param args the arguments of {@code main}
      * @return the options
@@ -103,8 +103,8 @@ public final class Options {
     }
 
     /**
-     * Whether the program's default pose is that of another number; otherwise all players of a team would start at the same
-     * pose.
+     * Whether the program's default pose is meant for another player number and must not be used: otherwise all players
+     * of a team would start at the same pose.
      */
     private boolean isPoseOfAnotherNumber(Options overriding) {
         int defaultNumber = Math.max(1, number());
@@ -121,7 +121,7 @@ public final class Options {
     }
 
     /**
-     * Accepts arguments that are not options, such as a file name. Without this they are refused.
+     * Accepts arguments that are not options, such as a file name. Without this call, they are refused.
      *
      * @return these options, accepting other arguments
      */
@@ -160,7 +160,7 @@ public final class Options {
     /**
      * Sets the starting pose.
      *
-     * @param x metres from the centre; the own half has x ≤ 0
+     * @param x metres from the centre; the team's own half has x ≤ 0
      * @param y metres to the left of the centre
      * @param degrees heading; 0 is towards the opponents' goal, positive is left
      * @return options with that pose
@@ -228,7 +228,7 @@ public final class Options {
      * Returns the starting pose in the coordinates of the robot's team.
      *
      * @param number the player number, 1 to 11
-     * @return the pose that was set, else the default pose of this number in the own half
+     * @return the pose that was set, else the default pose of this number in the team's own half
      * @throws IllegalArgumentException if the number is outside that range
      */
     public Pose2d pose(int number) {
@@ -264,7 +264,7 @@ public final class Options {
         return seconds.isPresent() ? OptionalDouble.of(Double.parseDouble(seconds.get())) : OptionalDouble.empty();
     }
 
-    /** {@return whether the run has no studio} */
+    /** {@return whether to run without the studio} */
     public boolean isHeadless() {
         return isSet(Option.HEADLESS);
     }

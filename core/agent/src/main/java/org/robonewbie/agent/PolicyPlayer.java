@@ -15,9 +15,9 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * Plays a policy that was trained by {@code robonewbie learn} or the Python package, from the robot's sensors alone. The
- * network's outputs are added to the posture at the start, or to the motion that the policy contains. Each action is held for
- * as many cycles as in training.
+ * Plays a policy that was trained by {@code robonewbie learn} or the Python package, using only the robot's sensors.
+ * The network's outputs are joint offsets, which are added to the posture in which the policy started, or to the motion
+ * that the policy contains. Each action is held for as many cycles as in training.
  *
  * <pre>{@code
  * private final PolicyPlayer kick = new PolicyPlayer(PolicyFile.shipped("kick-to"));
@@ -26,7 +26,7 @@ import org.robonewbie.nao.motion.Posture;
  * protected void think() {
  *     kick.setCommand("distance", 3);       // metres
  *     if (!kick.isFinished()) {
- *         kick.act(nao);                    // the robot stands in the stance behind the ball at first
+ *         kick.act(nao);                    // the robot must first stand behind the ball, in the stance
  *     }
  * }
  * }</pre>
@@ -55,7 +55,7 @@ public final class PolicyPlayer {
      * Creates a player of a policy.
      *
      * @param policy a policy from {@code robonewbie learn} or {@code python -m robonewbie.train}
-     * @throws IllegalArgumentException if an input is no sensor of the robot or an output is no joint
+     * @throws IllegalArgumentException if an input is not a sensor of the robot or an output is not a joint
      */
     public PolicyPlayer(Policy policy) {
         network = policy.network();
@@ -94,7 +94,7 @@ public final class PolicyPlayer {
      * Sets a command input of the policy.
      *
      * @param name name of the command, such as {@code distance} of a kick
-     * @param value value in the unit of training; 0 until it is set
+     * @param value value in the unit used in training; 0 until it is set
      * @throws IllegalArgumentException if the policy has no such command
      */
     public void setCommand(String name, double value) {
@@ -105,7 +105,7 @@ public final class PolicyPlayer {
         commands.put(name, value);
     }
 
-    /** Restarts the policy from the robot's posture in the next cycle. */
+    /** Restarts the policy in the next cycle, from the robot's posture at that time. */
     public void begin() {
         acting = false;
     }

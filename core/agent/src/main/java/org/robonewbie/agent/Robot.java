@@ -22,14 +22,14 @@ import org.robonewbie.protocol.telemetry.Drawing;
  * The robot's hardware: getters read its sensors as of the last message, setters command its motors and its loudspeaker for the
  * next one. Values that the robot cannot use are ignored or clamped, and reported once.
  *
- * <p>Units are degrees, metres, seconds and newtons. Vectors have x forward, y to the left and z up, relative to the robot.
- * (SimSpark's own messages have x to the right and y forward; they are converted on reception.) A command takes effect two
- * messages later, since one message is always in transit.
+ * <p>Units are degrees, metres, seconds and newtons. Vectors have x forward, y to the left and z up, relative to the
+ * robot. (SimSpark's own messages have x to the right and y forward; they are converted on reception.) A command takes
+ * effect two messages later, because one message is always in transit.
  *
- * <p>Drawings appear in the studio's view of the robot's surroundings. All drawings of one cycle form a picture, which is shown
- * until the next one, for at most a second. Points are in metres from the centre of the head, as in the field view; colours are
- * CSS names or codes, such as {@code red} or {@code #ff8800}. Without a studio they have no effect, so a finished program may
- * keep them.
+ * <p>Drawings appear in the studio's view of the robot's surroundings. All drawings of one cycle form a picture, which
+ * is shown until the next picture, but for at most a second. Points are in metres from the centre of the head, as in
+ * the field view; colours are CSS names or codes, such as {@code red} or {@code #ff8800}. Without a studio they have no
+ * effect, so a finished program may keep them.
  */
 public class Robot {
 
@@ -103,13 +103,13 @@ public class Robot {
     /**
      * Reads the camera. {@code LocalFieldView} remembers the sightings and is easier to use.
      *
-     * @return the objects in view, relative to the head in its present pose; empty in two of three cycles
+     * @return the objects in view, relative to the current pose of the head; empty in two out of three cycles
      */
     public final Optional<CameraPicture> getVision() {
         return sensors().picture();
     }
 
-    /** {@return messages of other robots in this cycle, usually none; the robot's own messages are not included} */
+    /** {@return messages from other robots in this cycle, usually none; the robot's own messages are not included} */
     public final List<HeardMessage> getHeard() {
         return sensors().heard();
     }
@@ -144,18 +144,19 @@ public class Robot {
         return sensors().type();
     }
 
-    /** {@return the goals of this team} */
+    /** {@return the number of goals that this team has scored} */
     public final int getOwnScore() {
         return sensors().score(sensors().side());
     }
 
-    /** {@return the goals of the other team} */
+    /** {@return the number of goals that the other team has scored} */
     public final int getOpponentScore() {
         return sensors().score(sensors().side().opponent());
     }
 
     /**
-     * Checks whether the robot has fallen, by the smoothed accelerometer; detects a fall after about half a second.
+     * Checks whether the robot has fallen, using smoothed accelerometer readings; a fall is detected after about half a
+     * second.
      *
      * @return whether the torso tilts by more than 60 degrees
      */
@@ -163,12 +164,12 @@ public class Robot {
         return getBodyPosition().isFallen();
     }
 
-    /** {@return upright, or the side on which the robot lies, by the smoothed accelerometer} */
+    /** {@return upright, or the side on which the robot lies, according to smoothed accelerometer readings} */
     public final BodyPosition getBodyPosition() {
         return sensors().bodyPosition();
     }
 
-    /** {@return the last message of the simulator, an S-expression; empty without a connection} */
+    /** {@return the last message from the simulator, an S-expression; empty without a connection} */
     public final String getRawMessage() {
         return sensors().buffer().toString();
     }
@@ -208,7 +209,7 @@ public class Robot {
     /**
      * Broadcasts a message to robots within 50 m. Only the last call in a cycle counts.
      *
-     * @param text 1 to 20 printable ASCII characters, without blanks, brackets, quotes and semicolons
+     * @param text 1 to 20 printable ASCII characters other than blanks, brackets, quotes and semicolons
      */
     public final void say(String text) {
         commands().say(text);
@@ -282,7 +283,7 @@ public class Robot {
     }
 
     /**
-     * Draws a text.
+     * Draws text.
      *
      * @param place position, metres from the head
      * @param text the text
@@ -293,7 +294,7 @@ public class Robot {
     }
 
     /**
-     * Adds a value to a plot over time in the studio.
+     * Adds a value to a curve that the studio plots over time.
      *
      * @param curve name of the curve
      * @param value value in this cycle, in a unit of your choice

@@ -13,7 +13,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.text.Spelling;
 
 /**
- * Sensor reading that a policy may use as an input, under the name that learning programs use.
+ * Sensor reading that a policy may use as an input, under the name used in training.
  *
  * @param quantity name and unit
  * @param reading reads the value
@@ -28,7 +28,7 @@ record SensedQuantity(Quantity quantity, ToDoubleFunction<Robot> reading) {
     /**
      * Looks up a quantity.
      *
-     * @throws IllegalArgumentException if the robot has no such sensor, or measures in another unit
+     * @throws IllegalArgumentException if the robot has no such sensor, or the sensor measures in another unit
      */
     static SensedQuantity of(Quantity wanted) {
         return named(wanted.name())

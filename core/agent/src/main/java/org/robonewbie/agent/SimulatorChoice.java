@@ -5,8 +5,8 @@ import org.robonewbie.agent.running.WantedSimulator;
 import org.robonewbie.protocol.embedded.SimulatorRequest;
 
 /**
- * Selects the simulator: options such as {@code --seed} require an embedded one, {@code --host} names a server, and without
- * either a server on this computer is preferred to an embedded simulator.
+ * Selects the simulator: options such as {@code --seed} require an embedded one, {@code --host} names a server, and
+ * without either, a server on this computer is preferred to an embedded simulator.
  */
 final class SimulatorChoice {
 
@@ -17,7 +17,7 @@ final class SimulatorChoice {
 
     private SimulatorChoice() {}
 
-    /** Refuses options of the same source that ask for two simulators. */
+    /** Refuses options that require an embedded simulator if the same source also names a server. */
     static void check(Options options) {
         int server = options.strength(Option.HOST);
         for (Option own : ONLY_OWN_SIMULATOR) {
@@ -28,7 +28,7 @@ final class SimulatorChoice {
         }
     }
 
-    /** Selects the simulator; an embedded one holds its clock until all robots have joined. */
+    /** Selects the simulator; an embedded one starts its clock only when all robots have joined. */
     static WantedSimulator of(Options options, int robots, String agent) {
         WantedSimulator.Kind kind = kind(options);
         int defaultPort = kind == WantedSimulator.Kind.OWN ? 0 : DEFAULT_PORT;

@@ -17,8 +17,8 @@ import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.protocol.telemetry.TelemetryItem.DeclaredNumber;
 
 /**
- * The tunable numbers that a robot program has declared by {@link Agent#number}. A file in the working directory, named after
- * the program's class, such as {@code Walker.numbers}, overrides their default values:
+ * The tunable numbers that a robot program has declared with {@link Agent#number}. A file in the working directory,
+ * named after the program's class, such as {@code Walker.numbers}, overrides their default values:
  *
  * <pre>
  * stride = 0.062
@@ -56,9 +56,9 @@ public final class TunableNumbers {
     }
 
     /**
-     * Creates a robot with given numbers instead of those of its file.
+     * Creates a robot with the given numbers instead of those in its file.
      *
-     * @param values value by name; other numbers have their default value
+     * @param values values by name; other numbers have their default value
      * @param maker creates the robot, in this thread
      * @param <A> the robot's class
      * @return the robot
@@ -131,8 +131,8 @@ public final class TunableNumbers {
     }
 
     /**
-     * Updates the fields that were initialised from numbers: those in which two new instances, one with the old and one with
-     * the new numbers, differ.
+     * Updates the fields that were initialised from numbers: those that differ between two new instances, one created
+     * with the old numbers and one with the new ones.
      */
     private void updateFields(Agent robot, Map<String, Double> before) {
         Map<String, Double> now = values();
@@ -152,7 +152,7 @@ public final class TunableNumbers {
         }
     }
 
-    /** Publishes the numbers periodically, since viewers connect and disconnect unannounced. */
+    /** Publishes the numbers periodically, because viewers connect and disconnect unannounced. */
     private void publish(TelemetryPublisher viewer, boolean changed) {
         cyclesUntilPublished--;
         if (changed || cyclesUntilPublished < 0) {
@@ -170,7 +170,7 @@ public final class TunableNumbers {
         return values;
     }
 
-    /** Reports numbers of the file that the program does not declare. Call it when all numbers are declared. */
+    /** Reports numbers that the file sets but the program does not declare. Call it after all numbers have been declared. */
     void reportUnknown() {
         for (String name : wanted().keySet()) {
             if (!declared.containsKey(name)) {

@@ -72,7 +72,7 @@ public enum Joint {
     /** Right elbow; positive bends inward. NAO: RElbowRoll; SimSpark: hinge raj4, motor rae4. */
     RIGHT_ARM_YAW("RElbowRoll", "raj4", "rae4", -1, 90);
 
-    /** The number of joints: 22. */
+    /** The number of joints. */
     public static final int COUNT = 22;
 
     private static final double MAX_DEGREES_PER_SECOND = 351.77;
@@ -110,7 +110,7 @@ public enum Joint {
      * Returns the joint that a motor drives.
      *
      * @param effectorName the motor's name in SimSpark's messages, such as {@code lle4}
-     * @return the joint; empty if robot type 0 has no such motor, as for the motor of a toe
+     * @return the joint; empty if robot type 0 has no such motor, for example that of a toe
      */
     public static Optional<Joint> ofEffector(String effectorName) {
         return Arrays.stream(values())

@@ -1,6 +1,6 @@
 package org.robonewbie.nao;
 
-/** A fixed, named point of the pitch that the camera recognises: the top of a goal post or a corner flag. */
+/** A fixed, named point on the pitch that the camera recognises: the top of a goal post or a corner flag. */
 public enum Landmark {
     /** Left goal, post on the positive y side. */
     GOAL_POST_1_LEFT("G1L", TeamSide.LEFT),

@@ -1,6 +1,6 @@
 package org.robonewbie.nao;
 
-/** The half of the pitch that a team defends in the first half. The first team to join plays on the left. */
+/** The side of the pitch that a team defends in the first half. The first team to join is the left team. */
 public enum TeamSide {
     /** The side of the team that attacks along positive x, towards the goal posts G1R and G2R. */
     LEFT,

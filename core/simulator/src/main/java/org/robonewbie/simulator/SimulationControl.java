@@ -18,7 +18,7 @@ public interface SimulationControl {
     SoccerField field();
 
     /**
-     * Returns whether the clock can be paused and the world restored.
+     * Returns whether the clock can be controlled and the world can be restored.
      *
      * @return false for a view-only world, which accepts no {@link Order.Clock} and cannot be {@link #restore restored}
      */
@@ -36,7 +36,7 @@ public interface SimulationControl {
     void order(Order order);
 
     /**
-     * Continues from an earlier snapshot. Robots that have left the game since are skipped.
+     * Continues from an earlier snapshot. Robots that have since left the game are skipped.
      *
      * @param before a snapshot before {@code target}, used to derive velocities; the same snapshot for a world at rest
      * @param target the snapshot to continue from

@@ -31,19 +31,19 @@ public interface SimulationObserver {
     default void happened(MatchEvent event) {}
 
     /**
-     * Called for each console message, such as the reason for refusing an agent; from any thread.
+     * Called for each console message, such as the reason for refusing an agent. May be called on any thread.
      *
      * @param message a complete sentence
      */
     default void messagePrinted(String message) {}
 
-    /** Called when the observed simulation is replaced by another one; from any thread. */
+    /** Called when the observed simulation is replaced by another one. May be called on any thread. */
     default void simulationReplaced() {}
 
     /**
      * Returns whether the observer needs the messages of a robot's agent. Called in each cycle on the simulation thread.
      *
-     * @param robot number of the robot's connection, as in {@link RobotSnapshot#id}
+     * @param robot id of the robot's connection, as in {@link RobotSnapshot#id}
      * @return whether to call {@link #messagesExchanged} for it; the default is false
      */
     default boolean wantsMessagesOf(int robot) {

@@ -10,7 +10,7 @@ import org.robonewbie.simulator.landscape.Thing;
 /**
  * The true state of the world at the end of one cycle.
  *
- * @param cycle number of the cycle since the start, each 20 ms
+ * @param cycle number of 20 ms cycles since the start
  * @param gameTime seconds played, as in the game state perceptor
  * @param playMode the play mode
  * @param teamLeft name of the left team, empty before it joined
@@ -44,7 +44,7 @@ public record WorldSnapshot(
         double realTimeFactor) {
 
     /**
-     * Returns a copy with another pace.
+     * Returns a copy with different clock values.
      *
      * @param isPaused whether the clock is paused
      * @param newSpeed requested simulated seconds per real second

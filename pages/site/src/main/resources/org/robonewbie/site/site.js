@@ -1,5 +1,4 @@
-// Light and dark, the list of pages on small screens, and the search. Pages opened from a folder may load no modules, so this is
-// a plain script.
+// Colour scheme, navigation on small screens, and search. A plain script, since pages opened from a folder cannot load modules.
 (() => {
   const KEY = 'robonewbie-theme';
   const MOST_HITS = 12;
@@ -18,7 +17,7 @@
     try {
       localStorage.setItem(KEY, theme);
     } catch {
-      // the choice lasts for this page
+      // without storage the choice applies to this page only
     }
   };
   if (kept()) root.dataset.theme = kept();
@@ -38,7 +37,7 @@
     name();
   }
 
-  /** All words must be in a section; words in a heading count most. */
+  /** Returns the sections that contain all words; matches in headings weigh most. */
   function find(words) {
     return globalThis.searchIndex
       .map((section) => {

@@ -64,7 +64,7 @@ final class AccessGuard extends Handler.Wrapper {
         return super.handle(request, response, callback);
     }
 
-    /** Redeems the one-time code of an address and redirects to the same page without it. */
+    /** Redeems the one-time code in an address and redirects to the same page without the code. */
     private void exchange(Request request, Response response, String code, boolean isSignedIn, Callback callback) {
         response.getHeaders().put(HttpHeader.CACHE_CONTROL, "no-store");
         boolean isNew = signIn.redeem(code);

@@ -5,14 +5,13 @@ import java.util.Set;
 import org.robonewbie.studio.board.EventBus;
 
 /**
- * Access control of the studio: only pages that this server delivered under a name of this computer may use it.
+ * Access control of the studio: only pages that this server delivered as localhost or 127.0.0.1 may use it.
  *
- * <p>The Host header is checked against DNS rebinding, the Origin header because any site may open a WebSocket to localhost, and
- * the cookie because other users of this computer can connect too.
+ * <p>The Host header is checked to prevent DNS rebinding, the Origin header because any site can open a WebSocket to
+ * localhost, and the cookie because other users of this computer can connect too.
  */
 final class AccessRule {
 
-    /** Path of the live feed. */
     static final String LIVE_PATH = "/live";
 
     /** Prefix of all paths that read or write the user's files. */
@@ -56,7 +55,9 @@ final class AccessRule {
         return Optional.empty();
     }
 
-    /** A page at another port of this computer sends the cookie too, but its Sec-Fetch-Site header is {@code same-site}. */
+    /**
+     * A page from another port of this computer also sends the cookie, but its Sec-Fetch-Site header is {@code same-site}.
+     */
     private static Optional<String> refusalOfUse(
             boolean isLive, String method, String origin, String site, boolean isSignedIn) {
         if (FOREIGN_SITES.contains(site)) {

@@ -18,8 +18,8 @@ import java.util.regex.Pattern;
 /**
  * Secret of one user from which the cookies of all studios are derived: 128 random bits, known only to this process and its file.
  *
- * <p>The token lives for a day in a file that only this user can read, so that an open page reconnects after the simulator has
- * been restarted.
+ * <p>The token lives for a day in a file that only this user can read, so that an open page can reconnect after the
+ * simulator has been restarted.
  *
  * @param text 32 hexadecimal digits
  */
@@ -31,7 +31,7 @@ public record AccessToken(String text) {
     static final Duration LIFETIME = Duration.ofDays(1);
 
     /**
-     * Checks the form.
+     * Validates the format.
      *
      * @throws IllegalArgumentException if the text is not 32 hexadecimal digits
      */
@@ -58,7 +58,7 @@ public record AccessToken(String text) {
     }
 
     /**
-     * Loads the token of this user from {@code .robonewbie/studio-token} in the home directory.
+     * Loads this user's token from {@code .robonewbie/studio-token} in the home directory.
      *
      * @return the stored token, or an unsaved new one if the file is not accessible
      */
@@ -72,7 +72,7 @@ public record AccessToken(String text) {
     }
 
     /**
-     * Loads the token from a file. Replaces it by a new one if the file is missing, malformed or older than a day.
+     * Loads the token from a file. Replaces it with a new one if the file is missing, malformed or older than a day.
      *
      * @param file the token file
      * @param now the current time
@@ -103,7 +103,7 @@ public record AccessToken(String text) {
     }
 
     /**
-     * Derives the secret of the studio at one port. It reveals neither the token nor the secret of another port.
+     * Derives the secret of the studio on one port. It reveals neither the token nor the secret of another port.
      *
      * @param port TCP port of the studio
      * @return hexadecimal digits

@@ -4,7 +4,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 
-/** Queue of user commands. They run in order, and may wait for the simulation or for robots that join. */
+/** Queue of user commands, which run in order. A command may block until the simulation has answered or robots have joined. */
 interface CommandQueue extends AutoCloseable {
 
     /**
@@ -26,16 +26,16 @@ interface CommandQueue extends AutoCloseable {
     /**
      * Sends the simulation a request and waits for the answer.
      *
-     * @param none the result if the simulation has ended
-     * @param request starts the request with the given callback
+     * @param none result to return if the simulation has ended
+     * @param request sends the request; the answer goes to the callback that it is given
      * @return the answer
      */
     <T> T answer(T none, Consumer<Consumer<T>> request);
 
     /**
-     * Waits for a condition, for some seconds at most.
+     * Waits until a condition holds, for a few seconds at most.
      *
-     * @param condition the condition
+     * @param condition polled until it returns true
      */
     void await(BooleanSupplier condition);
 

@@ -10,7 +10,7 @@ import org.robonewbie.studio.file.ApiHandler;
 import org.robonewbie.studio.file.PathPart;
 import org.robonewbie.studio.service.PageService;
 
-/** HTTP endpoint {@code /api/course} of the exercises. */
+/** HTTP endpoint {@code /api/course} for the exercises. */
 final class CourseApi extends ApiHandler {
 
     private static final String COURSE = "/api/course";
@@ -20,7 +20,7 @@ final class CourseApi extends ApiHandler {
     /**
      * Creates the endpoint.
      *
-     * @param course the exercises; empty for a studio without exercises
+     * @param course answers the requests; empty for a studio without exercises
      */
     CourseApi(Optional<PageService> course) {
         this.course = course;

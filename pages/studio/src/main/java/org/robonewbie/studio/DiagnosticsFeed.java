@@ -6,7 +6,7 @@ import java.util.Set;
 import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.protocol.telemetry.TelemetryMessage;
 
-/** Warnings and errors of all robots' programs, without duplicates. Sent to every page, whichever robot it watches. */
+/** Warnings and errors from all robots' programs, without duplicates. Sent to every page, whichever robot it watches. */
 final class DiagnosticsFeed {
 
     private static final int MAX_DIAGNOSTICS = 500;

@@ -5,7 +5,10 @@ import java.net.InetAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 
-/** Warm-up request for the start page, sent while the user's browser is still starting, so that the JVM has loaded the server code. */
+/**
+ * Requests the start page while the user's browser is still starting, so that the server's classes are loaded before
+ * the browser connects.
+ */
 final class FirstVisit {
 
     private FirstVisit() {}
@@ -23,7 +26,7 @@ final class FirstVisit {
             socket.getOutputStream().write(request.getBytes(StandardCharsets.US_ASCII));
             socket.getInputStream().readAllBytes();
         } catch (IOException closedMeanwhile) {
-            // The user's own visit is then the first one.
+            // The warm-up is optional.
         }
     }
 }

@@ -6,10 +6,16 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 
-/** Command queue that runs each command immediately. For pages where simulation, robots and user share one thread. */
+/**
+ * Command queue that runs each command immediately. For pages in which the simulation, the robots and the user's
+ * commands share one thread.
+ */
 final class InlineCommandQueue implements CommandQueue {
 
-    /** Each evaluation lets robots join; a robot that has to wait for the other team joins during the second one. */
+    /**
+     * Maximum number of evaluations of the condition in {@link #await}. Each one lets robots join; a robot that must
+     * wait for the other team joins in the second.
+     */
     private static final int MAX_EVALUATIONS = 10;
 
     @Override

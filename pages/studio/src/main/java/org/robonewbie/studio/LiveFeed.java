@@ -31,12 +31,13 @@ import org.robonewbie.studio.roboviz.RoboVizFeed;
 /**
  * Broadcasts the latest state of the simulation to all pages, about 25 times per second.
  *
- * <p>The simulation thread only stores a reference. The feed's thread encodes it once and sends the bytes to each spectator that
- * has drawn its last frame; the others skip this one. A slow page thus delays neither the simulation nor other pages.
+ * <p>The simulation thread only stores a reference to the state. The feed's thread encodes the state once and sends the
+ * bytes to each spectator that has drawn its last frame; the others skip this one. A slow page thus delays neither the
+ * simulation nor other pages.
  */
 final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext, AutoCloseable {
 
-    /** Slightly less than two cycles, so that every second cycle is sent in real time. */
+    /** Slightly shorter than two cycles, so that every second cycle is sent at real-time speed. */
     private static final long SEND_INTERVAL_NANOS = TimeUnit.MILLISECONDS.toNanos(37);
 
     private static final int MAX_TELEMETRY = 20_000;
@@ -69,7 +70,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
     private String sceneJson = "";
     private ByteBuffer frame = ByteBuffer.allocate(0);
 
-    /** Creates a feed for pages only. */
+    /** Creates a feed that does not record telemetry. */
     LiveFeed(SimulationControl simulation) {
         this(simulation, message -> {});
     }
@@ -144,7 +145,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
         spectators.remove(spectator);
     }
 
-    /** Without a page, one snapshot per frame interval suffices for {@link #now}. */
+    /** While no page is open, one snapshot per frame interval suffices for {@link #now}. */
     @Override
     public boolean wantsSnapshot() {
         return isWanted() || latest == null || System.nanoTime() - lastWakeNanos >= SEND_INTERVAL_NANOS;
@@ -208,7 +209,7 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
         }
     }
 
-    /** Messages from before the first page was opened are kept for it. */
+    /** Messages that are printed while no page is open are kept for the first page. */
     private void queueSentences() {
         while (isWanted() && !sentences.isEmpty()) {
             String json = SceneDescriptionWriter.notice(sentences.remove());

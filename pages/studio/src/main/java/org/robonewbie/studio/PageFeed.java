@@ -19,8 +19,8 @@ import org.robonewbie.simulator.soccer.MatchEvent;
 import org.robonewbie.studio.replay.NoteLines;
 
 /**
- * Live feed for a single page in whose worker the world runs. It sends the messages of {@link LiveFeed} without a thread, a clock
- * or a socket. Not thread-safe.
+ * Live feed for a single page in whose worker the world runs. It sends the same messages as {@link LiveFeed}, but
+ * without a thread, a clock or a socket. Not thread-safe.
  */
 public final class PageFeed implements TelemetrySink {
 
@@ -74,9 +74,9 @@ public final class PageFeed implements TelemetrySink {
         void show(byte[] frame);
 
         /**
-         * Stores a note beside the recording of the world.
+         * Stores a log entry or drawing beside the recording of the world.
          *
-         * @param note a line of {@link NoteLines}
+         * @param note one line, as written by {@link NoteLines}
          */
         void keep(String note);
     }
@@ -94,9 +94,9 @@ public final class PageFeed implements TelemetrySink {
     }
 
     /**
-     * Marks the world as a trial from now on.
+     * Labels the world as a trial from now on.
      *
-     * @param trial the trial
+     * @param trial label of the trial
      */
     public void judge(TrialLabel trial) {
         judged = Optional.of(trial);
@@ -112,7 +112,7 @@ public final class PageFeed implements TelemetrySink {
     }
 
     /**
-     * Executes a command of the page.
+     * Executes a command from the page.
      *
      * @param command one JSON object
      */
@@ -162,7 +162,7 @@ public final class PageFeed implements TelemetrySink {
     }
 
     /**
-     * Queues a message of the simulator to the user.
+     * Queues a message from the simulator to the user.
      *
      * @param sentence a complete sentence
      */

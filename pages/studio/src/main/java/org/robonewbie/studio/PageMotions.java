@@ -11,7 +11,7 @@ public final class PageMotions {
 
     private PageMotions() {}
 
-    /** {@return the robot of the motion editor, as JSON} */
+    /** {@return a description of the motion editor's robot, as JSON} */
     public static String robot() {
         return RobotDescription.write(SceneDescriptionWriter.model(NaoModel.of(RobotType.TYPE_0)));
     }
@@ -22,12 +22,12 @@ public final class PageMotions {
     }
 
     /**
-     * Plays a motion file on a robot with weight and motors.
+     * Plays a motion file on a robot with full physics.
      *
      * @param text content of the file
      * @param start initial posture: {@code standing}, {@code back} or {@code front}
      * @return the result as JSON
-     * @throws RefusedException if the text is not a motion or too long
+     * @throws RefusedException if the text is not a valid motion or is too long
      */
     public static String trial(String text, String start) {
         return PhysicalTrial.json(text, start);

@@ -46,7 +46,7 @@ public final class PageScenes {
     }
 
     /**
-     * Continues from a cycle of a recording.
+     * Continues the simulation from a cycle of a recording.
      *
      * @param feed the feed of the displayed world
      * @param recording the uncompressed bytes of the recording

@@ -76,7 +76,7 @@ final class PuppetService {
         throw new IllegalStateException("This team already has eleven robots. Remove one, or choose the other team.");
     }
 
-    /** Places new puppets behind the ball, in reach of a kick, once they have taken their line-up positions. */
+    /** Places new puppets behind the ball, within kicking distance, once they have taken their line-up positions. */
     void place(WorldSnapshot now) {
         for (PlayerNumber player : List.copyOf(arriving.keySet())) {
             find(now, player).ifPresent(robot -> {
@@ -93,7 +93,10 @@ final class PuppetService {
         return player.side() == TeamSide.LEFT ? 0 : 180;
     }
 
-    /** The nearest free position on the line behind the ball, seen from the goal that the robot attacks. */
+    /**
+     * The free position closest to the ball on the line that leads from it straight away from the goal that the robot
+     * attacks.
+     */
     private static Vector3 behindBall(RobotSnapshot robot, WorldSnapshot now) {
         Vector3 ball = now.ballPosition();
         double backwards = robot.side().equals(Optional.of(TeamSide.LEFT)) ? -1 : 1;
@@ -112,7 +115,7 @@ final class PuppetService {
                 .anyMatch(place -> place.minus(new Vector3(x, y, place.z())).length() < METRES_BETWEEN);
     }
 
-    /** Adds a puppet for each robot of a state that has left the game. Returns the number of missing robots. */
+    /** Adds a puppet for each robot in a state that is no longer in the game. Returns the number of these robots. */
     synchronized int fillUp(WorldSnapshot state, WorldSnapshot now) {
         int missing = 0;
         for (RobotSnapshot robot : state.robots()) {

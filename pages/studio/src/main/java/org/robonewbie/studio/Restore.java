@@ -71,7 +71,7 @@ final class Restore implements RestorableSimulation {
     }
 
     /**
-     * Restores a checkpoint; a running clock stays running.
+     * Restores a checkpoint. A running clock keeps running.
      *
      * @param withAbsent whether puppets replace robots that have left
      * @return a remark for the user; empty if the state is restored exactly
@@ -97,7 +97,10 @@ final class Restore implements RestorableSimulation {
                 .toList();
     }
 
-    /** New robots join only while the clock runs; those that do not join in time are left out. */
+    /**
+     * Adds puppets for missing robots and waits until they have joined, which requires a running clock. Stops waiting
+     * after a timeout.
+     */
     private void awaitRobots(WorldSnapshot state) {
         if (context.puppets().fillUp(state, context.now()) == 0
                 || !context.puppets().isOpen()) {

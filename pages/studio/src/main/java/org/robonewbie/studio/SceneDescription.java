@@ -14,7 +14,7 @@ import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.landscape.Thing;
 
 /**
- * The part of the world that rarely changes: pitch, teams and robots. Sent to a page once and again after each change.
+ * The part of the world that rarely changes: pitch, teams and robots. Sent to each page once, and again after each change.
  *
  * @param field the pitch
  * @param clock whether the clock can be paused
@@ -38,7 +38,7 @@ record SceneDescription(
         List<Standing> things) {
 
     /**
-     * A robot without its state.
+     * Static properties of a robot.
      *
      * @param id number of its connection
      * @param team name of its team, empty before it joins one
@@ -55,7 +55,7 @@ record SceneDescription(
     }
 
     /**
-     * An object on the pitch without its pose.
+     * Static properties of an object on the pitch.
      *
      * @param name kind of the object
      * @param size edge lengths in metres

@@ -15,7 +15,7 @@ import org.robonewbie.protocol.telemetry.TelemetryItem;
 import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.soccer.MatchEvent;
 
-/** Writes a {@link SceneDescription} as JSON, with the bodies of all robot types in it. */
+/** Writes a {@link SceneDescription} as JSON, including the bodies of all its robot types. */
 final class SceneDescriptionWriter {
 
     private SceneDescriptionWriter() {}
@@ -24,7 +24,7 @@ final class SceneDescriptionWriter {
      * Writes a scene.
      *
      * @param scene the scene
-     * @param revision number of the scene, repeated in the state frames that belong to it
+     * @param revision revision number of the scene, repeated in the state frames that belong to it
      * @return one JSON object
      */
     static String write(SceneDescription scene, int revision) {
@@ -108,7 +108,7 @@ final class SceneDescriptionWriter {
         return json.toString();
     }
 
-    /** Writes a warning or error of a robot's program. */
+    /** Writes a warning or error from a robot's program. */
     static String diagnostic(String team, int number, TelemetryItem.LogEntry line) {
         JsonObject json = new JsonObject();
         json.addProperty("kind", "mistake");
@@ -119,7 +119,7 @@ final class SceneDescriptionWriter {
         return json.toString();
     }
 
-    /** Writes the names of the commands that undo and redo would apply to. */
+    /** Writes the names of the commands that would be undone and redone next. */
     static String undoManager(UndoManager.Names names) {
         JsonObject json = new JsonObject();
         json.addProperty("kind", "undo");
@@ -128,7 +128,7 @@ final class SceneDescriptionWriter {
         return json.toString();
     }
 
-    /** Writes a message of the simulator to the user. */
+    /** Writes a message from the simulator to the user. */
     static String notice(String sentence) {
         JsonObject json = new JsonObject();
         json.addProperty("kind", "told");

@@ -13,13 +13,16 @@ import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.studio.program.Arena;
 import org.robonewbie.studio.scene.Checkpoint;
 
-/** The displayed pitch, as the place where programs of the editor run. */
+/** The displayed pitch as the arena for programs from the editor. */
 final class ShownArena implements Arena {
 
     private static final long TIMEOUT_NANOS = TimeUnit.SECONDS.toNanos(10);
     private static final long POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
-    /** Cycles in which a new agent receives its number and moves to its line-up position; a jump of the world would confuse it. */
+    /**
+     * Cycles that a new agent needs to receive its number and move to its line-up position. Restoring a state earlier
+     * would confuse it.
+     */
     private static final int CYCLES_TO_SETTLE = 12;
 
     private final StudioContext context;
@@ -53,7 +56,7 @@ final class ShownArena implements Arena {
         }
     }
 
-    /** Runs the settling cycles as fast as possible; they are rolled back afterwards. */
+    /** Runs the settling cycles as fast as possible; restoring the saved state discards them. */
     private void settle(double speed, BooleanSupplier isWanted) {
         long settled = context.now().cycle() + CYCLES_TO_SETTLE;
         context.simulation().order(new Order.SetSpeed(SimulationControl.AS_FAST_AS_POSSIBLE));

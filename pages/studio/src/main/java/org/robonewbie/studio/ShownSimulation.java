@@ -14,7 +14,10 @@ import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.state.WorldState;
 
-/** Proxy for the displayed simulation, which can be exchanged: the free pitch or the trial of an exercise. Observers move along. */
+/**
+ * Proxy for the displayed simulation, which switches between the free pitch and trials of exercises. Each switch moves
+ * the observers to the new simulation.
+ */
 public final class ShownSimulation implements SimulationControl {
 
     private final List<SimulationObserver> observers = new CopyOnWriteArrayList<>();

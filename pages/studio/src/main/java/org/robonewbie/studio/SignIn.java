@@ -10,8 +10,8 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * One-time sign-in codes, which the studio exchanges for a cookie. The cookie is valid for all pages of the browser. Its name
- * contains the port, since browsers send a host's cookies to all of its ports. Thread-safe.
+ * One-time sign-in codes, which the studio exchanges for a cookie. The cookie is valid for all pages of the browser.
+ * Its name contains the port, because browsers send a host's cookies to all of its ports. Thread-safe.
  *
  * <pre>{@code
  * String code = signIn.newCode();

@@ -82,7 +82,7 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         }
     }
 
-    /** Queues the names for undo and redo if they have changed. Called by the feed's thread only. */
+    /** Queues the names of the next commands to undo and redo if they have changed. Called by the feed's thread only. */
     void enqueueUndoNames(UndoManager.Names names) {
         if (!sentUndoNames.equals(Optional.of(names))) {
             sentUndoNames = Optional.of(names);

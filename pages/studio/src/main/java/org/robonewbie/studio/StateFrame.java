@@ -17,7 +17,7 @@ import org.robonewbie.simulator.WorldSnapshot;
  *
  * <pre>
  * header   u8 version, u8 flags (1 = paused), u16 scene revision, u32 cycle,
- *          f32 game time, f32 asked speed, f32 real-time factor,
+ *          f32 game time, f32 requested speed, f32 real-time factor,
  *          u8 play mode, u8 score left, u8 score right, u8 half
  * ball     3 × f32 position, 4 × i16 rotation w, x, y, z (1 = 32767)
  * robots   each 3 × f32 torso position, 4 × i16 torso rotation, then i16 per hinge in 1/100 degree
@@ -26,7 +26,7 @@ import org.robonewbie.simulator.WorldSnapshot;
  */
 final class StateFrame {
 
-    /** First byte of every frame. A page of another version asks the user to reload it. */
+    /** First byte of every frame. A page that expects another version asks the user to reload it. */
     static final int VERSION = 1;
 
     private static final int HEADER_BYTES = 24;

@@ -4,18 +4,16 @@ import org.robonewbie.protocol.telemetry.TuningRequests;
 import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.WorldSnapshot;
 
-/** What the commands of a page act on. */
+/** The objects on which a page's commands operate. */
 interface StudioContext {
 
     SimulationControl simulation();
 
-    /** Undo and redo of the user's changes. */
     UndoManager undoManager();
 
-    /** Queue of the user's commands. */
     CommandQueue commandQueue();
 
-    /** Values that the user has set for tunable numbers of robots' programs. */
+    /** Values that the user has set for tunable parameters of the robots' programs. */
     TuningRequests numbers();
 
     /** The robots that are steered by hand. */

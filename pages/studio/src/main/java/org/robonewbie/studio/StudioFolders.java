@@ -44,7 +44,7 @@ public record StudioFolders(
     }
 
     /**
-     * Returns the folders of a program that runs in its project.
+     * Returns the folders for a program whose working directory is its project.
      *
      * @return {@code motions} in the working directory, the user's recordings, and those in the working directory and its folder
      *     {@code recordings}

@@ -6,7 +6,7 @@ import org.robonewbie.protocol.order.Order;
 import org.robonewbie.protocol.order.PlayerNumber;
 import org.robonewbie.protocol.telemetry.TuningRequest;
 
-/** Command of a page. */
+/** Command from a page. */
 interface StudioRequest {
 
     /**
@@ -16,7 +16,7 @@ interface StudioRequest {
      */
     void applyTo(StudioContext context);
 
-    /** The page has drawn its last frame and is ready for the next. */
+    /** Acknowledgement that the page has drawn its last frame and is ready for the next. */
     record Seen() implements StudioRequest {
         @Override
         public void applyTo(StudioContext context) {}
@@ -34,9 +34,9 @@ interface StudioRequest {
     }
 
     /**
-     * Changes a tunable number of a robot's program while it runs.
+     * Changes a tunable parameter of a robot's program while it runs.
      *
-     * @param wish the number and its new value
+     * @param wish the parameter and its new value
      */
     record Tune(TuningRequest wish) implements StudioRequest {
         @Override
@@ -46,7 +46,7 @@ interface StudioRequest {
     }
 
     /**
-     * Orders to the clock of the world; they cannot be undone.
+     * Orders that control the world's clock; they cannot be undone.
      *
      * @param orders the orders, in this order
      */
@@ -63,7 +63,7 @@ interface StudioRequest {
     }
 
     /**
-     * Undoable change of the world.
+     * Undoable change to the world.
      *
      * @param name description such as "ball moved"
      * @param gesture number of the drag that the change belongs to; 0 for none
@@ -100,7 +100,7 @@ interface StudioRequest {
     /**
      * Adds a robot that is steered by hand.
      *
-     * @param side its team; the very first robot plays on the left
+     * @param side its team; ignored while there is no left team, because the robot then founds it
      */
     record AddPuppet(TeamSide side) implements StudioRequest {
         @Override

@@ -49,7 +49,7 @@ public final class StudioServer implements Viewer.View {
     private static final Duration QUIET_LIMIT = Duration.ofMinutes(10);
     private static final int MAX_COMMAND_BYTES = 4096;
 
-    /** Large, since browsers send the cookies of all ports of this computer. */
+    /** Large, because browsers send the cookies of all ports of this computer. */
     private static final int MAX_HEADER_BYTES = 32_768;
 
     private static final int MAX_THREADS = 12;
@@ -104,7 +104,7 @@ public final class StudioServer implements Viewer.View {
     }
 
     /**
-     * Starts another studio at any free port. Browsers that are signed in at the first one are signed in at both.
+     * Starts another studio on any free port. Browsers that are signed in to the first studio are signed in to both.
      *
      * @param simulation the simulation to show and control
      * @param first the studio whose sign-in is shared

@@ -80,7 +80,7 @@ public final class StudioViewer implements Viewer {
         return port == 0 ? openAtUsual(DEFAULT_PORT, start) : start.at(port);
     }
 
-    /** Starts at a port, or at any other if that is in use. */
+    /** Starts a server on a port, or on any free one if that port is in use. */
     static StudioServer openAtUsual(int port, Start start) throws IOException {
         try {
             return start.at(port);
@@ -89,7 +89,7 @@ public final class StudioViewer implements Viewer {
         }
     }
 
-    /** Starts a server at a port; 0 for any free one. */
+    /** Starts a server on a port; 0 for any free one. */
     interface Start {
         StudioServer at(int port) throws IOException;
     }

@@ -13,7 +13,7 @@ import org.robonewbie.studio.scene.UndoStack;
 import org.robonewbie.studio.scene.UndoableCommand;
 
 /**
- * Executes the user's changes of the world one after the other, and undoes and redoes them. A checkpoint is taken before each
+ * Executes the user's changes to the world one at a time, and undoes and redoes them. A checkpoint is taken before each
  * change.
  */
 final class UndoManager implements RestorableSimulation {
@@ -112,7 +112,7 @@ final class UndoManager implements RestorableSimulation {
         });
     }
 
-    /** Records a change of a file. */
+    /** Records a change to a file. */
     void done(UndoableCommand command) {
         later(() -> {
             last = Optional.empty();

@@ -18,8 +18,8 @@ import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
 
 /**
- * Static file handler for the studio's pages and the documentation, both from the class path. Paths consist of plain names, so that
- * no path leaves the folder {@code web}.
+ * Static file handler for the studio's pages and the documentation, both from the class path. Paths consist of plain
+ * names, so that no path can leave the folder {@code web}.
  */
 final class WebFiles extends Handler.Abstract {
 

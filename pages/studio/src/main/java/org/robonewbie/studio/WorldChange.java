@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.robonewbie.studio.scene.Checkpoint;
 import org.robonewbie.studio.scene.UndoableCommand;
 
-/** Undoable change of the world; undo restores the checkpoint taken before it. */
+/** Undoable change to the world; undo restores the checkpoint taken before it. */
 final class WorldChange implements UndoableCommand {
 
     private final Restore world;

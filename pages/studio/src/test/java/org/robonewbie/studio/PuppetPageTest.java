@@ -91,7 +91,7 @@ class PuppetPageTest {
         new Stranger(field.simulator(), "Moons").join();
         browser.await("studio.state.scene.teams.left === 'Stars' && studio.state.scene.teams.right === 'Moons'");
         new Stranger(field.simulator(), "Suns").join();
-        browser.await("document.querySelector('#toast').textContent.includes('a third team \"Suns\" cannot')");
+        browser.await("document.querySelector('#toast').textContent.includes('no room for team \"Suns\"')");
     }
 
     @Test

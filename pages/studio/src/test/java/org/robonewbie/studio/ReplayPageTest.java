@@ -163,7 +163,7 @@ class ReplayPageTest {
         browser.click("#go-live");
 
         browser.await("document.querySelector('.moment-reading').textContent === 'now'");
-        browser.await("document.querySelector('.team.left').textContent === 'Blue Newbies'");
+        browser.await("document.querySelector('.team.left').textContent === 'Blue_Newbies'");
         browser.await("getComputedStyle(document.querySelector('#transport')).display !== 'none'");
     }
 
@@ -281,7 +281,7 @@ class ReplayPageTest {
         browser.evaluate("location.hash = '#field'");
 
         browser.await("studio.room() === 'field' && document.querySelector('.moment-reading').textContent === 'now'");
-        browser.await("document.querySelector('.team.left').textContent === 'Blue Newbies'");
+        browser.await("document.querySelector('.team.left').textContent === 'Blue_Newbies'");
         assertThat(browser.evaluate("studio.replay.file === undefined && studio.cursor.recorded === undefined")
                         .getAsBoolean())
                 .isTrue();

@@ -10,14 +10,15 @@ import org.robonewbie.simulator.state.WorldState;
 /** A world that the user may change freely: states can be restored, and puppets can join. */
 interface EditableWorld extends SteppedWorld, PuppetProvider {
 
-    /** {@return the bit-exact state; empty while a robot has not answered} */
+    /** {@return the bit-exact state; empty while a robot's answer is pending} */
     Optional<WorldState> save();
 
     /**
      * Restores a saved state.
      *
      * @param state the state
-     * @return number of agents that have restored their own states; empty if the state belongs to another world or a robot has not answered
+     * @return number of agents that have restored their own states; empty if the state belongs to another world or a
+     *     robot's answer is pending
      */
     OptionalInt restore(WorldState state);
 

@@ -16,7 +16,7 @@ import org.robonewbie.simulator.TrialLabel;
 import org.robonewbie.simulator.recording.RecordingTarget;
 import org.robonewbie.studio.PageFeed;
 
-/** Attempt with the program in the interpreter of the page. */
+/** Attempt at an exercise whose program runs in the page's interpreter. */
 final class ExerciseAttempt implements CourseHost.Attempt {
 
     private static final int MAX_CHARACTERS = 20_000;
@@ -40,7 +40,7 @@ final class ExerciseAttempt implements CourseHost.Attempt {
      * @param exercise the exercise
      * @param classes class files of the program
      * @param id number of the attempt
-     * @param trials number of seeds, at least 1
+     * @param trials number of trials, each with its own seed; at least 1
      * @param page receives the messages
      * @param complete receives the grade when all trials have been judged
      */

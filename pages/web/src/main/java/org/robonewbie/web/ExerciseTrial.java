@@ -55,12 +55,12 @@ final class ExerciseTrial implements SteppedWorld {
         }
     }
 
-    /** {@return whether the trial has started; false if the program failed before} */
+    /** {@return whether the trial has started; false if the program failed before the start} */
     boolean isStarted() {
         return played.isPresent();
     }
 
-    /** {@return whether the program is stuck in an endless step, so that further trials are pointless} */
+    /** {@return whether the program is stuck in an endless loop, so that further trials are pointless} */
     boolean isStuck() {
         return stuck;
     }
@@ -96,7 +96,7 @@ final class ExerciseTrial implements SteppedWorld {
 
     @Override
     public void order(Order order) {
-        // A trial that counts cannot be changed.
+        // The user cannot change a graded trial.
     }
 
     @Override

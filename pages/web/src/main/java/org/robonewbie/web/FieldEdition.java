@@ -5,7 +5,7 @@ import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
 
 /**
- * Functions that the page's scripts call while no program runs: shipped agents play, and motions are tried. Each exported method becomes
+ * Functions that the page's scripts call while no user program runs: they run shipped agents and try motions. Each exported method becomes
  * a function of the WebAssembly module, which is half as large as that of {@link WebEdition}.
  */
 public final class FieldEdition {
@@ -39,21 +39,21 @@ public final class FieldEdition {
     /**
      * Lists the shipped agents.
      *
-     * @return the names of their classes, separated by blanks
+     * @return the names of their classes, separated by spaces
      */
     @JSExport
     public static String agents() {
         return String.join(" ", ShippedAgents.names());
     }
 
-    /** {@return the robot of the motion editor, as a JSON object} */
+    /** {@return a description of the motion editor's robot, as a JSON object} */
     @JSExport
     public static String robot() {
         return PageMotions.robot();
     }
 
     /**
-     * Plays a motion on a robot with weight and motors.
+     * Plays a motion on a robot with full physics.
      *
      * @param text content of the motion file
      * @param start initial posture
@@ -70,7 +70,7 @@ public final class FieldEdition {
         return PageMotions.models();
     }
 
-    /** Clears the scenes in memory, before the page passes them again. */
+    /** Clears the scenes in memory before the page passes them again. */
     @JSExport
     public static void forgetScenes() {
         PageContext.scenes().clear();
@@ -101,7 +101,7 @@ public final class FieldEdition {
     }
 
     /**
-     * Answers a request of the course.
+     * Answers a request to the course service.
      *
      * @param request one JSON object with the request and what the browser has stored
      * @return JSON, or a sentence if the request is refused
@@ -112,7 +112,7 @@ public final class FieldEdition {
     }
 
     /**
-     * Continues from a cycle of a recording.
+     * Continues the simulation from a cycle of a recording.
      *
      * @param recording the uncompressed bytes of the recording
      * @param moment index of the cycle, from 0
@@ -124,7 +124,7 @@ public final class FieldEdition {
     }
 
     /**
-     * Executes a command of the page.
+     * Executes a command from the page.
      *
      * @param command one JSON object
      */
@@ -136,7 +136,7 @@ public final class FieldEdition {
     /**
      * Starts a world with shipped agents and shows it.
      *
-     * @param agents names of their classes, separated by blanks
+     * @param agents names of their classes, separated by spaces
      * @param seed random seed
      */
     @JSExport

@@ -32,7 +32,7 @@ final class FreePitch implements EditableWorld {
     private static final double COLUMN_METRES = -2.5;
     private static final double ROW_METRES = 1.5;
 
-    /** Longer than a robot needs to leave, or to join and stand. */
+    /** Time limit in cycles; a robot needs fewer to leave, or to join and stand. */
     private static final int MAX_CYCLES = 100;
 
     private final SteppedSimulator simulator;
@@ -185,7 +185,7 @@ final class FreePitch implements EditableWorld {
         players.forEach(Player::play);
     }
 
-    /** A participant with one turn per cycle; a nested cycle gives no second turn. */
+    /** A participant that acts once per cycle. It does not act again in a cycle that its own turn triggers. */
     private static final class Player {
 
         private final Runnable turn;

@@ -8,7 +8,7 @@ import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.pagejvm.SpecialCalls;
 import org.robonewbie.team.tactics.Assignment;
 
-/** Calls with arrays of primitives, which the compiled program cannot make by reflection. */
+/** Calls methods that have arrays of primitives as parameters, which the compiled module cannot call by reflection. */
 final class NumberArrays {
 
     /** Result of a void method. */

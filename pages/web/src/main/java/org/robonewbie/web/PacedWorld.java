@@ -57,7 +57,7 @@ final class PacedWorld implements PageFeed.World {
         owedSeconds = 0;
     }
 
-    /** Executes a command of the page. */
+    /** Executes a command from the page. */
     void ask(String command) {
         feed.ask(command);
     }

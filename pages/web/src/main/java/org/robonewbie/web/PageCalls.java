@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.pagejvm.SpecialCalls;
 
-/** Replacements for methods of Java classes in students' programs. */
+/** Replacements for library methods that students' programs call. */
 final class PageCalls {
 
     private PageCalls() {}
@@ -32,7 +32,7 @@ final class PageCalls {
         };
     }
 
-    /** The functions of browsers differ; these are the same everywhere. */
+    /** Portable implementations, because the mathematical functions of browsers differ in their results. */
     private static Object mathematics(String name, double x, @Nullable Object second) {
         return switch (name) {
             case "sin" -> PortableMath.sin(x);

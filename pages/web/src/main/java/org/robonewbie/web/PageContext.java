@@ -25,7 +25,7 @@ final class PageContext {
 
     private static final PageScenes SCENES = new PageScenes(new Browser());
 
-    /** The last one belongs to the displayed world; earlier ones have not been sent completely. */
+    /** Recordings to send. The last one belongs to the displayed world; earlier ones have not been sent completely. */
     private static final Deque<PageRecording> RECORDINGS = new ArrayDeque<>();
 
     private static @Nullable PacedWorld world;
@@ -33,12 +33,12 @@ final class PageContext {
 
     private PageContext() {}
 
-    /** Shows shipped agents, given as class names separated by blanks. */
+    /** Shows shipped agents, given as class names separated by spaces. */
     static void begin(String agents, int seed) {
         begin(agents, seed, empty -> {});
     }
 
-    /** Shows a world with a first participant and then shipped agents, given as class names separated by blanks. */
+    /** Shows a world with a first participant and then shipped agents, given as class names separated by spaces. */
     static void begin(String agents, int seed, Consumer<FreePitch> first) {
         world = new PacedWorld(PAGE, feed -> {
             FreePitch started = new FreePitch(seed, feed, record());
@@ -84,14 +84,14 @@ final class PageContext {
         pitch = Optional.empty();
     }
 
-    /** Executes a command of the page, one JSON object. */
+    /** Executes a command from the page, one JSON object. */
     static void ask(String command) {
         if (world != null) {
             world.ask(command);
         }
     }
 
-    /** Advances the displayed world; the last turn was the given time ago. */
+    /** Advances the displayed world; {@code seconds} is the time since the last call. */
     static void turn(double seconds) {
         if (world != null) {
             world.turn(seconds);
@@ -99,7 +99,7 @@ final class PageContext {
         }
     }
 
-    /** Plays a motion on a robot with weight; returns the result as JSON, or a sentence if the motion is refused. */
+    /** Plays a motion on a robot with full physics; returns the result as JSON, or a sentence if the motion is refused. */
     static String motionTrial(String text, String start) {
         try {
             return PageMotions.trial(text, start);
@@ -118,7 +118,7 @@ final class PageContext {
         return answer(feed -> SCENES.answer(feed, method, name, old));
     }
 
-    /** Continues from a cycle of a recording; returns a JSON object, or a sentence if the request is refused. */
+    /** Continues the simulation from a cycle of a recording; returns a JSON object, or a sentence if the request is refused. */
     static String startFrom(byte[] recorded, int moment) {
         return answer(feed -> SCENES.start(feed, recorded, moment));
     }

@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.function.Supplier;
 
 /**
- * State of the classes that replace others in the page. They cannot hold it themselves: TeaVM compiles a copy of each under the other
- * name, with separate static fields.
+ * State of the classes that replace others in the page. They cannot hold it themselves, because TeaVM compiles a copy
+ * of each under the name of the replaced class, with separate static fields.
  */
 public final class PageMemory {
 

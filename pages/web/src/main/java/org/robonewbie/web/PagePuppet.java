@@ -16,7 +16,7 @@ final class PagePuppet extends SteeredRobot {
     private Runnable onClosed = () -> {};
 
     /**
-     * Lets the robot join, which advances the world until it stands.
+     * Lets the robot join, and advances the world until the robot stands.
      *
      * @param link the robot's end of the connection
      * @param options identity of the robot

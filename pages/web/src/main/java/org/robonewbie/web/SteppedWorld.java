@@ -9,7 +9,7 @@ import org.robonewbie.simulator.WorldSnapshot;
 /** A world with its robots that is advanced cycle by cycle. */
 interface SteppedWorld {
 
-    /** Advances by one cycle of 20 ms, in which each robot has its turn. */
+    /** Advances by one cycle of 20 ms, in which each robot acts once. */
     void cycle();
 
     /** {@return whether the world has ended} */
@@ -28,7 +28,7 @@ interface SteppedWorld {
     WorldSnapshot snapshot(boolean paused, double speed);
 
     /**
-     * Executes a command of the user.
+     * Executes a command from the user.
      *
      * @param order the order
      */

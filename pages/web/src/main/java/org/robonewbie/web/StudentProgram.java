@@ -28,7 +28,7 @@ import org.robonewbie.protocol.telemetry.TelemetrySink;
  */
 final class StudentProgram {
 
-    /** Practically unlimited: the game is ended by the user, not by the program. */
+    /** Practically unlimited, because the user ends the game, not the program. */
     static final double FOREVER_SECONDS = 1e6;
 
     private final Machine machine;
@@ -45,7 +45,7 @@ final class StudentProgram {
      *
      * @param program its classes
      * @param output receives its output
-     * @param entrance connects another robot; the given action advances the other robots while it joins
+     * @param entrance opens a connection for a robot; runs the given action repeatedly while the robot joins
      * @param nextCycle advances the world while a robot joins or the program waits inside compiled code
      * @param viewer receives the robots' telemetry
      */
@@ -84,7 +84,7 @@ final class StudentProgram {
         return false;
     }
 
-    /** Disconnects the robots of the program in any state. */
+    /** Disconnects the program's robots, whatever its state. */
     void leave() {
         links.forEach(PatientLink::close);
     }
@@ -186,7 +186,7 @@ final class StudentProgram {
         return SpecialCalls.UNKNOWN;
     }
 
-    /** A result that arrives with a message. */
+    /** A suspended call, whose result is available when the next message has arrived. */
     private record Later(BooleanSupplier ready, Supplier<@Nullable Object> outcome, Runnable nextCycle)
             implements Waiting {
 
@@ -206,7 +206,7 @@ final class StudentProgram {
         }
     }
 
-    /** A motion that is performed to its end. */
+    /** A suspended call of {@code perform}, which returns when the motion has ended. */
     private final class Performance implements Waiting {
 
         private final Nao nao;

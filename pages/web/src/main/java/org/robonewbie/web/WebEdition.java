@@ -19,8 +19,8 @@ import org.teavm.jso.JSExport;
 import org.teavm.jso.typedarrays.Int8Array;
 
 /**
- * Functions that the page's scripts call while the user programs: those of {@link FieldEdition}, students' programs and exercises. Each
- * exported method becomes a function of the WebAssembly module.
+ * Functions that the page's scripts call while the user programs: those of {@link FieldEdition}, and those for
+ * students' programs and exercises. Each exported method becomes a function of the WebAssembly module.
  */
 public final class WebEdition {
 
@@ -55,21 +55,21 @@ public final class WebEdition {
     /**
      * Lists the shipped agents.
      *
-     * @return the names of their classes, separated by blanks
+     * @return the names of their classes, separated by spaces
      */
     @JSExport
     public static String agents() {
         return String.join(" ", ShippedAgents.names());
     }
 
-    /** {@return the robot of the motion editor, as a JSON object} */
+    /** {@return a description of the motion editor's robot, as a JSON object} */
     @JSExport
     public static String robot() {
         return PageMotions.robot();
     }
 
     /**
-     * Plays a motion on a robot with weight and motors.
+     * Plays a motion on a robot with full physics.
      *
      * @param text content of the motion file
      * @param start initial posture
@@ -103,7 +103,7 @@ public final class WebEdition {
         return Int8Array.copyFromJavaArray(log.toByteArray());
     }
 
-    /** Clears the scenes in memory, before the page passes them again. */
+    /** Clears the scenes in memory before the page passes them again. */
     @JSExport
     public static void forgetScenes() {
         PageContext.scenes().clear();
@@ -134,7 +134,7 @@ public final class WebEdition {
     }
 
     /**
-     * Continues from a cycle of a recording.
+     * Continues the simulation from a cycle of a recording.
      *
      * @param recording the uncompressed bytes of the recording
      * @param moment index of the cycle, from 0
@@ -146,7 +146,7 @@ public final class WebEdition {
     }
 
     /**
-     * Executes a command of the page.
+     * Executes a command from the page.
      *
      * @param command one JSON object
      */
@@ -158,7 +158,7 @@ public final class WebEdition {
     /**
      * Starts a world with shipped agents and shows it.
      *
-     * @param agents names of their classes, separated by blanks
+     * @param agents names of their classes, separated by spaces
      * @param seed random seed
      */
     @JSExport
@@ -201,14 +201,14 @@ public final class WebEdition {
         CLASSES.add(classFile.copyToJavaArray());
     }
 
-    /** Clears the user's motions in memory, before the page passes them again. */
+    /** Clears the user's motions in memory before the page passes them again. */
     @JSExport
     public static void forgetMotions() {
         PageMemory.motions().clear();
     }
 
     /**
-     * Adds a motion of the user, which programs start by name.
+     * Adds one of the user's motions, which programs can start by name.
      *
      * @param name name of the motion
      * @param file content of its file
@@ -222,7 +222,7 @@ public final class WebEdition {
      * Starts a world with the program whose classes were added.
      *
      * @param seed random seed
-     * @param others class names of shipped agents that play as well, separated by blanks
+     * @param others class names of shipped agents that play as well, separated by spaces
      * @return why the program cannot run in the page; empty if it runs
      */
     @JSExport
@@ -240,7 +240,7 @@ public final class WebEdition {
     }
 
     /**
-     * Replaces the running program by the one whose classes were added; the state of the world is kept.
+     * Replaces the running program with the one whose classes were added; the state of the world is kept.
      *
      * @return why the program cannot run in the page; empty if it runs
      */
@@ -270,7 +270,7 @@ public final class WebEdition {
     }
 
     /**
-     * Answers a request of the course.
+     * Answers a request to the course service.
      *
      * @param request one JSON object with the request and what the browser has stored
      * @return JSON, or a sentence if the request is refused

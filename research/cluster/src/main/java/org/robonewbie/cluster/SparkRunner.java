@@ -20,8 +20,8 @@ import scala.runtime.AbstractFunction2;
 import scala.runtime.BoxedUnit;
 
 /**
- * Runner of jobs on the Spark cluster that the system property {@code spark.master} names. Jobs are distributed in small slices. A slice is
- * run again if its worker fails, and its results are received as soon as it is done.
+ * Runner of jobs on the Spark cluster that the system property {@code spark.master} names. Jobs are distributed in small
+ * slices. If a worker fails, its slice is run again; the results of a slice are received as soon as it is finished.
  */
 public final class SparkRunner implements BatchRunner {
 
@@ -65,7 +65,9 @@ public final class SparkRunner implements BatchRunner {
         return all.inOrder();
     }
 
-    /** Unwraps an exception of a job or of the receiver; Spark throws checked exceptions without declaring them. */
+    /**
+     * Unwraps an exception thrown by a job or by the receiver. Spark throws checked exceptions without declaring them.
+     */
     private static RuntimeException unchecked(Exception failed) throws IOException {
         Throwable cause = failed.getCause();
         if (cause instanceof UncheckedIOException unwritable && unwritable.getCause() != null) {
@@ -108,7 +110,7 @@ public final class SparkRunner implements BatchRunner {
         }
     }
 
-    /** The result of a job, or the reason of its failure. */
+    /** The result of a job, or the reason for its failure. */
     private record Outcome<R>(int index, @Nullable R result, String failure) implements Serializable {}
 
     /** Runs the jobs of a slice on a worker. */

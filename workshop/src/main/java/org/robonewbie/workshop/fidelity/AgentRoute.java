@@ -1,11 +1,11 @@
 package org.robonewbie.workshop.fidelity;
 
-/** On which way the commands of a recording reach the robot, and its measurements come back. */
+/** Transport between a recording and the replaying robot. */
 public enum AgentRoute {
-    /** Straight into the world and out of it, without server and messages. */
+    /** Direct access to the world, without server and messages. */
     NONE,
-    /** Through a whole server with its rules, to which the agent is connected within the process. */
+    /** A whole server with its rules, and an agent in the same process. */
     IN_PROCESS,
-    /** Through a whole server with its rules, to which the agent is connected by a TCP socket. */
+    /** A whole server with its rules, and an agent connected over TCP. */
     TCP
 }

@@ -3,15 +3,15 @@ package org.robonewbie.workshop.fidelity;
 import java.util.List;
 
 /**
- * A ball that a trainer sets in motion.
+ * Initial condition of a recorded ball.
  *
- * @param name how it starts, such as {@code roll_v3}, {@code drop_h0.5} or {@code lob_4_4}: speed along x and upward in
- *     m/s, height in m
- * @param cycles for how many cycles of 20 ms it is recorded
+ * @param name the condition, such as {@code roll_v3}, {@code drop_h0.5} or {@code lob_4_4}: speed along x and upward in m/s,
+ *     height in m
+ * @param cycles number of cycles of 20 ms to record
  */
 public record BallCase(String name, int cycles) {
 
-    /** Balls that roll slowly and fast, fall and fly. */
+    /** Slow and fast rolls, drops and lobs. */
     public static final List<BallCase> ALL = List.of(
             new BallCase("roll_v1", 400),
             new BallCase("roll_v3", 500),

@@ -14,11 +14,11 @@ import org.robonewbie.protocol.order.Order.SetTime;
 import org.robonewbie.simulator.world.BallProperties;
 
 /**
- * Sets the ball in motion by trainer commands and watches it through the monitor port, while an idle robot keeps the server
- * running cycle by cycle.
+ * Sets the ball in motion with trainer commands and records it through the monitor port. An idle robot keeps the server in
+ * step.
  *
- * <p>A monitor cannot know in which cycle its command acts. So the ball waits near the centre line, and a case begins with the
- * first message that shows it elsewhere; the game's clock shows which messages belong to which cycle.
+ * <p>A monitor cannot tell in which cycle its command takes effect. The ball therefore waits near the centre line, and a case
+ * starts with the first message that shows it elsewhere. The game clock assigns the messages to cycles.
  */
 final class BallSession {
 
@@ -35,7 +35,7 @@ final class BallSession {
         this.monitor = monitor;
     }
 
-    /** Records one case; empty when messages to monitors were delayed, so that its first cycle is unknown. */
+    /** Records one case; empty if monitor messages were delayed, so that the first cycle is unknown. */
     Optional<List<String>> record(BallCase ballCase) throws IOException {
         put(WAITING_PLACE, Vector3.ZERO);
         pass(CYCLES_TO_WAIT);

@@ -6,12 +6,12 @@ import java.util.regex.Pattern;
 import org.robonewbie.nao.Vector3;
 
 /**
- * How a trainer started a ball, read from the name of the recorded case: {@code roll_v3} rolls with 3 m/s along x, {@code
- * drop_h0.5} falls from 0.5 m, {@code lob_4_4} flies with 4 m/s along x and 4 m/s upward. Whatever follows, such as {@code
- * _beforekickoff}, does not matter.
+ * Initial state of a ball, parsed from the name of the recorded case: {@code roll_v3} rolls with 3 m/s along x, {@code
+ * drop_h0.5} falls from 0.5 m, {@code lob_4_4} flies with 4 m/s along x and 4 m/s upward. Any suffix, such as {@code
+ * _beforekickoff}, is ignored.
  *
- * @param position centre of the ball, metres
- * @param velocity metres per second
+ * @param position centre of the ball in metres
+ * @param velocity velocity in m/s
  */
 record BallStart(Vector3 position, Vector3 velocity) {
 
@@ -35,8 +35,8 @@ record BallStart(Vector3 position, Vector3 velocity) {
         if (lob.matches()) {
             return new BallStart(onTheGround, new Vector3(number(lob, 1), 0, number(lob, 2)));
         }
-        throw new IOException("The ball case \"" + caseName
-                + "\" does not say how the ball started. Name it like roll_v3, drop_h0.5 or lob_4_4.");
+        throw new IOException(
+                "Unknown ball case \"" + caseName + "\". Expected a name such as roll_v3, drop_h0.5 or lob_4_4.");
     }
 
     private static double number(Matcher matcher, int group) {

@@ -5,7 +5,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.robonewbie.nao.model.RobotType;
 
-/** Finds out with which robot type a recording was made. */
+/** Determines the robot type of a recording. */
 final class BuildSearch {
 
     private static final Pattern NAMED =
@@ -15,11 +15,11 @@ final class BuildSearch {
     private BuildSearch() {}
 
     /**
-     * The robot types that are possible. Types 0 and 2 stand alike and differ in their motors alone, so that only replaying
+     * Returns the possible robot types. Types 0 and 2 stand alike and differ in their motors only, so that only a replay
      * distinguishes them.
      *
      * @param recording the recording
-     * @return at least one type, the likeliest first
+     * @return at least one type, the most likely first
      */
     static List<RobotType> candidates(Recording recording) {
         RecordedRow first = recording.runs().get(0).rows().get(0);

@@ -5,7 +5,7 @@ import java.util.OptionalDouble;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.simulator.physics.BodyPose;
 
-/** Adds up the differences between the rows of one recording and our world. */
+/** Accumulates the differences between the rows of one recording and the simulated world. */
 final class Comparison {
 
     private final Tolerances limits;
@@ -38,24 +38,24 @@ final class Comparison {
         lastDegrees.ifPresent(restDegrees::add);
     }
 
-    void compare(RecordedRow row, Measurements felt, BodyPose torso, Vector3 ball) {
-        boolean within = compareJoints(row, felt.jointDegrees());
-        row.acceleration().ifPresent(printed -> accelerometer.add(Printed.equal(felt.acceleration(), printed)));
-        row.gyro().ifPresent(printed -> gyro.add(Printed.equal(felt.gyro(), printed)));
-        row.footForces().ifPresent(printed -> footPlates.add(Printed.equal(felt.footForces(), printed)));
+    void compare(RecordedRow row, Measurements measured, BodyPose torso, Vector3 ball) {
+        boolean within = compareJoints(row, measured.jointDegrees());
+        row.acceleration().ifPresent(printed -> accelerometer.add(Printed.equal(measured.acceleration(), printed)));
+        row.gyro().ifPresent(printed -> gyro.add(Printed.equal(measured.gyro(), printed)));
+        row.footForces().ifPresent(printed -> footPlates.add(Printed.equal(measured.footForces(), printed)));
         if (row.torso().isPresent()) {
             within &= compareTorso(row.torso().get(), torso);
         }
         if (row.ball().isPresent()) {
             within &= compareBall(row.ball().get(), ball);
         }
-        noteDivergence(row, within);
+        recordDivergence(row, within);
     }
 
     void compare(RecordedRow row, Vector3 ball) {
         if (row.ball().isPresent()) {
             lastMetres = OptionalDouble.of(row.ball().get().distanceTo(ball));
-            noteDivergence(row, compareBall(row.ball().get(), ball));
+            recordDivergence(row, compareBall(row.ball().get(), ball));
         }
     }
 
@@ -76,12 +76,12 @@ final class Comparison {
                 firstDivergence);
     }
 
-    private boolean compareJoints(RecordedRow row, Map<String, Double> felt) {
+    private boolean compareJoints(RecordedRow row, Map<String, Double> measured) {
         boolean within = true;
         for (Map.Entry<String, Double> recorded : row.jointDegrees().entrySet()) {
-            Double degrees = felt.get(recorded.getKey());
+            Double degrees = measured.get(recorded.getKey());
             if (degrees != null) {
-                double error = withoutDust(Math.abs(recorded.getValue() - degrees));
+                double error = rounded(Math.abs(recorded.getValue() - degrees));
                 jointDegrees.add(error);
                 within &= error <= limits.jointDegrees();
             }
@@ -105,12 +105,12 @@ final class Comparison {
         return metres <= limits.ballMetres();
     }
 
-    /** The difference of two printed decimals, such as 1.01 and 1.00, is not exactly 0.01 in binary numbers. */
-    private static double withoutDust(double difference) {
+    /** Removes floating-point error: the difference of two printed decimals, such as 1.01 and 1.00, is not exactly 0.01. */
+    private static double rounded(double difference) {
         return Math.rint(difference * 1e9) / 1e9;
     }
 
-    private void noteDivergence(RecordedRow row, boolean within) {
+    private void recordDivergence(RecordedRow row, boolean within) {
         double seconds = row.seconds() - runStart;
         if (!within && seconds < firstDivergence.orElse(Double.POSITIVE_INFINITY)) {
             firstDivergence = OptionalDouble.of(seconds);

@@ -3,7 +3,7 @@ package org.robonewbie.workshop.fidelity;
 import java.util.Arrays;
 import java.util.OptionalDouble;
 
-/** Collects the deviation of one quantity in each row. */
+/** Deviations of one quantity over all rows. */
 final class Deviations {
 
     private double[] values = new double[1024];
@@ -16,14 +16,14 @@ final class Deviations {
         values[count++] = value;
     }
 
-    /** Middle of all values, empty without any. */
+    /** Returns the median; empty without values. */
     OptionalDouble median() {
         double[] sorted = Arrays.copyOf(values, count);
         Arrays.sort(sorted);
         return count == 0 ? OptionalDouble.empty() : OptionalDouble.of(sorted[count / 2]);
     }
 
-    /** Largest value, empty without any; NaN when one of them is. */
+    /** Returns the maximum; empty without values, NaN if any value is NaN. */
     OptionalDouble max() {
         return Arrays.stream(values, 0, count).max();
     }

@@ -2,7 +2,7 @@ package org.robonewbie.workshop.fidelity;
 
 import java.util.OptionalDouble;
 
-/** Counts the rows in which a sensor printed the same. */
+/** Counts the rows in which recorded and simulated sensor values are equal as printed. */
 final class EqualRows {
 
     private int rows;
@@ -15,7 +15,7 @@ final class EqualRows {
         }
     }
 
-    /** Share of equal rows from 0 to 1, empty when no row had the sensor. */
+    /** Returns the share of equal rows, 0 to 1; empty if no row had the sensor. */
     OptionalDouble share() {
         return rows == 0 ? OptionalDouble.empty() : OptionalDouble.of((double) equal / rows);
     }

@@ -16,7 +16,7 @@ import java.util.stream.Stream;
 import java.util.zip.ZipException;
 
 /**
- * Replays recordings of a real rcssserver3d in this simulator's world, without noise and server, and measures the deviation.
+ * Replays recordings of a real rcssserver3d in the simulated world, without noise and server, and measures the deviation.
  *
  * <p>A recording is a file of JSON lines, plain or compressed: a header, then one line per cycle of 20 ms with {@code t},
  * {@code hj}, {@code acc}, {@code gyr}, {@code frp}, {@code torso} and {@code sent}, or with {@code case} and {@code ball}.
@@ -34,11 +34,11 @@ public final class FidelityBench {
     private FidelityBench() {}
 
     /**
-     * Replays the recordings that come with the project.
+     * Replays the shipped recordings.
      *
-     * @param route how commands reach the robot and measurements come back
-     * @return how closely each was followed
-     * @throws IOException if one cannot be read
+     * @param route transport of commands and measurements
+     * @return the deviation from each recording
+     * @throws IOException if a recording cannot be read
      */
     public static FidelityReport run(AgentRoute route) throws IOException {
         List<RecordingFidelity> results = new ArrayList<>();
@@ -49,13 +49,12 @@ public final class FidelityBench {
     }
 
     /**
-     * Replays all recordings of a directory. A file that cannot be understood is named in the report and does not keep the
-     * others from being replayed.
+     * Replays all recordings in a directory. Files that cannot be parsed are listed in the report.
      *
-     * @param directory where the files are; those that do not end with .jsonl or .jsonl.gz are left out
-     * @param route how commands reach the robot and measurements come back
-     * @return how closely each was followed
-     * @throws IOException if there is no recording or the directory cannot be read; the text says why
+     * @param directory directory of the recordings; files that do not end in .jsonl or .jsonl.gz are ignored
+     * @param route transport of commands and measurements
+     * @return the deviation from each recording
+     * @throws IOException if there is no recording or the directory cannot be read; the message names the cause
      */
     public static FidelityReport run(Path directory, AgentRoute route) throws IOException {
         List<RecordingFidelity> results = new ArrayList<>();
@@ -64,7 +63,7 @@ public final class FidelityBench {
             try {
                 results.add(Replay.of(read(file), route));
             } catch (EOFException | ZipException e) {
-                problems.add(file.getFileName() + " is damaged (" + e.getMessage() + "). Copy or pack it again.");
+                problems.add(file.getFileName() + " is damaged (" + e.getMessage() + "). Copy or compress it again.");
             } catch (IOException e) {
                 problems.add(String.valueOf(e.getMessage()));
             }
@@ -73,41 +72,30 @@ public final class FidelityBench {
     }
 
     /**
-     * Reads one recording.
+     * Reads a recording.
      *
-     * @param file a file whose name ends with .jsonl or .jsonl.gz
+     * @param file a file whose name ends in .jsonl or .jsonl.gz
      * @return the recording
-     * @throws IOException if it cannot be read; the text says why
+     * @throws IOException if it cannot be read; the message names the cause
      */
     public static Recording read(Path file) throws IOException {
         String name = String.valueOf(file.getFileName());
         if (!ReferenceReader.isRecording(name)) {
-            throw new IOException(file + " is no recording. Name a file that ends with .jsonl or .jsonl.gz.");
+            throw new IOException(file + " is not a recording. Give a file whose name ends in .jsonl or .jsonl.gz.");
         }
         try (InputStream content = Files.newInputStream(file)) {
             return ReferenceReader.read(name, content);
         }
     }
 
-    /**
-     * Lists the recordings that come with the project.
-     *
-     * @return file names in alphabetical order
-     * @throws IOException if the list is missing
-     */
+    /** {@return the file names of the shipped recordings in alphabetical order} */
     static List<String> shippedNames() throws IOException {
         try (BufferedReader lines = new BufferedReader(new InputStreamReader(open(INDEX), StandardCharsets.UTF_8))) {
             return lines.lines().filter(line -> !line.isBlank()).toList();
         }
     }
 
-    /**
-     * Reads a recording that comes with the project.
-     *
-     * @param fileName one of {@link #shippedNames()}
-     * @return the recording
-     * @throws IOException if it cannot be read
-     */
+    /** Reads one of the {@link #shippedNames()}. */
     static Recording readShipped(String fileName) throws IOException {
         try (InputStream content = open(SHIPPED + fileName)) {
             return ReferenceReader.read(fileName, content);
@@ -117,7 +105,7 @@ public final class FidelityBench {
     private static InputStream open(String resource) throws IOException {
         InputStream stream = FidelityBench.class.getResourceAsStream(resource);
         if (stream == null) {
-            throw new FileNotFoundException("The recording " + resource + " is missing in the program file.");
+            throw new FileNotFoundException("The recording " + resource + " is missing from the program file.");
         }
         return stream;
     }
@@ -125,7 +113,7 @@ public final class FidelityBench {
     private static List<Path> recordingsIn(Path directory) throws IOException {
         if (!Files.isDirectory(directory)) {
             throw new NotDirectoryException(
-                    directory + " is not a directory. Name one that holds recordings (*.jsonl or *.jsonl.gz).");
+                    directory + " is not a directory. Give one that contains recordings (*.jsonl or *.jsonl.gz).");
         }
         try (Stream<Path> files = Files.list(directory)) {
             List<Path> recordings = files.filter(file ->
@@ -133,8 +121,7 @@ public final class FidelityBench {
                     .sorted()
                     .toList();
             if (recordings.isEmpty()) {
-                throw new FileNotFoundException(
-                        directory + " holds no recordings. Put files there whose names end with .jsonl or .jsonl.gz.");
+                throw new FileNotFoundException(directory + " contains no recordings (*.jsonl or *.jsonl.gz).");
             }
             return recordings;
         }

@@ -11,14 +11,14 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.simulator.soccer.StartPositions;
 
 /**
- * How a robot came to where its recording begins: it appeared in the air, joined a team some cycles later, was beamed some
- * cycles after that, and again later the first row was written. It lands, or is even put into the ground if its legs are long,
- * on this way; so the last digits of its stance depend on it, and with them where it is at the end of a fall.
+ * Sequence that brought a robot to the start of its recording: creation in the air, joining a team some cycles later, a beam
+ * after that, and later the first row. The robot lands on the way, or sinks into the ground if its legs are long. The last
+ * digits of its stance depend on this sequence, and with them the end of a fall.
  *
- * @param cyclesToInit cycles that the world made between creating the robot and {@code init}, at least 1
- * @param place where the robot was put when it joined
+ * @param cyclesToInit cycles between creating the robot and {@code init}, at least 1
+ * @param place position of the robot when it joined
  * @param cyclesToBeam cycles between the commands {@code init} and {@code beam}, at least 1
- * @param cyclesToFirstRow cycles between {@code beam} and the first row; 0 if it is not known, then the robot comes to rest
+ * @param cyclesToFirstRow cycles between {@code beam} and the first row; 0 if unknown, then the robot comes to rest first
  */
 record JoiningWay(int cyclesToInit, Vector3 place, int cyclesToBeam, int cyclesToFirstRow) {
 
@@ -26,9 +26,9 @@ record JoiningWay(int cyclesToInit, Vector3 place, int cyclesToBeam, int cyclesT
     private static final Vector3 FIRST_PLACE_OF_THE_RIGHT_TEAM =
             new StartPositions(TeamSide.RIGHT, SoccerParameters.league()).next();
     private static final JoiningWay SETTLED = new JoiningWay(3, FIRST_PLACE, 60, 0);
-    private static final JoiningWay AT_ONCE = new JoiningWay(3, FIRST_PLACE, 2, 0);
-    private static final int MOST_CYCLES = 3000;
-    private static final int MOST_PLACES = 200;
+    private static final JoiningWay IMMEDIATE = new JoiningWay(3, FIRST_PLACE, 2, 0);
+    private static final int MAX_CYCLES = 3000;
+    private static final int MAX_PLACES = 200;
     private static final double SAME_METRES = 0.002;
     private static final String FIELD = "start";
     private static final String TO_INIT = "cyclesFromSceneToInit";
@@ -37,10 +37,10 @@ record JoiningWay(int cyclesToInit, Vector3 place, int cyclesToBeam, int cyclesT
     private static final String TO_FIRST_ROW = "cyclesFromBeamToFirstRow";
 
     /**
-     * Returns the ways of joining that are possible.
+     * Returns the possible sequences.
      *
-     * @param recording a recording whose header may name the way
-     * @return at least one way, the likeliest first
+     * @param recording a recording whose header may define the sequence
+     * @return at least one sequence, the most likely first
      */
     static List<JoiningWay> candidates(Recording recording) {
         if (!recording.header().isEmpty()) {
@@ -51,10 +51,10 @@ record JoiningWay(int cyclesToInit, Vector3 place, int cyclesToBeam, int cyclesT
             }
         }
         Vector3 place = startsInTheRightHalf(recording) ? FIRST_PLACE_OF_THE_RIGHT_TEAM : FIRST_PLACE;
-        return List.of(SETTLED.at(place), AT_ONCE.at(place));
+        return List.of(SETTLED.at(place), IMMEDIATE.at(place));
     }
 
-    /** Without noise a robot is beamed into its own half. */
+    /** A robot is beamed into its own half. */
     private static boolean startsInTheRightHalf(Recording recording) {
         return recording.runs().get(0).rows().get(0).torso().stream()
                 .anyMatch(torso -> torso.position().x() > 0);
@@ -69,15 +69,15 @@ record JoiningWay(int cyclesToInit, Vector3 place, int cyclesToBeam, int cyclesT
         return place.x() > 0 ? TeamSide.RIGHT : TeamSide.LEFT;
     }
 
-    /** {@return the heading of a robot that has just joined, as its rotation about the vertical: towards the other half} */
+    /** {@return the rotation about the vertical of a robot that has just joined and faces the other half} */
     double yawDegrees() {
         return side() == TeamSide.LEFT ? -90 : 90;
     }
 
-    /** {@return how many places the team had given to others before; 0 if its row does not pass here} */
+    /** {@return the number of start positions that the team had used before; 0 if the position is none of them} */
     int placesBefore() {
         StartPositions places = new StartPositions(side(), SoccerParameters.league());
-        for (int i = 0; i < MOST_PLACES; i++) {
+        for (int i = 0; i < MAX_PLACES; i++) {
             if (places.next().distanceTo(place) < SAME_METRES) {
                 return i;
             }
@@ -90,7 +90,7 @@ record JoiningWay(int cyclesToInit, Vector3 place, int cyclesToBeam, int cyclesT
                 cycles(start, TO_INIT, 1), place(start), cycles(start, TO_BEAM, 1), cycles(start, TO_FIRST_ROW, 0));
     }
 
-    /** Adds this way to the header of a recording. */
+    /** Writes this sequence to the header of a recording. */
     void addTo(JsonObject header) {
         JsonObject start = new JsonObject();
         start.addProperty(TO_INIT, cyclesToInit);
@@ -115,11 +115,11 @@ record JoiningWay(int cyclesToInit, Vector3 place, int cyclesToBeam, int cyclesT
                 : FIRST_PLACE;
     }
 
-    /** The place of the league's pitch that is meant, to the last bit. */
+    /** Returns the exact start position on the league pitch for a printed one. */
     private static Vector3 placeNear(Vector3 printed) {
         for (TeamSide side : TeamSide.values()) {
             StartPositions places = new StartPositions(side, SoccerParameters.league());
-            for (int i = 0; i < MOST_PLACES; i++) {
+            for (int i = 0; i < MAX_PLACES; i++) {
                 Vector3 place = places.next();
                 if (place.distanceTo(printed) < SAME_METRES) {
                     return place;
@@ -131,7 +131,7 @@ record JoiningWay(int cyclesToInit, Vector3 place, int cyclesToBeam, int cyclesT
 
     private static int cycles(JsonObject start, String name, int least) {
         JsonElement value = start.get(name);
-        return value != null && isNumber(value) ? Math.max(least, Math.min(MOST_CYCLES, value.getAsInt())) : least;
+        return value != null && isNumber(value) ? Math.max(least, Math.min(MAX_CYCLES, value.getAsInt())) : least;
     }
 
     private static boolean isNumber(JsonElement value) {

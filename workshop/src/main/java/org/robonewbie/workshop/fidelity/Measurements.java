@@ -12,16 +12,16 @@ import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * What a robot of ours feels in one cycle.
+ * Sensor values of the simulated robot in one cycle.
  *
  * @param jointDegrees angle by perceptor name
- * @param acceleration m/s²
- * @param gyro degrees per second
- * @param footForces newtons and metres
+ * @param acceleration acceleration in m/s²
+ * @param gyro angular velocity in degrees per second
+ * @param footForces forces in newtons at points in metres
  */
 record Measurements(Map<String, Double> jointDegrees, Vector3 acceleration, Vector3 gyro, FootForces footForces) {
 
-    /** Takes the numbers from the robot itself, before they are rounded for a message. */
+    /** Reads the values from the robot, before they are rounded for a message. */
     static Measurements of(Robot robot) {
         Map<String, Double> joints = new HashMap<>();
         List<Hinge> hinges = robot.model().hinges();
@@ -31,7 +31,7 @@ record Measurements(Map<String, Double> jointDegrees, Vector3 acceleration, Vect
         return new Measurements(joints, robot.acceleration(), robot.gyroDegreesPerSecond(), robot.footForces());
     }
 
-    /** Takes the numbers from a message of the server, rounded as they were printed. */
+    /** Reads the values from a server message, rounded as printed. */
     static Measurements of(PerceptorMessage message) {
         Map<String, Double> joints = new HashMap<>();
         for (Joint joint : Joint.values()) {
@@ -39,10 +39,10 @@ record Measurements(Map<String, Double> jointDegrees, Vector3 acceleration, Vect
         }
         message.jointAngles().extraHinges().forEach(hinge -> joints.put(hinge.perceptorName(), hinge.degrees()));
         return new Measurements(
-                joints, orNowhere(message.accelerometer()), orNowhere(message.gyro()), message.footForces());
+                joints, orNotANumber(message.accelerometer()), orNotANumber(message.gyro()), message.footForces());
     }
 
-    private static Vector3 orNowhere(Optional<Vector3> measured) {
+    private static Vector3 orNotANumber(Optional<Vector3> measured) {
         return measured.orElse(new Vector3(Double.NaN, Double.NaN, Double.NaN));
     }
 }

@@ -18,26 +18,26 @@ import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.RotationMatrix;
 
 /**
- * Listens at a monitor port in a background thread and stores the positions of the ball and one robot's torso, message by
- * message.
+ * Background thread that receives monitor messages and stores the positions of the ball and of the torso of one robot, message
+ * by message.
  */
 final class MonitorFeed implements AutoCloseable {
 
-    /** Said of a server that runs on without its agents. */
-    static final String DOES_NOT_WAIT = "The server has not waited for the agent. Let it run in sync mode:"
+    /** Error message for a server that does not wait for its agents. */
+    static final String DOES_NOT_WAIT = "The server did not wait for the agent. Run it in sync mode:"
             + " $agentSyncMode = true in spark.rb, or robonewbie simulator --sync.";
 
     /**
-     * What one message showed.
+     * Content of one message.
      *
-     * @param torso of the watched robot
+     * @param torso torso pose of the watched robot
      * @param ball centre of the ball
-     * @param game state of the game
+     * @param game game state
      */
     record Sight(Optional<BodyPose> torso, Optional<Vector3> ball, MonitoredGame game) {}
 
     private static final String FULL_SCENE = "(RSG";
-    private static final long LOOKING_NANOSECONDS = 500_000;
+    private static final long POLL_NANOSECONDS = 500_000;
     private static final long QUIET_NANOSECONDS = 300_000_000;
     private static final long LATE_NANOSECONDS = 50_000_000;
     private static final long NANOSECONDS_UNTIL_QUIET = 5_000_000_000L;
@@ -65,27 +65,25 @@ final class MonitorFeed implements AutoCloseable {
         watched = Optional.of(player);
     }
 
-    /**
-     * Waits until nothing moves any more, since the server waits. A server may go on sending the same message meanwhile.
-     */
+    /** Waits until the messages stop changing, which means that the server waits. The server may repeat the same message meanwhile. */
     void awaitQuiet() throws IOException {
         long start = System.nanoTime();
         while (System.nanoTime() - Math.max(start, lastChange) < QUIET_NANOSECONDS) {
             if (System.nanoTime() - start > NANOSECONDS_UNTIL_QUIET) {
                 throw new IOException(DOES_NOT_WAIT);
             }
-            LockSupport.parkNanos(LOOKING_NANOSECONDS);
+            LockSupport.parkNanos(POLL_NANOSECONDS);
         }
     }
 
-    /** Waits until a number of messages have come in all; returns whether they have within some seconds. */
+    /** Waits until a total number of messages has arrived; returns false on timeout. */
     boolean await(int messages) {
         return await(messages, NANOSECONDS_UNTIL_NEXT);
     }
 
     /**
-     * Waits for the moment when a server that repeats its message while it waits has just done so, since the next one is then
-     * far enough; returns how many messages have come.
+     * Waits until a waiting server has repeated its message, so that the next repetition is a full interval away. Returns the
+     * number of messages so far.
      */
     int awaitRepetition() {
         await(count() + 1, QUIET_NANOSECONDS);
@@ -100,32 +98,30 @@ final class MonitorFeed implements AutoCloseable {
     private boolean await(int messages, long nanoseconds) {
         long end = System.nanoTime() + nanoseconds;
         while (count() < messages && System.nanoTime() < end) {
-            LockSupport.parkNanos(LOOKING_NANOSECONDS);
+            LockSupport.parkNanos(POLL_NANOSECONDS);
         }
         return count() >= messages;
     }
 
-    /** Asks for exact numbers in the next message; otherwise small movements are left out. */
+    /** Requests a full scene as the next message; partial ones omit small movements. */
     void requestFullState() throws IOException {
         send(new Order.RequestFullState());
     }
 
-    /** Sends orders of a trainer. */
     void send(Order.Trainer... orders) throws IOException {
         link.send(orders);
     }
 
-    /** The number of messages that have arrived. */
     synchronized int count() {
         return sights.size();
     }
 
-    /** The torso's pose in one message, counted from 0. */
+    /** Returns the torso pose of a message by its index from 0. */
     synchronized Optional<BodyPose> torso(int index) {
         return index >= 0 && index < sights.size() ? sights.get(index).torso() : Optional.empty();
     }
 
-    /** The torso's pose in the latest message that has it exactly. */
+    /** Returns the torso pose of the latest full scene. */
     synchronized Optional<BodyPose> lastTorso() {
         for (int i = sights.size() - 1; i >= 0; i--) {
             if (sights.get(i).torso().isPresent()) {
@@ -135,7 +131,7 @@ final class MonitorFeed implements AutoCloseable {
         return Optional.empty();
     }
 
-    /** All messages from one on, counted from 0. */
+    /** Returns all messages from an index on. */
     synchronized List<Sight> sightsFrom(int index) {
         return List.copyOf(sights.subList(index, sights.size()));
     }
@@ -153,11 +149,11 @@ final class MonitorFeed implements AutoCloseable {
                 add(isRepeated, sight());
             }
         } catch (IOException e) {
-            // The session ends when the agent's connection breaks too.
+            // The session fails on the agent's connection, too.
         }
     }
 
-    /** Only whole scenes have exact numbers. */
+    /** Only full scenes contain exact numbers. */
     private Sight sight() {
         MonitoredWorld world = link.world();
         boolean exact = world.isCurrent() && lastText.contains(FULL_SCENE);

@@ -15,10 +15,10 @@ import org.robonewbie.protocol.effector.EffectorMessageReader;
 import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.simulator.physics.BodyPose;
 
-/** Reads what a recorded client asked for. */
+/** Parser of the commands of a recorded client. */
 final class RecordedCommands {
 
-    /** Where a beam puts the torso, metres above the ground. */
+    /** Height of the torso after a beam, in metres. */
     static final double BEAM_HEIGHT = 0.4;
 
     private static final String HOLD_ALL_JOINTS = "HOLD";
@@ -34,11 +34,11 @@ final class RecordedCommands {
     }
 
     /**
-     * Reads one answer.
+     * Parses one answer.
      *
-     * @param sent the text that the client sent
-     * @param nextTorso where the torso was one row later: a server with noise beams a robot somewhere near
-     * @return hinge speeds and beams; the rest does not move a robot
+     * @param sent text of the answer
+     * @param nextTorso torso pose one row later, since a server with noise changes the target of a beam
+     * @return hinge speeds and beams; other commands do not move a robot
      */
     List<EffectorCommand> read(String sent, Optional<BodyPose> nextTorso) {
         List<EffectorCommand> commands = new ArrayList<>();

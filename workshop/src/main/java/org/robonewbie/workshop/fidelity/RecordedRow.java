@@ -8,17 +8,17 @@ import org.robonewbie.protocol.perceptor.FootForces;
 import org.robonewbie.simulator.physics.BodyPose;
 
 /**
- * What a server showed after one cycle, rounded as it was printed, and what the client answered.
+ * Output of a server after one cycle, rounded as printed, and the answer of the client.
  *
- * @param seconds the server's time
- * @param jointDegrees angle by perceptor name; empty in a recording of the ball alone
- * @param acceleration as sent, m/s²
- * @param gyro as sent, degrees per second
- * @param footForces as sent; empty when the file has none at all
+ * @param seconds server time
+ * @param jointDegrees angle by perceptor name; empty in a recording of a ball alone
+ * @param acceleration accelerometer value in m/s²
+ * @param gyro gyro value in degrees per second
+ * @param footForces foot forces; empty if the file contains none
  * @param torso true pose
  * @param ball true position in metres
- * @param playMode SimSpark's name of the play mode; empty when the file has none
- * @param sent the client's answer; it takes effect one row later
+ * @param playMode SimSpark name of the play mode; empty if unknown
+ * @param sent answer of the client, which takes effect one row later
  */
 public record RecordedRow(
         double seconds,
@@ -33,12 +33,7 @@ public record RecordedRow(
 
     private static final int MOST_LOST_CYCLES = 500;
 
-    /**
-     * Returns the number of server cycles from this row to another one; more than one when lines got lost.
-     *
-     * @param next the row after this one
-     * @return at least 1
-     */
+    /** Returns the number of server cycles until the next row, at least 1; more than one if lines were lost. */
     int cyclesUntil(RecordedRow next) {
         double cycles = (next.seconds - seconds) / Cycle.SECONDS;
         return cycles > 1.75 && cycles < MOST_LOST_CYCLES ? (int) Math.round(cycles) : 1;

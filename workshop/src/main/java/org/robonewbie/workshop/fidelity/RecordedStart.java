@@ -10,15 +10,15 @@ import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * Brings a new robot into the state in which a recording begins, the same way as the recorded ones: placed where the first
- * robot of a team joins, settled there, beamed, and settled again; or lifted, and hanging asleep or falling freely.
+ * Moves a new robot into the initial state of a recording by the same sequence as the original: placed at the first start
+ * position of a team, settled, beamed, and settled again; or lifted, then either suspended asleep or falling freely.
  */
 final class RecordedStart {
 
     private static final double BEAM_HEIGHT = RecordedCommands.BEAM_HEIGHT;
-    private static final double HIGHEST_STANDING_TORSO = 0.45;
+    private static final double MAX_STANDING_TORSO_HEIGHT = 0.45;
     private static final double GRAVITY = 9.81;
-    private static final double DISTANCE_OF_JOINING_PLACES = 1.2;
+    private static final double JOINING_SPACING = 1.2;
     private static final int STEPS_TO_LAND_AND_SLEEP = 60;
     private static final double PRINTED_METRES = 2e-5;
     private static final double SAME_HEIGHT = 2e-6;
@@ -41,14 +41,14 @@ final class RecordedStart {
         Vector3 place = torso.position();
         double yaw = TorsoAngles.yawDegrees(torso.rotation()) - 90;
         Vector3 beam = new Vector3(tenthsOfMillimetres(place.x()), tenthsOfMillimetres(place.y()), BEAM_HEIGHT);
-        if (!isJoiningPlace(beam)) {
+        if (!isJoiningPosition(beam)) {
             step(way.cyclesToBeam() - 1);
         }
         robot.moveUpright(beam, yaw);
         robot.wake();
         if (way.cyclesToFirstRow() > 0) {
             step(way.cyclesToFirstRow());
-        } else if (place.z() > HIGHEST_STANDING_TORSO) {
+        } else if (place.z() > MAX_STANDING_TORSO_HEIGHT) {
             step(STEPS_TO_LAND_AND_SLEEP);
             lift(place);
         } else {
@@ -57,13 +57,13 @@ final class RecordedStart {
         shiftTo(place);
     }
 
-    /** A ball that lies sinks a little into the ground, so it is put down where it touches it. */
+    /** Places the ball. A resting ball sinks slightly into the ground and is placed at the height of first contact. */
     private void placeBall(Vector3 place) {
         double radius = stage.ball().properties().radius();
         stage.placeBall(place.z() < radius ? new Vector3(place.x(), place.y(), radius) : place);
     }
 
-    /** A server with noise beams a robot somewhere near, so that only its place at rest is known. */
+    /** Corrects the position of a resting robot, since a server with noise changes the target of a beam. */
     private void shiftTo(Vector3 place) {
         Vector3 torso = robot.torso().position();
         if (robot.isAsleep() && Math.hypot(place.x() - torso.x(), place.y() - torso.y()) > PRINTED_METRES) {
@@ -71,34 +71,34 @@ final class RecordedStart {
         }
     }
 
-    /** New players appear in a row along the side line of their half, beginning 0.8 m from the corner. */
-    private boolean isJoiningPlace(Vector3 place) {
-        double index = (way.place().y() - place.y()) / DISTANCE_OF_JOINING_PLACES;
+    /** Whether a position is a start position: new players appear in a row along the side line of their half. */
+    private boolean isJoiningPosition(Vector3 place) {
+        double index = (way.place().y() - place.y()) / JOINING_SPACING;
         return Math.abs(place.x()) == Math.abs(way.place().x())
                 && index > -1e-6
                 && Math.abs(index - Math.rint(index)) < 1e-6;
     }
 
-    /** Steps until the robot is as high and feels the same as in the first row; if that is at rest, lets it sleep. */
+    /** Steps until height and acceleration equal the first row. If the robot rests there, steps until it sleeps. */
     private void land(double height) throws IOException {
         Optional<Vector3> acceleration = rows.get(0).acceleration();
         for (int i = 0; i < STEPS_TO_LAND_AND_SLEEP; i++) {
             step(1);
             boolean asHigh = Math.abs(robot.torso().position().z() - height) < SAME_HEIGHT;
-            if (asHigh && acceleration.map(this::feels).orElse(true)) {
+            if (asHigh && acceleration.map(this::measures).orElse(true)) {
                 break;
             }
         }
-        if (acceleration.map(felt -> Printed.equal(GRAVITY, felt.z())).orElse(true)) {
+        if (acceleration.map(value -> Printed.equal(GRAVITY, value.z())).orElse(true)) {
             step(STEPS_TO_LAND_AND_SLEEP);
         }
     }
 
-    private boolean feels(Vector3 acceleration) {
+    private boolean measures(Vector3 acceleration) {
         return Printed.equal(robot.acceleration(), acceleration);
     }
 
-    /** The way from the first row to the second tells for how many steps the robot has been falling, if at all. */
+    /** Lifts the robot. The displacement between the first two rows determines how many steps it has been falling. */
     private void lift(Vector3 place) throws IOException {
         double dt = Cycle.SECONDS;
         double speed = rows.size() < 2 ? 0 : (place.z() - heightInSecondRow(place)) / dt;

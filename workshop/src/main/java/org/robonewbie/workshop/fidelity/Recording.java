@@ -3,10 +3,10 @@ package org.robonewbie.workshop.fidelity;
 import java.util.List;
 
 /**
- * What one file holds: one or more runs, each on a fresh world.
+ * Content of a file: one or more runs, each in a fresh world.
  *
- * @param name the file's name without its ending
- * @param header what the first line says about how it was made, as JSON; empty without one
- * @param runs in the order of the file
+ * @param name file name without extension
+ * @param header first line as JSON, which describes the recording; empty if missing
+ * @param runs runs in file order
  */
 public record Recording(String name, String header, List<RecordedRun> runs) {}

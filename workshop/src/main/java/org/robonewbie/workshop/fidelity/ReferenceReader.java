@@ -21,9 +21,9 @@ import org.robonewbie.protocol.perceptor.FootForces;
 import org.robonewbie.simulator.physics.BodyPose;
 
 /**
- * Reads recordings: JSON lines, plain or compressed with gzip. The first line is a header, every further line one cycle;
- * rows that name a joint, speed and place or a case are cut into runs where these change, and all where time jumps back.
- * Fields that are null count as missing; every field may be missing but {@code t}.
+ * Parser of recordings: JSON lines, plain or compressed with gzip. The first line is a header, every other line one cycle. A
+ * new run starts where joint, speed and place, or the case, change, or where time jumps back. Null fields count as missing;
+ * every field except {@code t} may be missing.
  */
 final class ReferenceReader {
 
@@ -42,23 +42,18 @@ final class ReferenceReader {
         this.fileName = fileName;
     }
 
-    /**
-     * Returns whether a file is a recording.
-     *
-     * @param fileName its name
-     * @return true for names that end with .jsonl or .jsonl.gz
-     */
+    /** {@return whether a file name ends in .jsonl or .jsonl.gz} */
     static boolean isRecording(String fileName) {
         return fileName.endsWith(ENDING) || fileName.endsWith(ENDING + GZIP_ENDING);
     }
 
     /**
-     * Reads a whole recording.
+     * Parses a recording.
      *
-     * @param fileName its name, which tells whether it is compressed
-     * @param content the file's bytes
-     * @return the recording, perhaps without any run
-     * @throws IOException if it cannot be read; the text names file and line
+     * @param fileName file name, which determines whether the content is compressed
+     * @param content content of the file
+     * @return the recording, possibly without runs
+     * @throws IOException if it cannot be parsed; the message contains file and line
      */
     static Recording read(String fileName, InputStream content) throws IOException {
         ReferenceReader reader = new ReferenceReader(fileName);
@@ -74,7 +69,8 @@ final class ReferenceReader {
     private Recording recording() throws IOException {
         endRun();
         if (runs.isEmpty()) {
-            throw new IOException("The recording " + name() + " shows neither torso nor ball. It needs one of them.");
+            throw new IOException(
+                    "The recording " + name() + " contains neither torso nor ball positions. It needs one of them.");
         }
         return new Recording(name(), header, List.copyOf(runs));
     }
@@ -83,7 +79,7 @@ final class ReferenceReader {
         return fileName.substring(0, fileName.lastIndexOf(ENDING));
     }
 
-    /** Ends the present run; rows before the first one with a torso or ball cannot be placed anywhere. */
+    /** Ends the current run. Rows before the first one with a torso or ball have no position and are dropped. */
     private void endRun() {
         List<RecordedRow> placed = rows.stream()
                 .dropWhile(row -> row.torso().isEmpty() && row.ball().isEmpty())

@@ -12,10 +12,11 @@ import java.util.zip.GZIPOutputStream;
 import org.robonewbie.nao.file.AtomicFile;
 
 /**
- * Records robots and balls on a running server, a real rcssserver3d or ours, in the format that {@link FidelityBench} replays.
+ * Records robots and balls on a running server, a real rcssserver3d or this simulator, in the format that {@link FidelityBench}
+ * replays.
  *
- * <p>The server has to wait for its agents (sync mode) and to tell monitors each cycle; without noise of beams and without
- * other robots nearby the recordings are exact.
+ * <p>The server must run in sync mode and send a monitor message in each cycle. Without beam noise and other robots nearby the
+ * recordings are exact.
  *
  * <pre>{@code
  * new ReferenceRecorder(new ReferenceServer("127.0.0.1", 3100, 3200), 0, System.out)
@@ -31,11 +32,11 @@ public final class ReferenceRecorder {
     private final PrintStream progress;
 
     /**
-     * Prepares recordings.
+     * Creates a recorder.
      *
-     * @param server where the server is
+     * @param server address of the server
      * @param type the robot type, 0 to 4
-     * @param progress reports the progress
+     * @param progress destination of the progress messages
      */
     public ReferenceRecorder(ReferenceServer server, int type, PrintStream progress) {
         this.server = server;
@@ -46,9 +47,9 @@ public final class ReferenceRecorder {
     /**
      * Records scenarios in order, each with a new robot.
      *
-     * @param scenarios what to record
-     * @param directory where to write a file for each; created if it is missing
-     * @throws IOException if the server does not answer as expected or a file cannot be written; the message says what to do
+     * @param scenarios scenarios to record
+     * @param directory directory for one file per scenario; created if missing
+     * @throws IOException if the server does not answer as expected or a file cannot be written; the message suggests a fix
      */
     public void record(List<ReferenceScenario> scenarios, Path directory) throws IOException {
         Files.createDirectories(directory);
@@ -67,21 +68,20 @@ public final class ReferenceRecorder {
                         ? session.record(type, scenario.commands())
                         : session.recordBalls(scenario.balls());
                 if (take.isPresent()) {
-                    tellNoise(take.get());
+                    reportNoise(take.get());
                     return take.get();
                 }
             }
-            progress.println("  messages to the monitor came late; once more");
+            progress.println("  monitor messages were late; retrying");
         }
-        throw new IOException("The server's messages to the monitor do not fit to the cycles of the agent, " + ATTEMPTS
-                + " times in a row. Close what else keeps the computer busy, and try again.");
+        throw new IOException("The monitor messages did not match the agent's cycles in " + ATTEMPTS
+                + " attempts. Close other programs that use the processor, then try again.");
     }
 
-    private void tellNoise(ReferenceSession.Take take) {
+    private void reportNoise(ReferenceSession.Take take) {
         if (take.isNoisy()) {
             progress.println(
-                    "  the server beams with noise; set BeamNoiseXY and BeamNoiseAngle to 0, since where a fall ends"
-                            + " depends on the last digit of its start");
+                    "  the server adds noise to beams; set BeamNoiseXY and BeamNoiseAngle to 0 for exact recordings");
         }
     }
 

@@ -9,19 +9,19 @@ import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 
 /**
- * What is recorded: either a robot, which begins standing, with the commands of each cycle, sent whatever it feels; or balls
- * that a trainer sets in motion.
+ * Scenario of a recording: either a robot that starts standing and executes fixed commands in each cycle, or balls that a
+ * trainer sets in motion.
  *
- * @param name name of the recording's file, without its ending
- * @param description what happens, for the header
- * @param commands text for each cycle of 20 ms; may be empty
- * @param balls the balls to record instead of a robot; may be empty
+ * @param name file name of the recording without extension
+ * @param description description for the header
+ * @param commands command text for each cycle of 20 ms; may be empty
+ * @param balls balls to record instead of a robot; may be empty
  */
 public record ReferenceScenario(String name, String description, List<String> commands, List<BallCase> balls) {
 
     private static final int CYCLES_OF_REST = 5;
 
-    /** Makes the lists unmodifiable. */
+    /** Copies the lists. */
     public ReferenceScenario {
         commands = List.copyOf(commands);
         balls = List.copyOf(balls);
@@ -31,7 +31,7 @@ public record ReferenceScenario(String name, String description, List<String> co
         this(name, description, commands, List.of());
     }
 
-    /** {@return what is recorded by default: standing, falls, squats, marching, single joints, random reaching and balls} */
+    /** {@return the default scenarios: standing, falls, squats, marching, single joints, random reaching and balls} */
     public static List<ReferenceScenario> all() {
         return List.of(
                 held("b_stand", "all joints at speed 0 for 5 s", 1, "(he1 0)", 250),
@@ -47,10 +47,10 @@ public record ReferenceScenario(String name, String description, List<String> co
     }
 
     /**
-     * Takes the commands of an existing recording.
+     * Creates a scenario from the commands of an existing recording.
      *
      * @param recording a recording of a robot with one run
-     * @return the same commands again
+     * @return a scenario with the same commands
      */
     public static ReferenceScenario of(Recording recording) {
         List<RecordedRow> rows = recording.runs().get(0).rows();
@@ -88,7 +88,7 @@ public record ReferenceScenario(String name, String description, List<String> co
         return legs("l", bend) + legs("r", bend);
     }
 
-    /** Knees are lifted in turn while hips and ankles sway; everything is back in place after each period. */
+    /** Lifts the knees alternately while hips and ankles sway. Every joint returns to its start angle after each period. */
     private static String march(int cycle) {
         double phase = 2 * Math.PI * cycle * Cycle.SECONDS / 1.2;
         double sway = Math.toRadians(4) * 2 * Math.PI / 1.2 * Math.cos(phase);
@@ -106,7 +106,7 @@ public record ReferenceScenario(String name, String description, List<String> co
         return speed(side + "le3", speed) + speed(side + "le4", -2 * speed) + speed(side + "le5", speed);
     }
 
-    /** In each second all joints go to a random place within the middle 30 % of their ranges. */
+    /** Moves all joints to a random position within the middle 30 % of their ranges in each second. */
     private static ReferenceScenario reaching(String name, long seed) {
         Random random = new Random(seed);
         double[] degrees = new double[Joint.COUNT];

@@ -1,10 +1,10 @@
 package org.robonewbie.workshop.fidelity;
 
 /**
- * Where a server runs.
+ * Address of a server.
  *
- * @param host name or address of its computer
- * @param port its port for agents, usually 3100
- * @param monitorPort its port for monitors, usually 3200
+ * @param host host name or IP address
+ * @param port TCP port for agents, usually 3100
+ * @param monitorPort TCP port for monitors, usually 3200
  */
 public record ReferenceServer(String host, int port, int monitorPort) {}

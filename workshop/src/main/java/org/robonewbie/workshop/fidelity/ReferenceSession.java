@@ -19,11 +19,11 @@ import org.robonewbie.protocol.tcp.TcpAgentLink;
 import org.robonewbie.simulator.physics.BodyPose;
 
 /**
- * One robot on a server in sync mode, watched through the monitor port at the same time.
+ * Session with one robot on a server in sync mode that is also observed through the monitor port.
  *
- * <p>The answer to message N is read when the world has already made step N + 1, so that it acts in step N + 2, and what was
- * sent stands on line N + 1 of the recording. While the server waits for the answer to message N, its newest message to
- * monitors is the one of step N + 1; that tells which belong together.
+ * <p>The server reads the answer to message N after step N + 1, so that it takes effect in step N + 2. The command is stored in
+ * line N + 1 of the recording. While the server waits for the answer to message N, its latest monitor message is that of step N
+ * + 1; this relates the two message streams.
  */
 final class ReferenceSession implements AutoCloseable {
 
@@ -31,21 +31,21 @@ final class ReferenceSession implements AutoCloseable {
     private static final int CYCLES_TO_JOIN = 60;
     private static final double BEAM_METRES = 5;
     private static final double EXACT_METRES = 1e-3;
-    private static final int CYCLES_TO_BE_SEEN = 5;
-    /** Said of a server that leaves out cycles. */
-    static final String STEP_ADVICE = "The server does not send a message to monitors in each cycle."
+    private static final int CYCLES_TO_APPEAR = 5;
+    /** Error message for a server that skips monitor messages. */
+    static final String STEP_ADVICE = "The server does not send a monitor message in each cycle."
             + " Set $monitorStep = 0.02 in spark.rb, or start robonewbie simulator with --monitor-step 0.02.";
 
     /**
-     * What was recorded.
+     * Result of a recording.
      *
-     * @param lines one for each cycle, without header
-     * @param way how the robot came to where it stood; empty if the ball was recorded
-     * @param isNoisy whether the robot was beamed elsewhere than it wished
+     * @param lines one line per cycle, without header
+     * @param way start of the robot; empty if balls were recorded
+     * @param isNoisy whether the beam missed its target
      */
     record Take(List<String> lines, Optional<JoiningWay> way, boolean isNoisy) {}
 
-    private record Felt(PerceptorMessage message, String sent) {}
+    private record Exchange(PerceptorMessage message, String sent) {}
 
     private final AgentLink agent;
     private final MonitorFeed monitor;
@@ -70,24 +70,23 @@ final class ReferenceSession implements AutoCloseable {
     }
 
     /**
-     * Records the robot from standing; empty when messages to monitors were delayed, so that it is unknown which belong to
-     * which cycle.
+     * Records a robot that starts standing; empty if monitor messages were delayed, so that they cannot be assigned to cycles.
      *
      * @param type the robot type, 0 to 4
-     * @param commands what to send in each cycle
+     * @param commands command text for each cycle
      */
     Optional<Take> record(int type, List<String> commands) throws IOException {
         Vector3 place = takePlace(type);
         int cyclesToBeam = cycles;
         standStill();
-        List<Felt> rows = new ArrayList<>();
+        List<Exchange> rows = new ArrayList<>();
         monitor.requestFullState();
         monitor.awaitQuiet();
         int newest = monitor.awaitRepetition();
         JoiningWay way = new JoiningWay(messagesBeforeInit + 2, place, cyclesToBeam, cycles - cyclesToBeam);
         for (String command : commands) {
             monitor.requestFullState();
-            rows.add(new Felt(exchange(command), command));
+            rows.add(new Exchange(exchange(command), command));
             if (!monitor.await(newest + rows.size())) {
                 throw new IOException(STEP_ADVICE);
             }
@@ -100,11 +99,7 @@ final class ReferenceSession implements AutoCloseable {
                         lines(rows, newest - 1), Optional.of(way), isBeamedElsewhere(newest - 1, rows.size())));
     }
 
-    /**
-     * Records balls while a robot stands idle; empty when messages to monitors were delayed.
-     *
-     * @param cases how they are set in motion, in order
-     */
+    /** Records balls in order while a robot stands idle; empty if monitor messages were delayed. */
     Optional<Take> recordBalls(List<BallCase> cases) throws IOException {
         takePlace(0);
         standStill();
@@ -126,10 +121,7 @@ final class ReferenceSession implements AutoCloseable {
         monitor.close();
     }
 
-    /**
-     * Creates a robot, joins, and returns where it was placed. A server runs its first cycles with a new agent without waiting
-     * for it.
-     */
+    /** Creates a robot, joins a team, and returns its position. A server does not wait for a new agent during its first cycles. */
     private Vector3 takePlace(int type) throws IOException {
         send(
                 type == 0
@@ -148,7 +140,7 @@ final class ReferenceSession implements AutoCloseable {
     }
 
     private Vector3 whereItIs() throws IOException {
-        for (int i = 0; i < CYCLES_TO_BE_SEEN; i++) {
+        for (int i = 0; i < CYCLES_TO_APPEAR; i++) {
             monitor.requestFullState();
             exchange("");
             monitor.awaitQuiet();
@@ -196,7 +188,8 @@ final class ReferenceSession implements AutoCloseable {
             }
             answer = exchange("");
         }
-        throw new IOException("The server does not let the robot join a team. Are there two teams already?");
+        throw new IOException(
+                "The robot could not join a team. Check that the server does not have two teams already.");
     }
 
     private static Optional<PlayerNumber> player(GameState state) {
@@ -206,7 +199,7 @@ final class ReferenceSession implements AutoCloseable {
                 : Optional.empty();
     }
 
-    private static void checkTime(List<Felt> rows) throws IOException {
+    private static void checkTime(List<Exchange> rows) throws IOException {
         double seconds = rows.get(rows.size() - 1).message().seconds().orElse(0)
                 - rows.get(0).message().seconds().orElse(0);
         if (Math.abs(seconds - Cycle.SECONDS * (rows.size() - 1)) > Cycle.SECONDS / 2) {
@@ -214,7 +207,7 @@ final class ReferenceSession implements AutoCloseable {
         }
     }
 
-    private List<String> lines(List<Felt> rows, int firstTorso) {
+    private List<String> lines(List<Exchange> rows, int firstTorso) {
         List<String> lines = new ArrayList<>();
         for (int i = 0; i < rows.size(); i++) {
             lines.add(RowWriter.row(
@@ -239,7 +232,7 @@ final class ReferenceSession implements AutoCloseable {
 
     private PerceptorMessage receive() throws IOException {
         if (!agent.receive(buffer)) {
-            throw new IOException("The server has closed the agent's connection.");
+            throw new IOException("The server closed the agent's connection.");
         }
         return reader.read(buffer);
     }

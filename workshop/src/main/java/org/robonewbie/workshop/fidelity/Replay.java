@@ -15,7 +15,7 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.simulator.world.Ball;
 import org.robonewbie.simulator.world.SoccerWorld;
 
-/** Plays recordings again in worlds of ours, each run in a fresh one, and compares every row. */
+/** Replays recordings, each run in a fresh world, and compares every row. */
 final class Replay {
 
     private static final Comparator<RecordingFidelity> CLOSEST = Comparator.comparingDouble(
@@ -37,13 +37,13 @@ final class Replay {
     }
 
     /**
-     * Replays one recording. If it does not tell the robot's build or how it came to its start, builds and ways are tried until
-     * one does the same.
+     * Replays one recording. If it does not define the robot type or the start sequence, tries all candidates until one follows
+     * the recording exactly.
      *
      * @param recording the recording
-     * @param route how commands and measurements travel
-     * @return how closely it was followed, by the build and way that follow best
-     * @throws IOException if a run shows neither a robot's torso nor a ball that was started in a known way
+     * @param route transport of commands and measurements
+     * @return the deviation of the best candidate
+     * @throws IOException if a run contains neither a torso nor a ball with a known start
      */
     static RecordingFidelity of(Recording recording, AgentRoute route) throws IOException {
         Optional<RecordingFidelity> best = Optional.empty();
@@ -71,8 +71,8 @@ final class Replay {
             } else if (first.ball().isPresent()) {
                 replayBall(run);
             } else {
-                throw new IOException(
-                        "The recording " + recording.name() + " shows neither torso nor ball. It needs one of them.");
+                throw new IOException("The recording " + recording.name()
+                        + " contains neither torso nor ball positions. It needs one of them.");
             }
             comparison.endRun();
         }
@@ -89,8 +89,8 @@ final class Replay {
                 Optional<RecordedRow> next = i + 1 < rows.size() ? Optional.of(rows.get(i + 1)) : Optional.empty();
                 BodyPose torso = stage.robot().torso();
                 Vector3 ball = stage.ball().position();
-                Measurements felt = stage.step(commands.read(row.sent(), next.flatMap(RecordedRow::torso)));
-                comparison.compare(row, felt, torso, ball);
+                Measurements measured = stage.step(commands.read(row.sent(), next.flatMap(RecordedRow::torso)));
+                comparison.compare(row, measured, torso, ball);
                 for (int missing = next.map(row::cyclesUntil).orElse(1); missing > 1; missing--) {
                     stage.step(List.of());
                 }
@@ -98,7 +98,7 @@ final class Replay {
         }
     }
 
-    /** The referee takes part: it puts the ball back before the kick-off and when it has left the pitch. */
+    /** Replays a ball. The referee is active: it puts the ball back before the kick-off and when it has left the pitch. */
     private void replayBall(RecordedRun run) throws IOException {
         SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE);
         Match match = new Match(world, SoccerParameters.league(), 0);
@@ -115,7 +115,7 @@ final class Replay {
         }
     }
 
-    /** The clock runs only while a robot is there. */
+    /** Adds a robot, since the clock runs only with at least one player. */
     private static void join(Match match, SoccerWorld world) throws IOException {
         try {
             match.teams().join("Recorded", 1, world.addRobot(RobotType.TYPE_0));

@@ -8,36 +8,35 @@ import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.simulator.world.Ball;
 import org.robonewbie.simulator.world.Robot;
 
-/** A fresh world with one robot on which a recorded run is played again. */
+/** Fresh world with one robot that replays a recorded run. */
 interface ReplayStage extends AutoCloseable {
 
     /**
-     * Prepares a stage.
+     * Creates a stage.
      *
-     * @param route how the commands reach the robot
-     * @param type the robot's build
-     * @param way how the robot joins its team; a server has such places only as it gives to its players
-     * @return the stage; its robot has joined a team in the last cycle
+     * @param route transport of the commands
+     * @param type the robot type
+     * @param way start sequence of the robot; a server supports its own start positions only
+     * @return a stage whose robot joined a team in the last cycle
      * @throws IOException if a server cannot be started
      */
     static ReplayStage open(AgentRoute route, RobotType type, JoiningWay way) throws IOException {
         return route == AgentRoute.NONE ? new WorldStage(type, way) : ServerStage.open(route, type, way);
     }
 
-    /** Places a ball, at rest and in play. */
+    /** Places the ball at rest and starts the game. */
     void placeBall(Vector3 position);
 
-    /** The ball. */
     Ball ball();
 
-    /** The robot, to place it where the run begins and to read its true pose. */
+    /** {@return the robot, for initial placement and its true pose} */
     Robot robot();
 
     /**
-     * Sends the robot some commands and runs 20 ms.
+     * Sends commands to the robot and simulates 20 ms.
      *
-     * @param commands what the recorded client sent
-     * @return the robot's perception before these 20 ms
+     * @param commands commands of the recorded client
+     * @return the sensor values before this step
      * @throws IOException if the connection is broken
      */
     Measurements step(List<EffectorCommand> commands) throws IOException;

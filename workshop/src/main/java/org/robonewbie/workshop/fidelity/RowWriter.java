@@ -1,11 +1,12 @@
 package org.robonewbie.workshop.fidelity;
 
 import com.google.gson.Gson;
-import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
+import java.util.List;
 import java.util.Optional;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
@@ -16,7 +17,7 @@ import org.robonewbie.protocol.perceptor.FootForces;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.simulator.physics.BodyPose;
 
-/** Writes the lines of a recording. */
+/** Formatter of the lines of a recording. */
 final class RowWriter {
 
     private static final Gson GSON = new Gson();
@@ -35,11 +36,11 @@ final class RowWriter {
     }
 
     /**
-     * Formats one cycle.
+     * Formats one cycle of a robot.
      *
-     * @param message the robot's perception
-     * @param torso the torso's pose, if the monitor port has sent it
-     * @param sent what the client sent in answer to the previous message
+     * @param message the perceptor message
+     * @param torso torso pose, if the monitor port has sent it
+     * @param sent the answer to the previous message
      */
     static String row(PerceptorMessage message, Optional<BodyPose> torso, String sent) {
         JsonObject row = new JsonObject();
@@ -56,10 +57,10 @@ final class RowWriter {
     /**
      * Formats one cycle of a ball.
      *
-     * @param ballCase how it was set in motion
-     * @param index cycles since the first one that shows its motion
-     * @param ball its position, if the monitor port has sent it exactly
-     * @param game state of the game
+     * @param ballCase initial condition of the ball
+     * @param index cycles since the first one with motion
+     * @param ball position, if the monitor port has sent it exactly
+     * @param game game state
      */
     static String ballRow(BallCase ballCase, int index, Optional<Vector3> ball, MonitoredGame game) {
         JsonObject row = new JsonObject();
@@ -114,19 +115,15 @@ final class RowWriter {
         return torso;
     }
 
-    private static JsonArray position(Vector3 place) {
-        JsonArray position = new JsonArray();
-        position.add(digits(place.x()));
-        position.add(digits(place.y()));
-        position.add(digits(place.z()));
-        return position;
+    private static JsonElement position(Vector3 position) {
+        return GSON.toJsonTree(List.of(digits(position.x()), digits(position.y()), digits(position.z())));
     }
 
     private static double arcSine(double sine) {
         return Math.asin(Math.max(-1, Math.min(1, sine)));
     }
 
-    /** Monitor messages have six digits. */
+    /** Rounds to the six digits of monitor messages. */
     private static BigDecimal digits(double value) {
         return new BigDecimal(value).round(SIX_DIGITS);
     }
@@ -135,11 +132,7 @@ final class RowWriter {
         return Math.rint(Math.toDegrees(radians) * 1e4) / 1e4;
     }
 
-    private static JsonArray array(Vector3 vector) {
-        JsonArray array = new JsonArray();
-        array.add(vector.x());
-        array.add(vector.y());
-        array.add(vector.z());
-        return array;
+    private static JsonElement array(Vector3 vector) {
+        return GSON.toJsonTree(List.of(vector.x(), vector.y(), vector.z()));
     }
 }

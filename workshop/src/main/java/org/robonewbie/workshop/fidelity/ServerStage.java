@@ -20,7 +20,7 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
 import org.robonewbie.simulator.world.Ball;
 import org.robonewbie.simulator.world.Robot;
 
-/** A whole server with league rules and without noise; the robot is moved, and felt, by an agent's messages only. */
+/** Whole server with league rules and without noise. The robot is controlled and observed through agent messages only. */
 final class ServerStage implements ReplayStage {
 
     private static final int FIRST_MESSAGE = 3;
@@ -52,7 +52,7 @@ final class ServerStage implements ReplayStage {
         }
     }
 
-    /** Settings of a server that does nothing by chance. */
+    /** {@return settings without any randomness} */
     static WorldSettings settings() {
         return WorldSettings.league()
                 .withParameters(SoccerParameters.league()
@@ -95,7 +95,7 @@ final class ServerStage implements ReplayStage {
         server.close();
     }
 
-    /** Other robots join and leave, since a server never gives a place of the row twice, and the first team is the left one. */
+    /** Lets other robots join and leave, since a server never reuses a start position and its first team plays on the left. */
     private static void leavePlacesBefore(JoiningWay way, SteppedServer server) throws IOException {
         if (way.side() == TeamSide.RIGHT) {
             visit(server, "Visitors");
@@ -119,7 +119,7 @@ final class ServerStage implements ReplayStage {
         server.cycle();
     }
 
-    /** The robot appears in the first cycle; its first message comes after the third one. */
+    /** Creates the robot. It appears in the first cycle; its first message follows after the third. */
     private void join(RobotType type, int cyclesToInit) throws IOException {
         message.clear();
         new EffectorMessageWriter(message)
@@ -137,7 +137,7 @@ final class ServerStage implements ReplayStage {
 
     private PerceptorMessage receive() throws IOException {
         if (!agent.receive(message)) {
-            throw new IOException("The server has closed the connection of the agent.");
+            throw new IOException("The server closed the agent's connection.");
         }
         return reader.read(message);
     }

@@ -1,15 +1,15 @@
 package org.robonewbie.workshop.fidelity;
 
 /**
- * How far a simulation may be off before it counts as different.
+ * Deviations beyond which the simulation counts as diverged.
  *
- * @param jointDegrees any joint; half a unit of the last printed digit comes from printing alone
+ * @param jointDegrees any joint angle; rounding alone contributes half a unit of the last printed digit
  * @param torsoMetres torso position
  * @param torsoDegrees torso orientation
  * @param ballMetres ball position
  */
 record Tolerances(double jointDegrees, double torsoMetres, double torsoDegrees, double ballMetres) {
 
-    /** What the project has set itself. */
+    /** Tolerances of the fidelity bench. */
     static final Tolerances STANDARD = new Tolerances(0.01, 1e-4, 0.05, 1e-4);
 }

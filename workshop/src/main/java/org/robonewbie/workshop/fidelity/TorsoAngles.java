@@ -4,19 +4,19 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.simulator.physics.RotationMatrix;
 
-/** Turns the angles of a recording into a rotation and back. */
+/** Conversion between recorded torso angles and rotations. */
 final class TorsoAngles {
 
     private TorsoAngles() {}
 
     /**
-     * Builds the torso's rotation.
+     * Returns the torso rotation for recorded angles.
      *
-     * @param yawDegrees direction of the forward axis in the ground plane, counter-clockwise from the world's x axis
-     * @param pitchDegrees rise of the forward axis above the ground
-     * @param rollDegrees rise of the right axis above the ground
-     * @param up z component of the up axis, which tells a robot on its feet from one on its head
-     * @return the rotation from the torso's axes (x right, y forward, z up) to the world's
+     * @param yawDegrees direction of the forward axis in the ground plane, counter-clockwise from the x axis of the world
+     * @param pitchDegrees elevation of the forward axis
+     * @param rollDegrees elevation of the right axis
+     * @param up z component of the up axis, which distinguishes upright from upside down
+     * @return the rotation from torso axes (x right, y forward, z up) to world axes
      */
     static RotationMatrix rotation(double yawDegrees, double pitchDegrees, double rollDegrees, double up) {
         double yaw = Math.toRadians(yawDegrees);
@@ -34,13 +34,7 @@ final class TorsoAngles {
                 right.x(), forward.x(), top.x(), right.y(), forward.y(), top.y(), right.z(), forward.z(), top.z());
     }
 
-    /**
-     * Calculates the angle between two rotations.
-     *
-     * @param one a rotation
-     * @param two another one
-     * @return the angle of the rotation from one to the other in degrees, 0 to 180
-     */
+    /** {@return the angle between two rotations in degrees, 0 to 180} */
     static double degreesBetween(RotationMatrix one, RotationMatrix two) {
         RotationMatrix turn = one.inverse().after(two);
         Vector3 axis = new Vector3(turn.zy() - turn.yz(), turn.xz() - turn.zx(), turn.yx() - turn.xy());
@@ -48,12 +42,7 @@ final class TorsoAngles {
         return Math.toDegrees(Math.atan2(axis.length() / 2, cos));
     }
 
-    /**
-     * Calculates the torso's heading.
-     *
-     * @param rotation the torso's rotation
-     * @return degrees of its forward axis in the ground plane, counter-clockwise from the world's x axis
-     */
+    /** {@return the direction of the forward axis in the ground plane in degrees, counter-clockwise from the x axis of the world} */
     static double yawDegrees(RotationMatrix rotation) {
         return BodyState.headingDegrees(rotation.axisY());
     }

@@ -1,6 +1,6 @@
 /**
- * Measures how closely this simulator follows a real rcssserver3d: recordings of the original are replayed command by
- * command, and every row is compared. Read {@link org.robonewbie.workshop.fidelity.FidelityBench} first.
+ * Fidelity bench: replays recordings of a real rcssserver3d command by command and compares every row. Start with {@link
+ * org.robonewbie.workshop.fidelity.FidelityBench}.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

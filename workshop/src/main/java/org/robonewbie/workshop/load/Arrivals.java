@@ -3,7 +3,7 @@ package org.robonewbie.workshop.load;
 import java.util.Arrays;
 import org.robonewbie.nao.Cycle;
 
-/** The arrival times of a server's messages at one agent; filled by one thread and read when it has ended or is paused. */
+/** Arrival times of the messages at one agent. Written by one thread, read after it has ended or paused. */
 final class Arrivals {
 
     private static final double NANOSECONDS = 1e9;
@@ -14,10 +14,10 @@ final class Arrivals {
     private double lastSeconds;
 
     /**
-     * Notes a message.
+     * Records a message.
      *
-     * @param nanoseconds when it came
-     * @param seconds what time it is in the world
+     * @param nanoseconds arrival time
+     * @param seconds simulation time
      */
     synchronized void add(long nanoseconds, double seconds) {
         if (lastSeconds > 0 && seconds - lastSeconds < 1.5 * Cycle.SECONDS) {
@@ -30,16 +30,16 @@ final class Arrivals {
         lastSeconds = seconds;
     }
 
-    /** Forgets all that came so far. */
+    /** Discards all recorded messages. */
     synchronized void restart() {
         count = 0;
         lastSeconds = 0;
     }
 
     /**
-     * Returns the deviation of the time between two messages from 20 ms.
+     * Returns a quantile of the absolute deviation from 20 ms between consecutive messages.
      *
-     * @param share fraction of the messages with at most that deviation, 0 to 1
+     * @param share the quantile, 0 to 1
      * @return seconds, at least 0
      */
     synchronized double deviationSeconds(double share) {

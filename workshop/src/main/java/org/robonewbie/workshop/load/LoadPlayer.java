@@ -11,8 +11,8 @@ import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
 import org.robonewbie.simulator.server.SyntheticPlayer;
 
 /**
- * A player for load tests that bends its knees and swings its arms without ever falling, so that each robot costs the same at all
- * times. It parses every message.
+ * Player for load tests that bends its knees and swings its arms without falling, so that its cost is constant. Parses every
+ * message.
  */
 final class LoadPlayer extends SyntheticPlayer {
 
@@ -27,7 +27,7 @@ final class LoadPlayer extends SyntheticPlayer {
     private volatile double playSeconds;
     private volatile int endedMatches;
 
-    /** Connects a player. A timed player stores the arrival times of its messages, which costs memory. */
+    /** Connects a player. A timed player keeps the arrival times of its messages in memory. */
     LoadPlayer(int port, int index, boolean isTimed) throws IOException {
         super(port, index, SPACING_METRES);
         this.isTimed = isTimed;
@@ -37,12 +37,12 @@ final class LoadPlayer extends SyntheticPlayer {
         return arrivals;
     }
 
-    /** Whether the referee has announced a play mode yet. */
+    /** Whether the player has received a play mode. */
     boolean isInTheGame() {
         return !playMode.isEmpty();
     }
 
-    /** Whether a match is running. */
+    /** Whether a match is in progress. */
     boolean isPlaying() {
         return isInTheGame() && !playMode.equals(PlayMode.GAME_OVER.simSparkName());
     }
@@ -51,7 +51,6 @@ final class LoadPlayer extends SyntheticPlayer {
         return endedMatches;
     }
 
-    /** The game time in seconds. */
     double playSeconds() {
         return playSeconds;
     }
@@ -65,7 +64,7 @@ final class LoadPlayer extends SyntheticPlayer {
         message.gameState().ifPresent(this::watch);
     }
 
-    /** Only the player's own thread writes these fields. */
+    /** Called by the player's thread only, which is the single writer of these fields. */
     @SuppressWarnings("NonAtomicVolatileUpdate")
     private void watch(GameState state) {
         boolean over = state.playModeName().equals(PlayMode.GAME_OVER.simSparkName());

@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
+import java.util.function.DoubleSupplier;
 import java.util.stream.IntStream;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.protocol.order.Order;
@@ -22,8 +23,8 @@ import org.robonewbie.simulator.server.WarmUp;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
- * Plays whole matches of the league, two halves each, with many agents over TCP and one server, and measures what it costs.
- * Agents and server share this process, so that nothing else has to be started.
+ * Plays whole league matches of two halves with many agents over TCP on one server, and measures the cost. Agents and server
+ * share this process.
  *
  * <pre>{@code
  * LoadSettings settings = new LoadSettings(22, 600, 1, true);
@@ -33,7 +34,7 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
 public final class MatchLoad {
 
     private static final double SECONDS_BEFORE_KICK_OFF = 2;
-    private static final long LOOKING_MILLISECONDS = 100;
+    private static final long POLL_MILLISECONDS = 100;
     private static final double PROGRESS_SECONDS = 30;
     private static final double SECONDS_UNTIL_APART = 10;
     private static final int COLLECTIONS = 4;
@@ -46,7 +47,7 @@ public final class MatchLoad {
      * Creates a measurement.
      *
      * @param load the load
-     * @param progress reports the progress
+     * @param progress destination of the progress messages
      */
     public MatchLoad(LoadSettings load, PrintStream progress) {
         this.load = load;
@@ -54,9 +55,9 @@ public final class MatchLoad {
     }
 
     /**
-     * Plays the matches; those on the clock after a {@linkplain WarmUp warm-up}.
+     * Plays the matches; in real time after a {@linkplain WarmUp warm-up}.
      *
-     * @return a result for each match
+     * @return one result per match
      * @throws IOException if the server cannot be started
      */
     public List<MatchLoadResult> run() throws IOException {
@@ -73,11 +74,12 @@ public final class MatchLoad {
             for (int match = 1; match <= load.matches(); match++) {
                 course.matchBegins();
                 awaitEnd(first, course, match);
-                MatchLoadResult played = course.result(match);
-                simulator.control().order(new Order.Reset());
-                await(() -> first.isPlaying() && first.playSeconds() > secondsUntilApart, () -> {});
-                simulator.control().order(new Order.Pause());
-                results.add(played.withHeap(heapMegabytes()));
+                results.add(course.result(match, () -> {
+                    simulator.control().order(new Order.Reset());
+                    await(() -> first.isPlaying() && first.playSeconds() > secondsUntilApart, () -> {});
+                    simulator.control().order(new Order.Pause());
+                    return heapMegabytes();
+                }));
                 simulator.control().order(new Order.Resume());
             }
         }
@@ -106,17 +108,17 @@ public final class MatchLoad {
         return players;
     }
 
-    /** The end is counted by the player, since a short match may begin and end between two looks. */
+    /** Waits for the end of a match. The player counts the ends, since a short match may start and end between two polls. */
     private void awaitEnd(LoadPlayer player, Course course, int match) {
-        double[] told = {0};
+        double[] reported = {0};
         await(() -> player.endedMatches() >= match, () -> {
-            if (player.isPlaying() && player.playSeconds() >= told[0] + PROGRESS_SECONDS) {
-                told[0] = player.playSeconds();
+            if (player.isPlaying() && player.playSeconds() >= reported[0] + PROGRESS_SECONDS) {
+                reported[0] = player.playSeconds();
                 progress.println(String.format(
                         Locale.ROOT,
                         "match %d: %.0f s played, %d cycles missed",
                         match,
-                        told[0],
+                        reported[0],
                         course.missedCycles()));
             }
         });
@@ -124,12 +126,15 @@ public final class MatchLoad {
 
     private static void await(BooleanSupplier condition, Runnable meanwhile) {
         while (!condition.getAsBoolean()) {
-            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(LOOKING_MILLISECONDS));
+            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(POLL_MILLISECONDS));
             meanwhile.run();
         }
     }
 
-    /** What is really in use: a single collection may leave dead objects where moving the living ones is not worth the time. */
+    /**
+     * Returns the heap in use. Takes the minimum of several collections, since one collection may leave unreachable objects in
+     * sparsely filled regions.
+     */
     private static double heapMegabytes() {
         return IntStream.range(0, COLLECTIONS)
                 .mapToDouble(i -> heapMegabytesAfterCollection())
@@ -137,7 +142,7 @@ public final class MatchLoad {
                 .orElseThrow();
     }
 
-    /** The pieces that threads have reserved for new objects since the collection do not count. */
+    /** Uses the size at the end of the collection, which excludes thread-local allocation buffers assigned since. */
     private static double heapMegabytesAfterCollection() {
         ManagementFactory.getMemoryMXBean().gc();
         return ManagementFactory.getMemoryPoolMXBeans().stream()
@@ -146,7 +151,7 @@ public final class MatchLoad {
                 .sum();
     }
 
-    /** Takes the times at the beginning and the end of a match. */
+    /** Counters at the start of a match, and their differences at its end. */
     private static final class Course {
 
         private final Simulator simulator;
@@ -173,7 +178,8 @@ public final class MatchLoad {
             beganProcess = processSeconds();
         }
 
-        MatchLoadResult result(int match) {
+        /** Ends the measurement. The heap is evaluated last, since it needs the next kick-off. */
+        MatchLoadResult result(int match, DoubleSupplier heapMegabytes) {
             long cycles = Math.round(simulator.cycles() - beganSeconds / Cycle.SECONDS);
             double server = simulator.processorSeconds() - beganServer;
             double process = processSeconds() - beganProcess;
@@ -186,7 +192,7 @@ public final class MatchLoad {
                     1000 * process / cycles,
                     1000 * player.arrivals().deviationSeconds(0.99),
                     1000 * player.arrivals().deviationSeconds(1),
-                    Double.NaN);
+                    heapMegabytes.getAsDouble());
         }
 
         private static double processSeconds() {

@@ -3,19 +3,17 @@ package org.robonewbie.workshop.load;
 import java.util.Locale;
 
 /**
- * The cost of one match under load.
+ * Cost of one match under load.
  *
  * @param match number of the match within the run, from 1
- * @param cycles cycles of the world
- * @param playSeconds game time on the referee's clock in the end
- * @param missedCycles cycles by which the world fell behind real time
- * @param serverMilliseconds processor time of the server's thread for one cycle
- * @param processMilliseconds processor time for one cycle of the whole process, with all agents
- * @param usualJitterMilliseconds maximum deviation from 20 ms of the time between two messages to an agent, in 99 % of all
- *     cycles
- * @param worstJitterMilliseconds the same in all cycles
- * @param heapMegabytes memory in use after a garbage collection, when the robots stand for the next kick-off: always the same
- *     state of the world
+ * @param cycles number of simulation cycles
+ * @param playSeconds game time at the end of the match
+ * @param missedCycles cycles by which the simulation fell behind real time
+ * @param serverMilliseconds processor time of the server thread per cycle
+ * @param processMilliseconds processor time of the whole process per cycle, including all agents
+ * @param usualJitterMilliseconds 99th percentile of the deviation from 20 ms between two messages to an agent
+ * @param worstJitterMilliseconds maximum of that deviation
+ * @param heapMegabytes memory in use after a garbage collection, while the robots stand for the next kick-off
  */
 public record MatchLoadResult(
         int match,
@@ -28,33 +26,14 @@ public record MatchLoadResult(
         double worstJitterMilliseconds,
         double heapMegabytes) {
 
-    /** The table's first line, which fits to {@link #toLine}. */
+    /** Header of the table, aligned with {@link #toLine}. */
     public static final String TITLE =
             "match  cycles   play s  missed  server ms  process ms  jitter 99 % ms  worst ms  heap MB";
 
     /**
-     * Adds the memory, which is measured later.
+     * Formats the result as a row of the table.
      *
-     * @param megabytes memory in use
-     * @return this result with that
-     */
-    MatchLoadResult withHeap(double megabytes) {
-        return new MatchLoadResult(
-                match,
-                cycles,
-                playSeconds,
-                missedCycles,
-                serverMilliseconds,
-                processMilliseconds,
-                usualJitterMilliseconds,
-                worstJitterMilliseconds,
-                megabytes);
-    }
-
-    /**
-     * Writes the result for people.
-     *
-     * @return one line
+     * @return a line without line break
      */
     public String toLine() {
         return String.format(

@@ -1,6 +1,6 @@
 /**
- * Puts a server under the load of whole matches over TCP and measures whether it keeps up with the clock, and at what cost.
- * Read {@link org.robonewbie.workshop.load.MatchLoad} first.
+ * Load test of a server with whole matches over TCP: whether it keeps up with real time, and at what cost.
+ * Start with {@link org.robonewbie.workshop.load.MatchLoad}.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

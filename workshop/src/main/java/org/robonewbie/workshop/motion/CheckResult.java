@@ -5,36 +5,25 @@ import java.util.List;
 import java.util.stream.LongStream;
 
 /**
- * The answer to a check.
+ * Result of a check.
  *
- * @param check the question
- * @param outcomes one for each trial
+ * @param check the check
+ * @param outcomes one outcome per trial
  */
 public record CheckResult(MotionCheck check, List<Outcome> outcomes) {
 
-    /** Makes the list unmodifiable. */
+    /** Copies the list. */
     public CheckResult {
         outcomes = List.copyOf(outcomes);
     }
 
     /**
-     * Carries out trials, several at a time.
+     * Runs trials with consecutive seeds, several in parallel.
      *
-     * @param check the question
-     * @param wanted how many; a thorough check makes more of them
-     * @return the answer, the same each time
-     */
-    public static CheckResult of(MotionCheck check, int wanted) {
-        return of(check, 0, wanted);
-    }
-
-    /**
-     * Carries out trials from some seed on, several at a time.
-     *
-     * @param check the question
-     * @param firstSeed the seed of the first trial
-     * @param wanted how many; a thorough check makes more of them
-     * @return the answer, the same each time
+     * @param check the check
+     * @param firstSeed seed of the first trial
+     * @param wanted number of trials, multiplied by the thoroughness of the check
+     * @return the result, which is deterministic
      */
     public static CheckResult of(MotionCheck check, long firstSeed, int wanted) {
         long trials = Math.round(check.thoroughness() * wanted);
@@ -45,16 +34,12 @@ public record CheckResult(MotionCheck check, List<Outcome> outcomes) {
         return new CheckResult(check, Arrays.asList(outcomes));
     }
 
-    /** {@return how many trials succeeded} */
+    /** {@return the number of successful trials} */
     public int successes() {
         return (int) outcomes.stream().filter(Outcome::success).count();
     }
 
-    /**
-     * Averages what was measured.
-     *
-     * @return the mean over the successful trials, in the unit of the check; 0 if there are none
-     */
+    /** {@return the mean over the successful trials in the unit of the check; 0 without any} */
     public double mean() {
         return outcomes.stream()
                 .filter(Outcome::success)

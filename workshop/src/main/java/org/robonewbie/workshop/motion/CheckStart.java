@@ -14,27 +14,27 @@ import org.robonewbie.trial.RobotStart;
 import org.robonewbie.trial.Scene;
 
 /**
- * Where a check is made with a robot that begins in the stance.
+ * Environment of a check with a robot that starts in the stance.
  *
- * @param suffix what the names of its checks end with
- * @param words how each trial begins
- * @param opening brings the robot into the stance
+ * @param suffix suffix of the names of its checks
+ * @param words description of the start of each trial
+ * @param opening creates a trial with the robot in the stance
  */
 record CheckStart(String suffix, String words, LongFunction<MotionTrial> opening) {
 
     private static final String ON_LEAGUE_PITCH =
-            "an agent on an own simulator with noise and the league's pitch, in the stance, reached from a posture"
+            "an agent on its own simulator with noise and the league's pitch, in the stance, reached from a posture"
                     + " beside it; pushed by a hand each second";
 
     private static final Pose2d FAR_END = new Pose2d(-14, 0, 0);
     private static final Vector3 BALL_ASIDE = new Vector3(0, -9, 0);
     private static final double PUSH_NEWTONS = 3;
 
-    /** A robot in a bare world, pushed by a hand. */
+    /** World without server; pushes disturb the robot. */
     static final CheckStart BARE = new CheckStart(
             "", "stance, reached from a posture beside it", seed -> MotionTrial.inStance(seed, PUSH_NEWTONS));
 
-    /** A robot in a bare world with the ball at its feet. */
+    /** World without server, with the ball in front of the feet. */
     static CheckStart kicker(RobotType type) {
         return new CheckStart(
                 suffix(type),
@@ -42,26 +42,26 @@ record CheckStart(String suffix, String words, LongFunction<MotionTrial> opening
                 seed -> MotionTrial.inStance(type, WalkStyle.STANDARD, seed, 2));
     }
 
-    /** An agent on a whole simulator. */
+    /** Agent on a whole simulator. */
     static CheckStart server(RobotType type) {
         Scene scene = Scene.of(MotionTrial.ROBOT.withType(type).after("stand")).withBall(MotionTrial.BALL_ASIDE);
         return new CheckStart(
                 ", on the server" + suffix(type),
-                "an agent on an own simulator with noise, in the stance",
+                "an agent on its own simulator with noise, in the stance",
                 seed -> MotionTrial.served(scene, seed, new ScriptedAgent(WalkStyle.STANDARD)));
     }
 
-    /** An agent on a whole simulator, with room for long ways. */
+    /** Agent on a whole simulator with the league pitch, for long walks. */
     static CheckStart onLeaguePitch(RobotType type, WalkStyle style) {
         return onLeaguePitch("", ON_LEAGUE_PITCH, type, () -> new ScriptedAgent(style));
     }
 
-    /** An agent on a whole simulator, with room for a ball that goes far. */
+    /** Agent on a whole simulator with the league pitch, for far kicks. */
     static CheckStart serverOnLeaguePitch(RobotType type) {
         return onLeaguePitch(", on the server", ON_LEAGUE_PITCH, type, () -> new ScriptedAgent(WalkStyle.STANDARD));
     }
 
-    /** An agent that runs as it has learned and steers by what it sees and feels, else as {@link #onLeaguePitch(RobotType, WalkStyle)}. */
+    /** Agent with a learned run that steers by its own sensors; otherwise like {@link #onLeaguePitch(RobotType, WalkStyle)}. */
     static CheckStart onLeaguePitch(RobotType type, PolicyWalk learned, LineKeeping keeping) {
         String words = ON_LEAGUE_PITCH + "; it steers by its own sensors";
         return onLeaguePitch("", words, type, () -> new ScriptedRunner(learned, keeping));
@@ -77,12 +77,12 @@ record CheckStart(String suffix, String words, LongFunction<MotionTrial> opening
                 seed -> MotionTrial.served(pitch, seed, robot.get()).intoStance(seed, PUSH_NEWTONS));
     }
 
-    /** What the names of checks end with if the robot is not the usual one. */
+    /** Suffix of the names of checks with a non-standard robot type. */
     static String suffix(RobotType type) {
         return type == RobotType.TYPE_0 ? "" : ", type " + type.ordinal();
     }
 
-    /** What the robot does, and what comes of it. */
+    /** Actions of a trial, and their outcome. */
     interface Act {
 
         Outcome of(MotionTrial robot, long seed);

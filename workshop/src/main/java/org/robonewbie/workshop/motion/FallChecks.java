@@ -13,7 +13,7 @@ import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.MeasureFromStart;
 
-/** Checks of the motions that end on the ground or begin there. */
+/** Checks of the motions that start or end on the ground. */
 final class FallChecks {
 
     private static final double SHOT_METRES = 2;
@@ -67,7 +67,7 @@ final class FallChecks {
                 seed -> dive(ShippedMotions.motion(name), side, seed));
     }
 
-    /** Shoots a ball that passes the robot on one side; a moment later the robot dives. */
+    /** Shoots a ball past one side of the robot, which dives a moment later. */
     private static Outcome dive(Motion dive, int side, long seed) {
         Random random = new Random(13 * seed + 5);
         random.nextLong();
@@ -88,7 +88,7 @@ final class FallChecks {
         }
     }
 
-    /** Whether the ball has passed the robot: 1 then, else 0. */
+    /** Returns 1 if the ball has passed the robot, otherwise 0. */
     private static final class Goal extends MeasureFromStart {
 
         private static final double BEHIND = -0.3;

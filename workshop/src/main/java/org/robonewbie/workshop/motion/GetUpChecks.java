@@ -7,16 +7,16 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 
 /**
- * Checks of the motions that bring a fallen robot to its feet.
+ * Checks of the get-up motions.
  *
- * @param type how the robot is built
+ * @param type the robot type
  */
 record GetUpChecks(RobotType type) {
 
     private static final double MAX_SECONDS = 10;
     private static final double SETTLING_SECONDS = 1;
 
-    /** 50 trials where the others have 20. */
+    /** Thoroughness that yields 50 trials instead of 20. */
     private static final double THOROUGHNESS = 2.5;
 
     List<MotionCheck> all() {

@@ -88,7 +88,7 @@ final class KickChecks {
         });
     }
 
-    /** Kicks, and waits until the ball lies still. */
+    /** Kicks and waits until the ball is at rest. */
     private static Kick kick(MotionTrial robot, MotionFile file, long seed) {
         robot.placeBall(file.ball().orElseThrow(), seed);
         Vector3 from = robot.trial().now().ball();
@@ -106,15 +106,15 @@ final class KickChecks {
     }
 
     /**
-     * What a kick was like.
+     * Result of a kick.
      *
-     * @param metres distance that the ball rolls along the robot's heading
-     * @param degreesAside direction in which it rolls, positive to the left
+     * @param metres distance of the ball along the heading of the robot
+     * @param degreesAside direction of the ball, positive to the left
      * @param standing whether the robot ends in the stance
      */
     private record Kick(double metres, double degreesAside, boolean standing) {}
 
-    /** When the ball was first faster than 1 m/s, seconds since the kick began. */
+    /** Returns the time from the start of the kick until the ball is faster than 1 m/s, in seconds. */
     private static final class FirstRoll extends MeasureFromStart {
 
         private double seconds = Double.POSITIVE_INFINITY;

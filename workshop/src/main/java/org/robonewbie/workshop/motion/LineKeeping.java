@@ -5,31 +5,31 @@ import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.geometry.Pose2d;
 
 /**
- * A controller that keeps a walking robot on a line: it heads for the line, and turns the faster the more the heading is wrong.
+ * Controller that keeps a walking robot on a line: cross-track and heading errors each contribute proportionally, with limits.
  *
  * <pre>{@code
  * walk.towards(1, 0, LineKeeping.FIRM.turn(start, self.pose()));
  * }</pre>
  *
- * @param degreesForAMetre how much the heading changes for each metre beside the line
- * @param mostDegrees how much it changes at most
- * @param turnForADegree degrees per second for each degree by which the heading is wrong
- * @param mostTurn how fast it turns at most, degrees per second
+ * @param degreesForAMetre desired heading change per metre of cross-track error
+ * @param mostDegrees maximum heading change in degrees
+ * @param turnForADegree turn rate in degrees per second for each degree of heading error
+ * @param mostTurn maximum turn rate in degrees per second
  */
 record LineKeeping(double degreesForAMetre, double mostDegrees, double turnForADegree, double mostTurn) {
 
-    /** For a run that hardly bears a turn. */
+    /** For a run that tolerates little turning. */
     static final LineKeeping GENTLE = new LineKeeping(20, 10, 1, 10);
 
     /** For a gait that turns easily. */
     static final LineKeeping FIRM = new LineKeeping(40, 10, 2, 40);
 
     /**
-     * Steers.
+     * Returns the turn rate.
      *
-     * @param line where the line begins, and its heading
-     * @param now where the robot is
-     * @return how fast to turn, degrees per second to the left
+     * @param line start and heading of the line
+     * @param now pose of the robot
+     * @return degrees per second to the left
      */
     double turn(Pose2d line, Pose2d now) {
         double left = line.fromFrame(new Vector3(now.x(), now.y(), 0)).y();

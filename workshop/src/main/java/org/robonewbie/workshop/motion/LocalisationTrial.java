@@ -21,13 +21,14 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 
 /**
- * A robot that walks about on the league's pitch for a minute, with noise, and is thrown over twice; how far its belief is from
- * the truth, while it lies and gets up too. The first three seconds, in which it looks around, do not count.
+ * Errors of self-localisation while a robot walks on the league pitch for a minute, with noise, and is pushed over twice. Falls
+ * and get-ups count; the first three seconds, in which the robot looks around, do not. All errors are sorted in ascending
+ * order, one per cycle.
  *
- * @param metres distance between believed and true place in each cycle, in ascending order
- * @param degrees difference between believed and true heading in each cycle, in ascending order
- * @param cameraMetres difference between believed and true height of the camera in each cycle, in ascending order
- * @param tiltDegrees angle between the ways up that robot and world know in each cycle, in ascending order
+ * @param metres position errors in metres
+ * @param degrees heading errors in degrees
+ * @param cameraMetres errors of the camera height in metres
+ * @param tiltDegrees errors of the vertical direction in degrees
  */
 @SuppressWarnings("ArrayRecordComponent")
 public record LocalisationTrial(double[] metres, double[] degrees, double[] cameraMetres, double[] tiltDegrees) {
@@ -40,12 +41,12 @@ public record LocalisationTrial(double[] metres, double[] degrees, double[] came
     private static final Vector3 UP = new Vector3(0, 0, 1);
 
     /**
-     * Carries out a trial.
+     * Runs a trial.
      *
-     * @param seed chooses the place, the ways, the falls and the noise
-     * @param type how the robot is built
-     * @param style how it walks
-     * @return what it believed
+     * @param seed seed of the start pose, the walks, the falls and the noise
+     * @param type the robot type
+     * @param style the walk style
+     * @return the errors
      */
     public static LocalisationTrial run(long seed, RobotType type, WalkStyle style) {
         Random random = new Random(29 * seed + 5);
@@ -68,7 +69,7 @@ public record LocalisationTrial(double[] metres, double[] degrees, double[] came
         return new Vector3(Math.cos(direction), Math.sin(direction), 0).times(PUSH_NEWTONS);
     }
 
-    /** Throws the robot over, twice in a trial. */
+    /** Pushes the robot over, twice in a trial. */
     private static void throwOver(Trial trial, Vector3[] pushes) {
         for (int i = 0; i < FALLS.length; i++) {
             double since = trial.seconds() - FALLS[i];
@@ -79,20 +80,20 @@ public record LocalisationTrial(double[] metres, double[] degrees, double[] came
     }
 
     /**
-     * Returns the middle of a row of errors.
+     * Returns the median.
      *
-     * @param sorted one of the rows
-     * @return its median
+     * @param sorted errors in ascending order
+     * @return the median
      */
     public static double median(double[] sorted) {
         return sorted[sorted.length / 2];
     }
 
     /**
-     * Returns what is kept most of the time.
+     * Returns the 95th percentile.
      *
-     * @param sorted one of the rows
-     * @return what 95 % of it do not exceed
+     * @param sorted errors in ascending order
+     * @return the 95th percentile
      */
     public static double most(double[] sorted) {
         return sorted[sorted.length * 95 / 100];
@@ -136,7 +137,7 @@ public record LocalisationTrial(double[] metres, double[] degrees, double[] came
                 .position());
     }
 
-    /** The way up, as seen from a torso. */
+    /** Returns the vertical direction in the frame of a torso. */
     private static Vector3 up(Pose torso) {
         return torso.rotation().inverse().apply(UP);
     }
@@ -145,7 +146,7 @@ public record LocalisationTrial(double[] metres, double[] degrees, double[] came
         return Math.toDegrees(Math.atan2(one.cross(other).length(), one.dot(other)));
     }
 
-    /** Walks somewhere else every few seconds, inwards near the border, and gets up when it has fallen. */
+    /** Walks in random directions, turns inwards near the border, and gets up after a fall. */
     private static final class Wanderer extends Agent {
 
         private static final double BORDER = 3;

@@ -6,10 +6,11 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.file.MotionFiles;
 
 /**
- * Writes into the head of each motion file how well the motion works.
+ * Writes the measured success rates into the headers of the motion files.
  *
  * <pre>{@code
  * java org.robonewbie.workshop.motion.MeasuredHeaders core/nao/src/main/resources/motions
@@ -24,7 +25,7 @@ public final class MeasuredHeaders {
     /**
      * Measures all shipped motions and writes the results into their files.
      *
-     * @param arguments the directory of the files
+     * @param arguments directory of the files
      * @throws IOException if a file cannot be read or written
      */
     public static void main(String[] arguments) throws IOException {
@@ -32,14 +33,15 @@ public final class MeasuredHeaders {
             System.err.println("Give the directory of the motion files.");
             System.exit(2);
         }
-        write(new MotionMeasurement(SEEDS, System.out).run(Optional.empty()), Path.of(arguments[0]));
+        MotionMeasurement measurement = new MotionMeasurement(SEEDS, 1, "", RobotType.TYPE_0, System.out);
+        write(measurement.run(Optional.empty()), Path.of(arguments[0]));
     }
 
     /**
      * Writes results into files.
      *
-     * @param results what was measured; what has no file is left out
-     * @param directory where the files {@code NAME.txt} are
+     * @param results the results; those without a file are ignored
+     * @param directory directory of the files {@code NAME.txt}
      * @throws IOException if a file cannot be read or written
      */
     public static void write(List<CheckResult> results, Path directory) throws IOException {

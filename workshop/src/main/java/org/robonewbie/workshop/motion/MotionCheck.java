@@ -3,36 +3,36 @@ package org.robonewbie.workshop.motion;
 import java.util.function.LongFunction;
 
 /**
- * A question about a motion that trials answer.
+ * Check of a motion by repeated trials.
  *
- * @param name the motion, or what is done with it
- * @param start how each trial begins
- * @param rule when a trial is a success
- * @param unit what is measured
- * @param trial carries out one trial with a seed
- * @param thoroughness how many trials are made for each that is asked for
+ * @param name name of the motion or the task
+ * @param start description of the start of each trial
+ * @param rule criterion of success
+ * @param unit unit of the measured value
+ * @param trial runs one trial with a seed
+ * @param thoroughness factor on the number of trials
  */
 public record MotionCheck(
         String name, String start, String rule, String unit, LongFunction<Outcome> trial, double thoroughness) {
 
     /**
-     * Asks a question that needs no more trials than others.
+     * Creates a check with the usual number of trials.
      *
-     * @param name the motion, or what is done with it
-     * @param start how each trial begins
-     * @param rule when a trial is a success
-     * @param unit what is measured
-     * @param trial carries out one trial with a seed
+     * @param name name of the motion or the task
+     * @param start description of the start of each trial
+     * @param rule criterion of success
+     * @param unit unit of the measured value
+     * @param trial runs one trial with a seed
      */
     public MotionCheck(String name, String start, String rule, String unit, LongFunction<Outcome> trial) {
         this(name, start, rule, unit, trial, 1);
     }
 
     /**
-     * Asks more thoroughly.
+     * Multiplies the number of trials.
      *
-     * @param factor how many trials are made for each that is asked for
-     * @return the same question
+     * @param factor factor on the number of trials
+     * @return a copy of this check
      */
     MotionCheck thoroughly(double factor) {
         return new MotionCheck(name, start, rule, unit, trial, factor);

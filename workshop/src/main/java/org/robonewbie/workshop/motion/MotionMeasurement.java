@@ -14,10 +14,10 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.model.RobotType;
 
 /**
- * Measures all shipped motions in the simulated world and prints a table: how often each works, and how well.
+ * Measures all shipped motions in the simulator and prints a table of success rates and mean values.
  *
  * <pre>{@code
- * new MotionMeasurement(20, System.out).run(Optional.empty());
+ * new MotionMeasurement(20, 1, "", RobotType.TYPE_0, System.out).run(Optional.empty());
  * }</pre>
  */
 public final class MotionMeasurement {
@@ -30,23 +30,13 @@ public final class MotionMeasurement {
     private final List<MotionCheck> more = new ArrayList<>();
 
     /**
-     * Prepares a measurement.
-     *
-     * @param seeds trials of each motion, at least 1
-     * @param out where the table goes
-     */
-    public MotionMeasurement(int seeds, PrintStream out) {
-        this(seeds, 1, "", RobotType.TYPE_0, out);
-    }
-
-    /**
-     * Prepares a measurement of some motions.
+     * Creates a measurement.
      *
      * @param seeds trials of each motion, at least 1
      * @param firstSeed seed of the first trial of each motion
-     * @param part a part of the names of the motions that are measured; all have the empty one
-     * @param type how the robot is built; types other than 0 walk and fall on a whole simulator only
-     * @param out where the table goes
+     * @param part substring of the names of the motions to measure; empty for all
+     * @param type robot type; types other than 0 walk and fall on a whole simulator only
+     * @param out destination of the table
      */
     public MotionMeasurement(int seeds, long firstSeed, String part, RobotType type, PrintStream out) {
         if (seeds < 1) {
@@ -60,9 +50,9 @@ public final class MotionMeasurement {
     }
 
     /**
-     * Adds checks that follow the motions, such as those of players that this module does not know.
+     * Adds checks after those of the motions.
      *
-     * @param checks what else is measured
+     * @param checks additional checks
      * @return this measurement
      */
     public MotionMeasurement with(List<MotionCheck> checks) {
@@ -88,9 +78,9 @@ public final class MotionMeasurement {
     }
 
     /**
-     * Runs all checks, printing each line as soon as it is known.
+     * Runs all checks and prints each line as soon as it is available.
      *
-     * @param json file for the results as well
+     * @param json file for the results; empty for none
      * @return the results in the order of the table
      * @throws IOException if the file cannot be written
      */
@@ -100,7 +90,7 @@ public final class MotionMeasurement {
                 .filter(check -> check.name().contains(part))
                 .toList();
         if (checks.isEmpty()) {
-            throw new IllegalArgumentException("No motion's name has \"" + part + "\" in it.");
+            throw new IllegalArgumentException("No motion name contains \"" + part + "\".");
         }
         out.printf("%-8s%-28s %9s %9s  %s%n", "", "motion", "successes", "mean", "unit");
         for (MotionCheck check : checks) {
@@ -133,7 +123,7 @@ public final class MotionMeasurement {
         AtomicFile.write(file, text);
     }
 
-    /** One object of the file. */
+    /** JSON object of one check. */
     private record Row(String name, int trials, int successes, double mean, String unit, String start, String rule) {
 
         static Row of(CheckResult result) {

@@ -1,9 +1,9 @@
 package org.robonewbie.workshop.motion;
 
 /**
- * How one trial ended.
+ * Outcome of one trial.
  *
- * @param success whether it kept to the rule of success
- * @param value what was measured, in the unit of the check
+ * @param success whether the criterion was met
+ * @param value measured value in the unit of the check
  */
 public record Outcome(boolean success, double value) {}

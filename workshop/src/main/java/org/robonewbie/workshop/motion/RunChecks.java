@@ -8,7 +8,7 @@ import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.learning.motion.MotionTrial;
 import org.robonewbie.nao.model.RobotType;
 
-/** Checks of the runs that were learned: an agent on a whole simulator with noise, which keeps to its line by its own sensors. */
+/** Checks of the learned runs: an agent on a whole simulator with noise that keeps to its line by its own sensors. */
 final class RunChecks {
 
     private static final double LONG_WAY = 20;
@@ -75,7 +75,7 @@ final class RunChecks {
         return new WalkVelocity(gait.commanded * Math.max(0, share), 0, 0);
     }
 
-    /** What was learned, and what is asked of it. */
+    /** Learned gait, and its requirements. */
     private record Gait(
             String policy,
             String verb,
@@ -85,7 +85,7 @@ final class RunChecks {
             String stopping,
             double secondsToSlowDown) {
 
-        /** It is commanded less than it can do, so that it is steady for long. */
+        /** Commanded below its maximum speed, for stability over long distances. */
         static final Gait RUN = new Gait("run", "runs", 1.35, LineKeeping.GENTLE, 10, "slows down within 3 s, ", 3);
 
         static final Gait JOG = new Gait("jog", "jogs", 1.05, LineKeeping.FIRM, 2, "", 0);

@@ -7,7 +7,7 @@ import org.robonewbie.learning.motion.ScriptedRobot;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.trial.Controller;
 
-/** A scripted agent, with all that lies between an agent and its motors. */
+/** Scripted robot that is controlled through a complete agent. */
 class ScriptedAgent extends Agent implements ScriptedRobot {
 
     ScriptedAgent(WalkStyle style) {

@@ -6,10 +6,7 @@ import org.robonewbie.agent.walk.WalkStyle;
 import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.geometry.Pose2d;
 
-/**
- * An agent that walks as it has learned and keeps to the line ahead of the place where it began to walk. Where it is it knows from
- * its own messages: {@link SelfLocalisation}.
- */
+/** Agent with a learned gait that keeps to the line ahead of its start pose, located by its own {@link SelfLocalisation}. */
 final class ScriptedRunner extends ScriptedAgent {
 
     private final SelfLocalisation self = new SelfLocalisation();

@@ -4,7 +4,7 @@ import java.util.List;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 
-/** The most important checks once more, with an agent on a whole simulator instead of a robot in a bare world. */
+/** Repetition of the most important checks with an agent on a whole simulator instead of a world without server. */
 final class ServerChecks {
 
     private ServerChecks() {}

@@ -13,7 +13,7 @@ import org.robonewbie.nao.geometry.Angles;
 import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.model.RobotType;
 
-/** Checks of what a player on the league's pitch needs: an agent on a whole simulator with noise walks long ways and to poses. */
+/** Checks of a player on the league pitch: an agent on a whole simulator with noise walks long distances and to poses. */
 final class SkillChecks {
 
     private static final double LONG_WAY = 20;
@@ -151,7 +151,7 @@ final class SkillChecks {
             String what, String rule, String unit, double most, ToDoubleFunction<LocalisationTrial> value) {
         return new MotionCheck(
                 "self-localisation, " + what + CheckStart.suffix(type),
-                "an agent on an own simulator with noise, anywhere on the league's pitch, walks about for 60 s and is thrown over twice",
+                "an agent on its own simulator with noise, anywhere on the league's pitch, walks about for 60 s and is thrown over twice",
                 rule,
                 unit,
                 seed -> {

@@ -5,7 +5,7 @@ import org.robonewbie.learning.motion.MotionTrial;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 
-/** Checks of the motions that carry the robot over the pitch. */
+/** Checks of the walking motions. */
 final class WalkChecks {
 
     private static final double WAY = 5;
@@ -53,7 +53,7 @@ final class WalkChecks {
         robot.play(ShippedMotions.motion("start-walking"));
         Motion walk = ShippedMotions.motion(name);
         while (robot.forward() < WAY && robot.seconds() < MOST_SECONDS && robot.play(walk)) {
-            // one cycle of two steps after the other
+            // consecutive cycles of two steps
         }
     }
 

@@ -1,5 +1,5 @@
 /**
- * How well the shipped motions and walks work, in numbers. Read {@link org.robonewbie.workshop.motion.MotionMeasurement} first.
+ * Success rates of the shipped motions and walks. Start with {@link org.robonewbie.workshop.motion.MotionMeasurement}.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

@@ -6,23 +6,19 @@ import java.util.List;
 import org.robonewbie.simulator.physics.Crew;
 import org.robonewbie.simulator.server.ThreadCrew;
 
-/** Lets robots think on several threads between two cycles. What they say does not depend on how many there are. */
+/** Runs the agents on several threads between two cycles. Their answers do not depend on the number of threads. */
 final class AgentThreads implements AutoCloseable {
 
     private final ThreadCrew crew;
 
-    /**
-     * Creates threads.
-     *
-     * @param threads how many, with the one that calls {@link #act}; at least 1
-     */
+    /** @param threads number of threads including the caller of {@link #act}; at least 1 */
     AgentThreads(int threads) {
         crew = new ThreadCrew(threads);
     }
 
-    /** Lets each agent act once. An agent that has no message yet lets its world go on, so all act on one thread then. */
+    /** Runs one cycle of each agent. Falls back to one thread while any message is missing, since a waiting agent advances the world. */
     void act(List<BenchmarkAgent> agents, CrowdScene scene, int cycle) throws IOException {
-        Crew all = crew.helpers().isEmpty() || areAllTold(agents) ? crew : Crew.ALONE;
+        Crew all = crew.helpers().isEmpty() || haveAllMessages(agents) ? crew : Crew.ALONE;
         try {
             all.divide(agents.size(), agent -> act(agents.get(agent), scene, cycle));
         } catch (UncheckedIOException failed) {
@@ -30,7 +26,7 @@ final class AgentThreads implements AutoCloseable {
         }
     }
 
-    private static boolean areAllTold(List<BenchmarkAgent> agents) throws IOException {
+    private static boolean haveAllMessages(List<BenchmarkAgent> agents) throws IOException {
         for (BenchmarkAgent agent : agents) {
             if (!agent.isMessageWaiting()) {
                 return false;

@@ -13,10 +13,10 @@ import java.util.function.Consumer;
 import org.robonewbie.nao.Cycle;
 
 /**
- * Measures the speed of a server, with agents that answer every message.
+ * Measures the speed of a server with agents that answer every message.
  *
- * <p>Our own server and its agents take turns on one thread, or on some, so that nothing but the work itself is measured; its
- * processor time is counted without that of the agents.
+ * <p>The embedded server and its agents take turns on the same threads, so that no waiting time is measured. The server's
+ * processor time excludes that of the agents.
  *
  * <pre>{@code
  * BenchmarkReport report = new Benchmark(plan).run(run -> print(BenchmarkReport.line(run)), sample -> print(sample.toLine()));
@@ -32,9 +32,9 @@ public final class Benchmark {
     private final Duration patience;
 
     /**
-     * Prepares a benchmark.
+     * Creates a benchmark.
      *
-     * @param plan what is measured
+     * @param plan what to measure
      */
     public Benchmark(BenchmarkPlan plan) {
         this(plan, PATIENCE);
@@ -48,10 +48,11 @@ public final class Benchmark {
     /**
      * Measures every number of robots in every scene.
      *
-     * @param progress receives each result at once
-     * @param heap receives each memory sample at once
+     * @param progress receives each result as soon as it is available
+     * @param heap receives each memory sample as soon as it is taken
      * @return all results
-     * @throws IOException if a server cannot be reached, does not admit a robot, closes a connection or stops; the message says what to do
+     * @throws IOException if a server cannot be reached, does not admit a robot, closes a connection or stalls; the message
+     *     suggests a fix
      */
     public BenchmarkReport run(Consumer<BenchmarkRun> progress, Consumer<HeapSample> heap) throws IOException {
         if (plan.other().isEmpty()) {
@@ -68,7 +69,7 @@ public final class Benchmark {
         return new BenchmarkReport(runs);
     }
 
-    /** Lets Java compile what all runs use, so that the first of them is not slower than the others. */
+    /** Warms up the JIT compiler, so that the first run is not slower than the others. */
     private void warmUp() throws IOException {
         for (CrowdScene scene : plan.scenes()) {
             measure(ROBOTS_TO_WARM_UP, scene, Math.min(plan.seconds(), plan.warmUpSeconds()), sample -> {});
@@ -83,12 +84,13 @@ public final class Benchmark {
             server.playOn();
             int warmUp = cycles(plan.warmUpSeconds());
             int measured = cycles(seconds);
-            play(server, threads, agents, scene, 0, warmUp);
+            Session session = new Session(server, threads, agents, scene);
+            session.play(0, warmUp);
             resetPeakMemory();
             OptionalLong cpuBefore = server.cpuNanoseconds();
             OptionalLong bytesBefore = server.allocatedBytes();
             long start = System.nanoTime();
-            List<HeapSample> samples = measured(server, threads, agents, scene, warmUp, measured, heap);
+            List<HeapSample> samples = measured(session, warmUp, measured, heap);
             double realSeconds = (System.nanoTime() - start) * 1e-9;
             OptionalDouble cpu = perCycle(cpuBefore, server.cpuNanoseconds(), 1e6 * measured);
             OptionalDouble bytes = perCycle(bytesBefore, server.allocatedBytes(), measured);
@@ -97,10 +99,10 @@ public final class Benchmark {
                     robots,
                     scene,
                     plan.other().isPresent() ? 0 : plan.threads(),
-                    measured,
                     measured * Cycle.SECONDS / realSeconds,
                     cpu,
                     bytes,
+                    measured,
                     peakMemory(),
                     samples);
         }
@@ -116,34 +118,8 @@ public final class Benchmark {
         return (int) Math.max(1, Math.round(seconds / Cycle.SECONDS));
     }
 
-    private static void play(
-            BenchmarkServer server,
-            AgentThreads threads,
-            List<BenchmarkAgent> agents,
-            CrowdScene scene,
-            int from,
-            int to)
-            throws IOException {
-        for (int cycle = from; cycle < to; cycle++) {
-            if (scene.placesAgain(cycle)) {
-                for (int robot = 0; robot < agents.size(); robot++) {
-                    server.place(robot, scene.place(robot));
-                }
-            }
-            threads.act(agents, scene, cycle);
-            server.cycle();
-        }
-    }
-
-    /** Plays all cycles, with looks at the memory in between if they are wanted. */
-    private List<HeapSample> measured(
-            BenchmarkServer server,
-            AgentThreads threads,
-            List<BenchmarkAgent> agents,
-            CrowdScene scene,
-            int from,
-            int measured,
-            Consumer<HeapSample> heap)
+    /** Plays all cycles and samples the memory in between if requested. */
+    private List<HeapSample> measured(Session session, int from, int measured, Consumer<HeapSample> heap)
             throws IOException {
         int part = plan.heapEverySeconds().isPresent()
                 ? cycles(plan.heapEverySeconds().getAsDouble())
@@ -151,7 +127,7 @@ public final class Benchmark {
         List<HeapSample> samples = new ArrayList<>();
         for (int done = 0; done < measured; done += part) {
             int next = Math.min(measured, done + part);
-            play(server, threads, agents, scene, from + done, from + next);
+            session.play(from + done, from + next);
             if (plan.heapEverySeconds().isPresent()) {
                 HeapSample sample = HeapSample.at(next * Cycle.SECONDS);
                 samples.add(sample);
@@ -176,5 +152,21 @@ public final class Benchmark {
                 .filter(pool -> pool.getType() == MemoryType.HEAP)
                 .mapToLong(pool -> pool.getPeakUsage().getUsed())
                 .sum();
+    }
+
+    private record Session(
+            BenchmarkServer server, AgentThreads threads, List<BenchmarkAgent> agents, CrowdScene scene) {
+
+        void play(int from, int to) throws IOException {
+            for (int cycle = from; cycle < to; cycle++) {
+                if (scene.placesAgain(cycle)) {
+                    for (int robot = 0; robot < agents.size(); robot++) {
+                        server.place(robot, scene.place(robot));
+                    }
+                }
+                threads.act(agents, scene, cycle);
+                server.cycle();
+            }
+        }
     }
 }

@@ -11,7 +11,7 @@ import org.robonewbie.protocol.perceptor.GameState;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
 
-/** An agent as plain as can be: it reads its message and turns every joint towards the scene's target. */
+/** Minimal agent: parses its message and turns every joint towards the target angle of the scene. */
 final class BenchmarkAgent {
 
     private static final int MESSAGES_BEFORE_JOINING = 2;
@@ -37,14 +37,14 @@ final class BenchmarkAgent {
         return 1 + robot / 2;
     }
 
-    /** Asks for a body. */
+    /** Requests a robot from the server. */
     void create() throws IOException {
         message.clear();
         new EffectorMessageWriter(message).write(CreateRobot.of(0)).synchronise();
         link.send(message);
     }
 
-    /** Waits for a message and answers it, the second one by joining its team. */
+    /** Waits for a message and answers it; the second answer joins the team. */
     void join() throws IOException {
         inTeam |= receive().gameState().flatMap(GameState::side).isPresent();
         messages++;
@@ -57,12 +57,12 @@ final class BenchmarkAgent {
         link.send(message);
     }
 
-    /** Whether the server has said in which team the robot is. */
+    /** Whether the server has assigned the robot to a team. */
     boolean isInTeam() {
         return inTeam;
     }
 
-    /** How many messages it has answered before it plays. */
+    /** Number of messages answered before the game. */
     int messages() {
         return messages;
     }
@@ -71,7 +71,7 @@ final class BenchmarkAgent {
         return link.isMessageWaiting();
     }
 
-    /** Takes part in a cycle: waits for the message, thinks, answers. */
+    /** Waits for the message of a cycle and answers it. */
     void act(CrowdScene scene, int cycle) throws IOException {
         PerceptorMessage percepts = receive();
         message.clear();
@@ -91,8 +91,8 @@ final class BenchmarkAgent {
 
     private PerceptorMessage receive() throws IOException {
         if (!link.receive(message)) {
-            throw new EOFException("The server has closed the connection of robot " + (robot + 1)
-                    + ". Is there room for it in the team " + team(robot) + "?");
+            throw new EOFException("The server closed the connection of robot " + (robot + 1) + ". Check that team "
+                    + team(robot) + " has a free place.");
         }
         return reader.read(message);
     }

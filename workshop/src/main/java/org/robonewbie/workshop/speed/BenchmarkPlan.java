@@ -5,15 +5,15 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * What is measured.
+ * Settings of a benchmark.
  *
  * @param robots numbers of robots, each 1 to 22
- * @param scenes what they do
- * @param warmUpSeconds simulated seconds before the measurement, in which Java compiles what is used most
- * @param seconds simulated seconds that are measured
- * @param heapEverySeconds simulated seconds between memory samples; empty to take none
- * @param threads how many threads our own server works on, and robots think on between two of its cycles
- * @param other the server to be measured; ours in this process if empty
+ * @param scenes scenes to play with each number of robots
+ * @param warmUpSeconds simulated seconds before the measurement, for the JIT compiler
+ * @param seconds simulated seconds to measure
+ * @param heapEverySeconds simulated seconds between memory samples; empty for no samples
+ * @param threads number of threads for the embedded server and, between its cycles, for the agents
+ * @param other server to measure; empty for the embedded one
  */
 public record BenchmarkPlan(
         List<Integer> robots,
@@ -24,7 +24,7 @@ public record BenchmarkPlan(
         int threads,
         Optional<ServerAddress> other) {
 
-    /** Makes the lists unmodifiable. */
+    /** Copies the lists. */
     public BenchmarkPlan {
         robots = List.copyOf(robots);
         scenes = List.copyOf(scenes);

@@ -1,17 +1,18 @@
 package org.robonewbie.workshop.speed;
 
 import com.google.gson.GsonBuilder;
-import com.google.gson.JsonArray;
-import com.google.gson.JsonObject;
+import com.google.gson.JsonNull;
+import com.google.gson.JsonPrimitive;
+import com.google.gson.JsonSerializer;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 
 /**
- * The results of a benchmark.
+ * Results of a benchmark.
  *
- * @param runs one for each number of robots and scene, in the order in which they were made
+ * @param runs one run per number of robots and scene, in the order of measurement
  */
 public record BenchmarkReport(List<BenchmarkRun> runs) {
 
@@ -26,11 +27,14 @@ public record BenchmarkReport(List<BenchmarkRun> runs) {
             "bytes per cycle",
             "peak memory");
 
-    /** Processor time of rcssserver3d 0.7.3 for each cycle of so many moving robots, measured on the same kind of computer. */
+    /**
+     * Processor time of rcssserver3d 0.7.3 per cycle in milliseconds, by the number of moving robots, measured on comparable
+     * hardware.
+     */
     private static final Map<Integer, Double> MILLIS_OF_THE_ORIGINAL =
             Map.of(1, 0.45, 2, 0.9, 6, 2.75, 11, 5.5, 22, 14.4);
 
-    /** Makes the list unmodifiable. */
+    /** Copies the list. */
     public BenchmarkReport {
         runs = List.copyOf(runs);
     }
@@ -41,10 +45,10 @@ public record BenchmarkReport(List<BenchmarkRun> runs) {
     }
 
     /**
-     * Writes a run for people.
+     * Formats a run as a line of the console table.
      *
      * @param run the run
-     * @return one line of a table
+     * @return a line with its line break
      */
     public static String line(BenchmarkRun run) {
         return String.format(
@@ -64,23 +68,29 @@ public record BenchmarkReport(List<BenchmarkRun> runs) {
     }
 
     /**
-     * Writes the results for programs: {@code {"runs":[{"robots":…,"scene":…,"threads":…,"realTimeFactor":…,
-     * "cpuMillisPerCycle":…,"allocatedBytesPerCycle":…,"cycles":…,"peakMemoryBytes":…,"heap":[{"seconds":…,"bytes":…}]}]}} with null for what is
-     * unknown.
+     * Formats the results as JSON: {@code {"runs":[{"robots":…,"scene":…,"threads":…,"realTimeFactor":…,
+     * "cpuMillisPerCycle":…,"allocatedBytesPerCycle":…,"cycles":…,"peakMemoryBytes":…,"heap":[{"seconds":…,"bytes":…}]}]}}.
+     * Unknown values are null.
      *
      * @return JSON text
      */
     public String toJson() {
-        JsonArray list = new JsonArray();
-        runs.forEach(run -> list.add(json(run)));
-        JsonObject all = new JsonObject();
-        all.add("runs", list);
-        return new GsonBuilder().serializeNulls().setPrettyPrinting().create().toJson(all) + "\n";
+        JsonSerializer<OptionalDouble> nullIfUnknown = (value, type, context) ->
+                value.isPresent() ? new JsonPrimitive(value.getAsDouble()) : JsonNull.INSTANCE;
+        JsonSerializer<CrowdScene> name = (scene, type, context) -> new JsonPrimitive(scene.toString());
+        return new GsonBuilder()
+                        .registerTypeAdapter(OptionalDouble.class, nullIfUnknown)
+                        .registerTypeHierarchyAdapter(CrowdScene.class, name)
+                        .serializeNulls()
+                        .setPrettyPrinting()
+                        .create()
+                        .toJson(this)
+                + "\n";
     }
 
     /**
-     * Writes the results as the table of the documentation: a line for each number of robots, a column for each scene, and what
-     * rcssserver3d needs.
+     * Formats the results as a Markdown table with a row per number of robots, a column per scene, and the figures of
+     * rcssserver3d for comparison.
      *
      * @return Markdown text
      */
@@ -113,32 +123,5 @@ public record BenchmarkReport(List<BenchmarkRun> runs) {
     private static String original(int robots) {
         Double millis = MILLIS_OF_THE_ORIGINAL.get(robots);
         return millis == null ? "-" : millis + " ms";
-    }
-
-    private static JsonObject json(BenchmarkRun run) {
-        JsonObject object = new JsonObject();
-        object.addProperty("robots", run.robots());
-        object.addProperty("scene", run.scene().toString());
-        object.addProperty("threads", run.threads());
-        object.addProperty("realTimeFactor", run.realTimeFactor());
-        add(object, "cpuMillisPerCycle", run.cpuMillisPerCycle());
-        add(object, "allocatedBytesPerCycle", run.allocatedBytesPerCycle());
-        object.addProperty("cycles", run.cycles());
-        object.addProperty("peakMemoryBytes", run.peakMemoryBytes());
-        JsonArray heap = new JsonArray();
-        run.heap().forEach(sample -> heap.add(json(sample)));
-        object.add("heap", heap);
-        return object;
-    }
-
-    private static JsonObject json(HeapSample sample) {
-        JsonObject object = new JsonObject();
-        object.addProperty("seconds", sample.seconds());
-        object.addProperty("bytes", sample.bytes());
-        return object;
-    }
-
-    private static void add(JsonObject object, String name, OptionalDouble value) {
-        object.addProperty(name, value.isPresent() ? value.getAsDouble() : null);
     }
 }

@@ -4,30 +4,30 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 /**
- * The speed of one scene.
+ * Speed of one scene.
  *
- * @param robots the number of robots
- * @param scene what they did
- * @param threads the number of threads that simulated them and thought for them; 0 for a server of another process
- * @param cycles the number of cycles of 20 ms that were measured
+ * @param robots number of robots
+ * @param scene what the robots did
+ * @param threads number of threads of the embedded server and the agents; 0 for a server in another process
  * @param realTimeFactor simulated seconds per second, agents included
  * @param cpuMillisPerCycle processor time of the server alone per cycle in milliseconds; empty if unknown
  * @param allocatedBytesPerCycle memory that the server allocates per cycle; empty if unknown
- * @param peakMemoryBytes peak memory use of this process
- * @param heap the memory in use after garbage collections, sampled at intervals; empty unless the plan asks for it
+ * @param cycles number of measured cycles of 20 ms
+ * @param peakMemoryBytes peak heap usage of this process
+ * @param heap memory in use after garbage collections, sampled at intervals; empty unless the plan requests it
  */
 public record BenchmarkRun(
         int robots,
         CrowdScene scene,
         int threads,
-        int cycles,
         double realTimeFactor,
         OptionalDouble cpuMillisPerCycle,
         OptionalDouble allocatedBytesPerCycle,
+        int cycles,
         long peakMemoryBytes,
         List<HeapSample> heap) {
 
-    /** Makes the list unmodifiable. */
+    /** Copies the list. */
     public BenchmarkRun {
         heap = List.copyOf(heap);
     }

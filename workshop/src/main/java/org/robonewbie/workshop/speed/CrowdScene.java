@@ -4,16 +4,16 @@ import java.util.Locale;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 
-/** What the robots of a benchmark do. */
+/** Movement of the robots during a benchmark. */
 public enum CrowdScene {
-    /** They stand with bent knees and hold every joint by a controller, so that they never fall asleep. */
+    /** Standing with bent knees; every joint is controlled, so that the physics never puts the robots to sleep. */
     STANDING {
         @Override
         double targetDegrees(Joint joint, int robot, int cycle) {
             return crouch(joint, 0);
         }
     },
-    /** They step on the spot, lifting one foot after the other. */
+    /** Stepping in place. */
     WALKING {
         @Override
         double targetDegrees(Joint joint, int robot, int cycle) {
@@ -22,7 +22,7 @@ public enum CrowdScene {
             return crouch(joint, Math.max(0, Math.sin(left ? phase : phase + Math.PI)));
         }
     },
-    /** They are thrown on one another every ten seconds, and each moves its joints at random. */
+    /** Thrown onto a heap every ten seconds, with random movements of all joints. */
     HEAP {
         @Override
         double targetDegrees(Joint joint, int robot, int cycle) {
@@ -50,12 +50,12 @@ public enum CrowdScene {
     private static final double CROUCH_DEGREES = 25;
     private static final double LIFT_DEGREES = 12;
 
-    /** Where a robot begins: far from the others, or in the heap. */
+    /** Returns the start position of a robot: far from the others, or in the heap. */
     Vector3 place(int robot) {
         return new Vector3(-13 + 2.5 * (robot % 11), robot < 11 ? 4 : -4, 0.39);
     }
 
-    /** Whether all robots are moved to their places before a cycle. */
+    /** Whether all robots are reset to their start positions before a cycle. */
     boolean placesAgain(int cycle) {
         return cycle == 0;
     }
@@ -63,7 +63,7 @@ public enum CrowdScene {
     /** The target angle of a joint. */
     abstract double targetDegrees(Joint joint, int robot, int cycle);
 
-    /** Bent knees with the sole level; lifting bends them more. */
+    /** Joint angle of bent knees with level soles; lifting a foot bends them further. */
     private static double crouch(Joint joint, double lift) {
         double bend = CROUCH_DEGREES + LIFT_DEGREES * lift;
         return switch (joint) {
@@ -74,7 +74,7 @@ public enum CrowdScene {
         };
     }
 
-    /** Scatters a number over all others (the mixing step of SplitMix64, Steele, Lea and Flood 2014). */
+    /** Mixing step of the SplitMix64 generator (Steele, Lea and Flood 2014). */
     private static long mixed(long number) {
         long z = (number + 1) * 0x9E3779B97F4A7C15L;
         z = (z ^ (z >>> 30)) * 0xBF58476D1CE4E5B9L;
@@ -82,7 +82,7 @@ public enum CrowdScene {
         return z ^ (z >>> 31);
     }
 
-    /** {@return the scene's name on the command line and in the results, in lower case} */
+    /** {@return the lower-case name of the scene on the command line and in the results} */
     @Override
     public String toString() {
         return name().toLowerCase(Locale.ROOT);

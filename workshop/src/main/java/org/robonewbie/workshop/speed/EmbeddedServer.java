@@ -15,15 +15,15 @@ import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.server.ThreadCrew;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
-/** Our own server, run by the thread that measures it and by helpers of its own; its agents are not counted. */
+/** Simulator in this process that runs on the calling thread and helper threads. Its figures exclude the agents. */
 final class EmbeddedServer implements BenchmarkServer {
 
-    /** So many cycles pass until a new robot's first message is sent. */
+    /** Cycles until the first message to a new robot. */
     private static final int CYCLES_TO_CREATE = 3;
 
     private static final int CYCLES_TO_JOIN = 6;
 
-    /** Rules that would take robots out of a heap, or off the pitch when they fall. */
+    /** Disables the rules that would remove robots from a heap or fallen robots from the pitch. */
     private static final String[] WITHOUT_FOULS = {
         "MinRobotTypesCount=1",
         "MaxRobotTypeCount=11",
@@ -55,7 +55,7 @@ final class EmbeddedServer implements BenchmarkServer {
         simulator.world().setCrew(crew);
     }
 
-    /** All join in the same cycles. */
+    /** All robots join in the same cycles. */
     @Override
     public List<BenchmarkAgent> gather(int robots) throws IOException {
         List<BenchmarkAgent> agents = new ArrayList<>();

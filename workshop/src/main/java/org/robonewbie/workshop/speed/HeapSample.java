@@ -4,14 +4,14 @@ import java.lang.management.ManagementFactory;
 import java.util.Locale;
 
 /**
- * The memory in use at one moment of a long run.
+ * Memory in use at one moment of a long run.
  *
- * @param seconds simulated time since the beginning of the measurement
- * @param bytes heap size after a garbage collection, agents and everything else in the process included
+ * @param seconds simulated time since the start of the measurement
+ * @param bytes heap size after a garbage collection, for the whole process including the agents
  */
 public record HeapSample(double seconds, long bytes) {
 
-    /** Collects garbage and takes a sample. */
+    /** Runs a garbage collection and takes a sample. */
     static HeapSample at(double seconds) {
         ManagementFactory.getMemoryMXBean().gc();
         return new HeapSample(
@@ -20,9 +20,9 @@ public record HeapSample(double seconds, long bytes) {
     }
 
     /**
-     * Writes the sample for people.
+     * Formats the sample for the console.
      *
-     * @return one line
+     * @return a line with its line break
      */
     public String toLine() {
         return String.format(Locale.ROOT, "  after %.0f s: %.2f MB%n", seconds, bytes / 1e6);

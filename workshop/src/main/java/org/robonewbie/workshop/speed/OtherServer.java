@@ -16,17 +16,17 @@ import org.robonewbie.protocol.tcp.MonitorLink;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
 
 /**
- * A server of another process, such as rcssserver3d, that waits for its agents; robots are placed by its trainer port.
+ * Server in another process, such as rcssserver3d in sync mode. Robots are placed through its trainer port.
  *
- * <p>Such a server takes a new connection only between two cycles, so robots join one after the other, while those that are in answer what
- * they get. A server that admits a robot to no team, or that stops, is told.
+ * <p>Such a server accepts connections only between two cycles. Robots therefore join one after the other while the earlier
+ * ones keep answering. Admission failures and stalls are reported as exceptions.
  */
 final class OtherServer implements BenchmarkServer {
 
-    /** A robot that is in no team after so many messages does not get into one. */
+    /** Messages after which a robot without a team counts as refused. */
     private static final int MESSAGES_TO_JOIN = 50;
 
-    /** So many cycles pass at most until a robot gets its first message. */
+    /** Maximum number of cycles until the first message to a new robot. */
     private static final int CYCLES_TO_CREATE = 500;
 
     private static final long PAUSE_NANOSECONDS = 100_000;
@@ -54,14 +54,14 @@ final class OtherServer implements BenchmarkServer {
         return agents;
     }
 
-    /** Answers whatever the server sends, until it has put the last robot into its team. */
+    /** Answers all messages until the last robot is in its team. */
     private void admit(BenchmarkAgent last, List<BenchmarkAgent> all) throws IOException {
         int cycles = 0;
         while (!last.isInTeam()) {
             if (last.messages() > MESSAGES_TO_JOIN || cycles > CYCLES_TO_CREATE) {
-                throw new IOException("The server does not admit robot " + all.size() + " of the benchmark: "
-                        + (last.messages() == 0 ? "it gets no message" : "it is in no team")
-                        + ". Is there room for more robots, and are no others in its team?");
+                throw new IOException("Robot " + all.size() + " of the benchmark could not join: "
+                        + (last.messages() == 0 ? "it received no message" : "it was not assigned to a team")
+                        + ". Check that the server has a free place and that no other robots are in its team.");
             }
             if (!answer(all)) {
                 LockSupport.parkNanos(PAUSE_NANOSECONDS);
@@ -71,7 +71,7 @@ final class OtherServer implements BenchmarkServer {
         }
     }
 
-    /** Returns whether there was anything to answer. */
+    /** {@return whether any message was answered} */
     private static boolean answer(List<BenchmarkAgent> agents) throws IOException {
         boolean answered = false;
         for (BenchmarkAgent agent : agents) {
@@ -85,7 +85,7 @@ final class OtherServer implements BenchmarkServer {
 
     @Override
     public void cycle() {
-        // The server continues by itself when all have answered.
+        // The server starts its next cycle when all agents have answered.
     }
 
     @Override

@@ -3,11 +3,11 @@ package org.robonewbie.workshop.speed;
 import java.util.OptionalLong;
 
 /**
- * Where another server is.
+ * Address of a server in another process.
  *
- * @param host name or address of its computer
+ * @param host host name or IP address
  * @param agentPort TCP port for agents
  * @param monitorPort TCP port for monitors and trainers
- * @param processId its process on this computer, whose processor time is measured; empty for none
+ * @param processId local process whose processor time is measured; empty if unknown
  */
 public record ServerAddress(String host, int agentPort, int monitorPort, OptionalLong processId) {}

@@ -8,26 +8,26 @@ import java.util.TimerTask;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.robonewbie.protocol.frame.AgentLink;
 
-/** Ends all connections to a server that sends nothing any more, so that nobody waits for it for ever. */
+/** Closes the connections to a stalled server so that no agent blocks forever. */
 final class StallGuard implements AutoCloseable {
 
-    private static final int LOOKS = 4;
+    private static final int CHECKS_PER_TIMEOUT = 4;
 
     private final Duration patience;
     private final List<AgentLink> links = new CopyOnWriteArrayList<>();
     private final Timer timer = new Timer("stall guard", true);
-    private volatile long lastHeard = System.nanoTime();
+    private volatile long lastMessage = System.nanoTime();
     private volatile boolean stalled;
 
     StallGuard(Duration patience) {
         this.patience = patience;
-        TimerTask look = new TimerTask() {
+        TimerTask task = new TimerTask() {
             @Override
             public void run() {
-                look();
+                closeIfStalled();
             }
         };
-        timer.schedule(look, patience.toMillis(), Math.max(1, patience.toMillis() / LOOKS));
+        timer.schedule(task, patience.toMillis(), Math.max(1, patience.toMillis() / CHECKS_PER_TIMEOUT));
     }
 
     void watch(AgentLink link) {
@@ -35,29 +35,29 @@ final class StallGuard implements AutoCloseable {
     }
 
     /**
-     * Notes that the server is alive.
+     * Records activity of the server.
      *
-     * @param received whether it has sent a message; false if it has ended the connection
-     * @throws IOException if the connection was ended here because the server was silent
+     * @param received whether a message arrived; false if the connection was closed
+     * @throws IOException if this guard closed the connection because the server had stalled
      */
-    void heard(boolean received) throws IOException {
+    void received(boolean received) throws IOException {
         if (received) {
-            lastHeard = System.nanoTime();
+            lastMessage = System.nanoTime();
         } else {
             check();
         }
     }
 
-    /** Fails if the server was silent for too long. */
+    /** Throws if the server has stalled. */
     void check() throws IOException {
         if (stalled) {
             throw new IOException("The server has sent nothing for " + patience.toSeconds()
-                    + " s. Is it in sync mode, and are no other agents connected, for which it waits?");
+                    + " s. Check that it runs in sync mode and that no other agents are connected.");
         }
     }
 
-    private void look() {
-        if (System.nanoTime() - lastHeard > patience.toNanos()) {
+    private void closeIfStalled() {
+        if (System.nanoTime() - lastMessage > patience.toNanos()) {
             stalled = true;
             links.forEach(AgentLink::close);
         }

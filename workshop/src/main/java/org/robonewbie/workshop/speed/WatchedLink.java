@@ -4,7 +4,7 @@ import java.io.IOException;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
-/** A connection whose end says so if it was a {@link StallGuard} that has ended it. */
+/** Connection that reports a stalled server instead of a plain disconnect if a {@link StallGuard} closed it. */
 final class WatchedLink implements AgentLink {
 
     private final AgentLink link;
@@ -29,7 +29,7 @@ final class WatchedLink implements AgentLink {
     @Override
     public boolean receive(MessageBuffer message) throws IOException {
         boolean received = link.receive(message);
-        guard.heard(received);
+        guard.received(received);
         return received;
     }
 

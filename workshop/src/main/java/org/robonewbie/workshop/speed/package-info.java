@@ -1,6 +1,6 @@
 /**
- * How fast a whole server is with robots that stand, walk or lie in a heap. Read {@link
- * org.robonewbie.workshop.speed.Benchmark} first.
+ * Benchmark of a whole server with robots that stand, walk or lie in a heap. Start with {@link
+ * org.robonewbie.workshop.speed.Benchmark}.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

@@ -29,21 +29,21 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.SustainedCondition;
 import org.robonewbie.trial.measure.TimeToScore;
 
-/** Plays many games of the example agents, each with another seed, and reports how well they do. */
+/** Plays many games of the example agents, each with another seed, and reports their success. */
 public final class AgentMeasurement {
 
     private static final String LINE = "%-24s %6s %9s %8s  %s";
     private static final double NEAR_METRES = 0.6;
     private static final double NEAR_SECONDS = 4;
 
-    /** Where both soccer players begin a game, see their {@code defaults()}. */
+    /** Start pose of both soccer players; see their {@code defaults()}. */
     private static final Pose2d USUAL_START = new Pose2d(-0.5, 0.4, -40);
 
     private final int trials;
     private final long firstSeed;
     private final PrintStream out;
 
-    /** One agent's task: it succeeds if the measure is decided in time. */
+    /** Task of one agent, which succeeds if the measure is decided in time. */
     private record Task(
             String name,
             String rule,
@@ -52,7 +52,7 @@ public final class AgentMeasurement {
             Function<Random, Pose2d> start,
             Supplier<Measure> measure) {
 
-        /** Returns how many simulated seconds the agent needed, or nothing if it failed. */
+        /** Returns the simulated seconds until success; empty after a failure. */
         OptionalDouble play(long seed) {
             Scene scene = Scene.of(RobotStart.at(start.apply(new Random(seed))));
             Measure needed = measure.get();
@@ -63,7 +63,7 @@ public final class AgentMeasurement {
         }
     }
 
-    /** How an agent did. */
+    /** Result of one agent. */
     private record Result(Task task, int trials, List<Double> seconds) {
 
         double median() {
@@ -92,11 +92,11 @@ public final class AgentMeasurement {
     }
 
     /**
-     * Prepares a measurement.
+     * Creates a measurement.
      *
      * @param trials games of each agent
      * @param firstSeed seed of the first game
-     * @param out where the table goes
+     * @param out destination of the table
      */
     public AgentMeasurement(int trials, long firstSeed, PrintStream out) {
         this.trials = trials;
@@ -107,16 +107,16 @@ public final class AgentMeasurement {
     /**
      * Plays all games and prints the table.
      *
-     * @param part only agents whose name has this in it play
-     * @param json file for the table as well
+     * @param part substring of the names of the agents that play
+     * @param json file for the results; empty for none
      * @throws IOException if the file cannot be written
-     * @throws IllegalArgumentException if no agent has such a name
+     * @throws IllegalArgumentException if no name contains the substring
      */
     public void run(String part, Optional<Path> json) throws IOException {
         List<Task> chosen =
                 tasks().stream().filter(task -> task.name.contains(part)).toList();
         if (chosen.isEmpty()) {
-            throw new IllegalArgumentException("No measured agent's name has \"" + part + "\" in it.");
+            throw new IllegalArgumentException("No measured agent's name contains \"" + part + "\".");
         }
         List<Result> results = measure(chosen);
         if (json.isPresent()) {
@@ -181,7 +181,7 @@ public final class AgentMeasurement {
         }
     }
 
-    /** A place in the team's own half that is not too close to the ball in the centre. */
+    /** Returns a random pose in the own half at some distance from the ball in the centre. */
     private static Pose2d anywhere(Random random) {
         double x = -0.8 - 3.7 * random.nextDouble();
         double y = -3 + 6 * random.nextDouble();

@@ -9,7 +9,7 @@ import org.robonewbie.team.skill.KickKind;
 import org.robonewbie.team.skill.Limbs;
 import org.robonewbie.team.world.WorldModel;
 
-/** A robot that kicks the ball straight along the pitch as the players of the example team do it. */
+/** Robot that kicks the ball straight along the pitch like the players of the example team. */
 final class BallPlayer extends Agent {
 
     private final WorldModel world = new WorldModel();

@@ -8,14 +8,14 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * A robot dribbles 5 m on the league's pitch, with noise, from the stance.
+ * Trial in which a robot dribbles 5 m on the league pitch, with noise, from the stance.
  *
- * @param seconds how long it took, infinite if it did not get there
- * @param farthest how far the ball was from the robot at most, metres
+ * @param seconds duration, infinite if the robot did not arrive
+ * @param farthest maximum distance between ball and robot in metres
  */
 record DribbleTrial(double seconds, double farthest) {
 
-    /** How far ahead of the robot the ball lies at first. */
+    /** Initial distance of the ball ahead of the robot in metres. */
     static final double BALL_AHEAD = 0.25;
 
     private static final double DRIBBLED_METRES = 5;
@@ -23,7 +23,7 @@ record DribbleTrial(double seconds, double farthest) {
     private static final double GIVE_UP_SECONDS = 30;
     private static final double MOST_METRES = 0.5;
 
-    /** Dribbles with a whole simulator. */
+    /** Runs a trial on a whole simulator. */
     static DribbleTrial served(RobotType type, CloseDribbleNumbers numbers, long seed) {
         try (Trial trial = Trial.served(
                 PlayerChecks.scene(type, BALL_AHEAD, seed), seed, Controller.ofAgent(new Dribbler(numbers)))) {
@@ -49,7 +49,7 @@ record DribbleTrial(double seconds, double farthest) {
         return seconds <= MOST_SECONDS;
     }
 
-    /** Whether it was, and never further away than 0.5 m. */
+    /** Whether the trial succeeded with the ball never more than 0.5 m away. */
     boolean isClose() {
         return isInTime() && farthest <= MOST_METRES;
     }

@@ -10,7 +10,7 @@ import org.robonewbie.team.skill.Gaze;
 import org.robonewbie.team.skill.Limbs;
 import org.robonewbie.team.world.WorldModel;
 
-/** A robot that dribbles straight along the pitch and keeps the ball near. It stands in the stance at first, so it walks as soon as it has seen the ball. */
+/** Robot that dribbles straight along the pitch with a close ball. It starts walking as soon as it has seen the ball. */
 final class Dribbler extends Agent {
 
     private static final double FAR_METRES = 10;

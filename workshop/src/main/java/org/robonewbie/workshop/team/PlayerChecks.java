@@ -21,7 +21,7 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.workshop.motion.MotionCheck;
 import org.robonewbie.workshop.motion.Outcome;
 
-/** Checks of what a player of the example team does with the ball on the league's pitch: it dribbles, and kicks out of its walk. */
+/** Checks of dribbling and of kicks out of the walk by a player of the example team on the league pitch. */
 public final class PlayerChecks {
 
     private static final Pose2d START = new Pose2d(-8, 0, 0);
@@ -42,7 +42,7 @@ public final class PlayerChecks {
         this.type = type;
     }
 
-    /** What a kick was like. */
+    /** Result of a kick. */
     private record Kicked(double metres, double seconds, double degrees) {
 
         static final Kicked NONE = new Kicked(0, Double.POSITIVE_INFINITY, 180);
@@ -51,7 +51,7 @@ public final class PlayerChecks {
     /**
      * Returns the checks of one robot type.
      *
-     * @param type how the robot is built
+     * @param type the robot type
      * @return the checks in the order of the table
      */
     public static List<MotionCheck> all(RobotType type) {
@@ -148,7 +148,7 @@ public final class PlayerChecks {
             LongFunction<T> act) {
         return new MotionCheck(
                 name + (type == RobotType.TYPE_0 ? "" : ", type " + type.ordinal()),
-                "a player of the example team on an own simulator with noise and the league's pitch, in the stance, ball "
+                "a player of the example team on its own simulator with noise and the league's pitch, in the stance, ball "
                         + ballAhead + " m ahead and up to 10 cm aside",
                 rule,
                 unit,
@@ -162,7 +162,7 @@ public final class PlayerChecks {
         return Trial.served(scene(type, BALL_AHEAD, seed), seed, Controller.ofAgent(player));
     }
 
-    /** A robot in the stance on the league's pitch; the ball is ahead, and a little aside by the seed. */
+    /** Scene with a robot in the stance on the league pitch and the ball ahead of it, with a sideways offset by seed. */
     static Scene scene(RobotType type, double ballAhead, long seed) {
         double aside = ASIDE_METRES * Math.sin((double) seed);
         return Scene.of(RobotStart.at(START).withType(type).after("stand"))

@@ -27,7 +27,7 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
-/** One half of a match of two teams on the league's pitch, in this thread, and what is counted in it. */
+/** One half of a match between two teams on the league pitch, and its statistics. */
 final class TeamMatch {
 
     private static final double KICKED_METRES_PER_SECOND = 1.2;
@@ -49,7 +49,7 @@ final class TeamMatch {
     private int kicks;
     private WorldState now;
 
-    /** What was counted. */
+    /** Statistics of a half. */
     record Result(
             int goals, int against, int falls, int opponentsFalls, int kicks, int passesTried, int passesReached) {}
 
@@ -62,14 +62,14 @@ final class TeamMatch {
     }
 
     /**
-     * Plays.
+     * Plays one half.
      *
-     * @param seed chooses all noise
-     * @param home players of the measured team
-     * @param away players of the other team, 0 for none
-     * @param team makes a player of the measured team, by its number
-     * @param others makes a player of the other team
-     * @param halfSeconds how long the half lasts
+     * @param seed seed of all noise
+     * @param home number of players of the measured team
+     * @param away number of players of the other team, may be 0
+     * @param team creates a player of the measured team by number
+     * @param others creates a player of the other team by number
+     * @param halfSeconds length of the half in seconds
      * @param playOnSeconds seconds of open play after which the match ends; empty for a whole half
      */
     static Result play(
@@ -152,7 +152,7 @@ final class TeamMatch {
         ballSpeed = speed;
     }
 
-    /** The robot that is at the ball; −1 if there is none. */
+    /** Returns the index of the robot at the ball; −1 if there is none. */
     private int nearest() {
         double[] metres = now.robots().stream()
                 .mapToDouble(robot -> distance(robot, now.ball()))

@@ -16,10 +16,10 @@ import org.robonewbie.examples.Agent_BetterSoccer;
 import org.robonewbie.team.Agent_Team;
 import org.robonewbie.workshop.team.TeamMatch.Result;
 
-/** Lets the example team play on the league's pitch: one player alone, or against as many others. */
+/** Matches of the example team on the league pitch: one player alone, or equal numbers on both sides. */
 public final class TeamMeasurement {
 
-    /** The opponents unless the user names others. */
+    /** Default opponent. */
     public static final String DEFAULT_OPPONENT = "Agent_BetterSoccer";
 
     private static final Map<String, IntFunction<Agent>> OPPONENTS =
@@ -33,11 +33,11 @@ public final class TeamMeasurement {
     private final PrintStream out;
 
     /**
-     * Prepares a measurement.
+     * Creates a measurement.
      *
-     * @param halves how many halves are played
+     * @param halves number of halves
      * @param firstSeed seed of the first half
-     * @param out where the table goes
+     * @param out destination of the table
      */
     public TeamMeasurement(int halves, long firstSeed, PrintStream out) {
         this.halves = halves;
@@ -46,11 +46,11 @@ public final class TeamMeasurement {
     }
 
     /**
-     * Plays halves of five minutes; alone it is five minutes of open play.
+     * Plays halves of five minutes; a single player has five minutes of open play.
      *
-     * @param players players of each team; 1 is one player alone
-     * @param opponent the class of the others
-     * @throws IllegalArgumentException if there are no such opponents
+     * @param players players of each team; 1 for a single player without opponents
+     * @param opponent class name of the opponents
+     * @throws IllegalArgumentException if there is no such opponent
      */
     public void run(int players, String opponent) {
         IntFunction<Agent> others = Optional.ofNullable(OPPONENTS.get(opponent))

@@ -1,5 +1,5 @@
 /**
- * Games of the example agents and of the example team, measured. Read {@link org.robonewbie.workshop.team.TeamMeasurement} first.
+ * Statistics of games of the example agents and the example team. Start with {@link org.robonewbie.workshop.team.TeamMeasurement}.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

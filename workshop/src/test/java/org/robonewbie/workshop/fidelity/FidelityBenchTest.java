@@ -87,14 +87,14 @@ class FidelityBenchTest {
 
         assertThatThrownBy(() -> FidelityBench.run(missing, AgentRoute.NONE))
                 .isInstanceOf(IOException.class)
-                .hasMessageContaining("missing is not a directory. Name one that holds recordings");
+                .hasMessageContaining("missing is not a directory. Give one that contains recordings");
     }
 
     @Test
     void refusesADirectoryWithoutRecordings() {
         assertThatThrownBy(() -> FidelityBench.run(directory, AgentRoute.NONE))
                 .isInstanceOf(IOException.class)
-                .hasMessageContaining("holds no recordings. Put files there whose names end with .jsonl or .jsonl.gz.");
+                .hasMessageContaining("contains no recordings (*.jsonl or *.jsonl.gz).");
     }
 
     @Test
@@ -118,15 +118,15 @@ class FidelityBenchTest {
         Files.writeString(directory.resolve("ball.jsonl"), BALL.replace("drop_h0.5", "spin"));
 
         assertThat(problem())
-                .isEqualTo("The ball case \"spin\" does not say how the ball started."
-                        + " Name it like roll_v3, drop_h0.5 or lob_4_4.");
+                .isEqualTo("Unknown ball case \"spin\". Expected a name such as roll_v3, drop_h0.5 or lob_4_4.");
     }
 
     @Test
     void asksForTorsoOrBall() throws IOException {
         Files.writeString(directory.resolve("empty.jsonl"), "{\"t\": 0.02, \"hj\": {\"hj1\": 0.0}}\n");
 
-        assertThat(problem()).isEqualTo("The recording empty shows neither torso nor ball. It needs one of them.");
+        assertThat(problem())
+                .isEqualTo("The recording empty contains neither torso nor ball positions. It needs one of them.");
     }
 
     @Test
@@ -141,7 +141,7 @@ class FidelityBenchTest {
         assertThat(report.recordings()).extracting(RecordingFidelity::name).containsExactly("c_ball");
         assertThat(report.problems())
                 .hasSize(2)
-                .allMatch(problem -> problem.endsWith("Copy or pack it again."))
+                .allMatch(problem -> problem.endsWith("Copy or compress it again."))
                 .satisfies(problems -> assertThat(problems.get(0)).startsWith("a_torn.jsonl.gz is damaged"));
         assertThat(report.toJson()).contains("\"problems\"", "b_plain.jsonl.gz is damaged");
     }

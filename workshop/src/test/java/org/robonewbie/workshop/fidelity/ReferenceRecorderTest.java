@@ -97,7 +97,7 @@ class ReferenceRecorderTest {
         assertThat(result.torsoMaxMetres().orElseThrow()).isLessThan(2e-5);
         assertThat(result.restMetres().orElseThrow()).isLessThan(2e-5);
         assertThat(progress.toString(StandardCharsets.UTF_8))
-                .contains("  the server beams with noise; set BeamNoiseXY and BeamNoiseAngle to 0");
+                .contains("  the server adds noise to beams; set BeamNoiseXY and BeamNoiseAngle to 0");
     }
 
     @Test
@@ -109,9 +109,8 @@ class ReferenceRecorderTest {
 
             assertThatThrownBy(() -> recorder.record(ReferenceScenario.all().subList(0, 1), directory))
                     .isInstanceOf(IOException.class)
-                    .hasMessageContaining(
-                            "The server does not send a message to monitors in each cycle. Set $monitorStep"
-                                    + " = 0.02 in spark.rb, or start robonewbie simulator with --monitor-step 0.02.");
+                    .hasMessageContaining("The server does not send a monitor message in each cycle. Set $monitorStep"
+                            + " = 0.02 in spark.rb, or start robonewbie simulator with --monitor-step 0.02.");
         }
     }
 
@@ -170,7 +169,7 @@ class ReferenceRecorderTest {
 
             assertThatThrownBy(() -> recorder.record(ReferenceScenario.all().subList(0, 1), directory))
                     .isInstanceOf(IOException.class)
-                    .hasMessageContaining("The server has not waited for the agent. Let it run in sync mode");
+                    .hasMessageContaining("The server did not wait for the agent. Run it in sync mode");
         }
     }
 

@@ -21,7 +21,7 @@ class MeasuredHeadersTest {
         Path file = Files.writeString(folder.resolve("nod.txt"), NOD);
         MotionCheck check = new MotionCheck("nod", "stance", "nods", "s", seed -> new Outcome(seed != 1, 0.5));
 
-        MeasuredHeaders.write(List.of(CheckResult.of(check, 4)), folder);
+        MeasuredHeaders.write(List.of(CheckResult.of(check, 0, 4)), folder);
 
         assertThat(Files.readString(file))
                 .contains("// measured: 3 of 4 trials, mean 0.500 s; success: nods\n")
@@ -32,7 +32,7 @@ class MeasuredHeadersTest {
     void leavesOutWhatHasNoFile() throws IOException {
         MotionCheck check = new MotionCheck("walk engine", "stance", "walks", "m", seed -> new Outcome(true, 1));
 
-        MeasuredHeaders.write(List.of(CheckResult.of(check, 1)), folder);
+        MeasuredHeaders.write(List.of(CheckResult.of(check, 0, 1)), folder);
 
         assertThat(folder).isEmptyDirectory();
     }

@@ -26,7 +26,7 @@ class MotionMeasurementTest {
     void averagesTheSuccessfulTrials() {
         MotionCheck check = new MotionCheck("jump", "stance", "flies", "m", seed -> new Outcome(seed % 2 == 0, seed));
 
-        CheckResult result = CheckResult.of(check, 5);
+        CheckResult result = CheckResult.of(check, 0, 5);
 
         assertThat(result.successes()).isEqualTo(3);
         assertThat(result.mean()).isEqualTo(2);
@@ -34,7 +34,7 @@ class MotionMeasurementTest {
 
     @Test
     void refusesToMeasureWithoutTrials() {
-        assertThatThrownBy(() -> new MotionMeasurement(0, System.out))
+        assertThatThrownBy(() -> new MotionMeasurement(0, 1, "", RobotType.TYPE_0, System.out))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("Cannot measure with 0 seeds. Use at least 1.");
     }
@@ -53,6 +53,6 @@ class MotionMeasurementTest {
         assertThatThrownBy(
                         () -> new MotionMeasurement(1, 0, "flight", RobotType.TYPE_0, System.out).run(Optional.empty()))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("No motion's name has \"flight\" in it.");
+                .hasMessage("No motion name contains \"flight\".");
     }
 }

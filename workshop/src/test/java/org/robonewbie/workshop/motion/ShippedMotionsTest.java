@@ -33,7 +33,7 @@ class ShippedMotionsTest {
     }
 
     private static void keepToTheirRule(MotionCheck check, int trials) {
-        CheckResult result = CheckResult.of(check, trials);
+        CheckResult result = CheckResult.of(check, 0, trials);
 
         assertThat(result.successes())
                 .as("%s %s: %s", check.name(), check.rule(), result.outcomes())

@@ -142,20 +142,20 @@ class BenchmarkTest {
             assertThatThrownBy(() -> new Benchmark(plan).run(run -> {}, sample -> {}))
                     .isInstanceOf(IOException.class)
                     .hasMessage(
-                            "The server does not admit robot 3 of the benchmark: it is in no team. Is there room for more"
-                                    + " robots, and are no others in its team?");
+                            "Robot 3 of the benchmark could not join: it was not assigned to a team. Check that the server"
+                                    + " has a free place and that no other robots are in its team.");
         }
     }
 
     @ParameterizedTest
     @ValueSource(ints = {10, 30})
-    void aServerThatStopsIsTold(int cycles) throws IOException {
+    void aStalledServerIsReported(int cycles) throws IOException {
         try (OneAtATimeServer server = new OneAtATimeServer(22, cycles)) {
             BenchmarkPlan plan = plan(List.of(4), List.of(CrowdScene.WALKING), Optional.of(server.address()));
 
             assertThatThrownBy(() -> new Benchmark(plan, Duration.ofSeconds(1)).run(run -> {}, sample -> {}))
                     .isInstanceOf(IOException.class)
-                    .hasMessageStartingWith("The server has sent nothing for 1 s. Is it in sync mode");
+                    .hasMessageStartingWith("The server has sent nothing for 1 s. Check that it runs in sync mode");
         }
     }
 
@@ -180,6 +180,6 @@ class BenchmarkTest {
 
     private static BenchmarkRun run(int robots, CrowdScene scene, double millis, double factor) {
         return new BenchmarkRun(
-                robots, scene, 1, 500, factor, OptionalDouble.of(millis), OptionalDouble.empty(), 1, List.of());
+                robots, scene, 1, factor, OptionalDouble.of(millis), OptionalDouble.empty(), 500, 1, List.of());
     }
 }

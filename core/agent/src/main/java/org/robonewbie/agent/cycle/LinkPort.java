@@ -52,7 +52,7 @@ public final class LinkPort implements MessagePort {
     }
 
     /**
-     * Checks whether the simulator has advanced without waiting for the answer.
+     * Checks whether the simulator has advanced without waiting for the robot's answer.
      *
      * @return whether the next message has already arrived
      * @throws IOException if the connection is broken

@@ -24,8 +24,8 @@ import org.robonewbie.protocol.perceptor.PerceptorMessage;
  * List<EffectorCommand> answer = robot.act();
  * }</pre>
  *
- * <p>Programs of students see it through {@code Robot}, {@code Motions}, {@code Walk}, {@code LocalFieldView} and {@code
- * Logger}.
+ * <p>Students' programs access it through {@code Robot}, {@code Motions}, {@code Walk}, {@code LocalFieldView} and
+ * {@code Logger}.
  */
 public final class RobotRuntime {
 
@@ -106,7 +106,7 @@ public final class RobotRuntime {
         return motions.turning(joint);
     }
 
-    /** Discards position and posture, which are no longer valid. */
+    /** Discards what is known about position and posture, which are no longer valid. */
     private void discardPose() {
         fieldView.forget();
         walk.reset();

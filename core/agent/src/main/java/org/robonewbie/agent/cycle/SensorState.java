@@ -20,7 +20,10 @@ import org.robonewbie.protocol.perceptor.FootForce;
 import org.robonewbie.protocol.perceptor.GameState;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 
-/** The last readings of all sensors, in the body's frame; a missing or non-finite reading keeps the previous value. */
+/**
+ * The last readings of all sensors, in the body's frame; a missing or non-finite reading leaves the previous value
+ * unchanged.
+ */
 public final class SensorState {
 
     static final Joint[] JOINTS = Joint.values();
@@ -135,7 +138,7 @@ public final class SensorState {
         return joints;
     }
 
-    /** {@return the detector of falls} */
+    /** {@return the fall detector} */
     public FallDetector falls() {
         return falls;
     }
@@ -165,7 +168,7 @@ public final class SensorState {
         return pressure(message.footForces().right());
     }
 
-    /** {@return the camera picture; empty in two of three cycles} */
+    /** {@return the camera picture; empty in two out of three cycles} */
     public Optional<CameraPicture> picture() {
         return message.vision().map(Pictures::of);
     }
@@ -197,10 +200,10 @@ public final class SensorState {
     }
 
     /**
-     * Returns the goals of a team.
+     * Returns the number of goals that a team has scored.
      *
      * @param teamSide side of the team
-     * @return its goals
+     * @return its number of goals
      */
     public int score(TeamSide teamSide) {
         return teamSide == TeamSide.LEFT ? leftScore : rightScore;

@@ -36,7 +36,8 @@ public final class Session implements AutoCloseable {
     }
 
     /**
-     * Waits for the next message. First completes and reports what the program has omitted for the last one.
+     * Waits for the next message. Before that, completes the steps that the program has omitted in the last cycle, and
+     * reports them.
      *
      * @return false if the game is over for this robot
      */
@@ -91,7 +92,7 @@ public final class Session implements AutoCloseable {
         watch.thinkResumes();
     }
 
-    /** Answers as {@link #act}; reports it if there is no message to answer. */
+    /** Answers like {@link #act}, but reports the call if there is no message to answer. */
     public void actOnce() {
         if (answered && !over && !closed) {
             robot.diagnostics()

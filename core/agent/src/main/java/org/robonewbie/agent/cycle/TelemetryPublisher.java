@@ -18,7 +18,7 @@ import org.robonewbie.protocol.telemetry.TelemetryMessage;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 import org.robonewbie.protocol.telemetry.TuningRequests;
 
-/** Publishes a robot's telemetry; nearly free while there is no viewer. */
+/** Publishes a robot's telemetry; costs almost nothing while there is no viewer. */
 public final class TelemetryPublisher {
 
     private static final Landmark[] LANDMARKS = Landmark.values();
@@ -68,7 +68,7 @@ public final class TelemetryPublisher {
     }
 
     /**
-     * Takes the value that a viewer requests for a tunable number.
+     * Takes the value that a viewer has requested for a tunable number.
      *
      * @param name name of the number
      * @return the requested value; empty if there is no request
@@ -90,7 +90,7 @@ public final class TelemetryPublisher {
     }
 
     /**
-     * Sets the estimated pose for the next belief.
+     * Sets the estimated pose to be published with the next belief.
      *
      * @param pose the pose
      */
@@ -98,7 +98,7 @@ public final class TelemetryPublisher {
         self = Optional.of(pose);
     }
 
-    /** Publishes the belief after a new picture. */
+    /** Publishes what the robot believes about the field after a new camera picture. */
     void publishBelief(LocalFieldView view) {
         if (isWatched()) {
             publish(new TelemetryItem.Belief(things(view), self));

@@ -10,15 +10,19 @@ import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * Error-state Kalman filter for position, attitude and velocity of the torso. Gyroscope and accelerometer predict the state by
- * inertial navigation, even while the robot falls, lies and gets up; landmarks and the support foot correct the drift.
+ * Error-state Kalman filter for position, attitude and velocity of the torso. Gyroscope and accelerometer predict the
+ * state by inertial navigation, even while the robot falls, lies on the ground and gets up; landmarks and the support
+ * foot correct the drift.
  *
  * <p>The error state contains a small rotation vector instead of angles, so there is no singular attitude (J. Solà,
  * <em>Quaternion kinematics for the error-state Kalman filter</em>, 2017).
  */
 final class ErrorStateKalmanFilter {
 
-    /** Indices of the covariance, three each: metres, metres per second and radians along and about the axes of the field. */
+    /**
+     * First index of position, velocity and rotation in the covariance. Each has three components, along or about the
+     * axes of the field, in metres, metres per second and radians.
+     */
     private static final int PLACE = 0;
 
     private static final int VELOCITY = 3;
@@ -30,7 +34,7 @@ final class ErrorStateKalmanFilter {
     private static final double FIRST_TILT = PortableMath.toRadians(5);
     private static final double FIRST_SPEED = 0.5;
     private static final double GRAVITY = 9.81;
-    /** Plausibility limit in m/s²; higher readings come from a beam or from moving the robot by hand. */
+    /** Plausibility limit in m/s²; higher readings occur when the robot is beamed or moved by hand. */
     private static final double MAX_ACCELERATION = 300;
 
     private static final double MAX_DEVIATIONS = 5;
@@ -49,12 +53,12 @@ final class ErrorStateKalmanFilter {
     private Vector3 velocity = Vector3.ZERO;
     private Rotation attitude = Rotation.NONE;
 
-    /** Starts upright on the centre spot. */
+    /** Creates a filter for an upright robot on the centre spot. */
     ErrorStateKalmanFilter() {
         begin(Pose2d.ORIGIN, 0, 0);
     }
 
-    /** Restarts upright and at rest. */
+    /** Restarts with an upright robot at rest. */
     void begin(Pose2d pose, double deviationMetres, double deviationDegrees) {
         place = new Vector3(pose.x(), pose.y(), DEFAULT_HEIGHT);
         velocity = Vector3.ZERO;
@@ -91,7 +95,7 @@ final class ErrorStateKalmanFilter {
         }
     }
 
-    /** Couples velocity and attitude: an error of the attitude turns the specific force, which makes the tilt observable. */
+    /** Couples velocity and attitude: an attitude error rotates the specific force, which makes the tilt observable. */
     private void accelerate(Vector3 specificForce) {
         velocity = velocity.plus(specificForce.minus(new Vector3(0, 0, GRAVITY)).times(Cycle.SECONDS));
         double[] push = components(specificForce.times(Cycle.SECONDS));
@@ -111,7 +115,7 @@ final class ErrorStateKalmanFilter {
         }
     }
 
-    /** Accounts for missed cycles. */
+    /** Increases the uncertainty after missed cycles. */
     void miss(double seconds) {
         for (int i = 0; i < 3; i++) {
             covariance.addProcessNoise(PLACE + i, FIRST_SPEED * seconds);
@@ -121,7 +125,7 @@ final class ErrorStateKalmanFilter {
     }
 
     /**
-     * Corrects velocity and height by the kinematics of the support leg. Feet slip, so the deviations are large.
+     * Corrects velocity and height using the kinematics of the support leg. Feet slip, so the deviations are large.
      *
      * @param forward metres per second
      * @param left metres per second
@@ -141,13 +145,13 @@ final class ErrorStateKalmanFilter {
     }
 
     /**
-     * Corrects the state by a landmark. The innovation is measured in metres at the landmark, along the line of sight and in
-     * both directions across it.
+     * Corrects the state using a sighting of a landmark. The innovation is measured in metres at the landmark, along
+     * the line of sight and in both directions perpendicular to it.
      *
      * @param map position of the landmark on the map
      * @param seen direction in the camera's frame
      * @param camera pose of the camera in the torso's frame
-     * @return whether the measurement passed the gate
+     * @return whether the measurement was plausible enough to be used
      */
     boolean see(Vector3 map, Direction seen, Pose camera) {
         double across = SIGHT_DEVIATION + ASIDE_DEVIATION_PER_METRE * seen.distance();
@@ -192,7 +196,7 @@ final class ErrorStateKalmanFilter {
         return new Pose(place, attitude);
     }
 
-    /** Rotation vector in degrees as a rotation. */
+    /** Converts a rotation vector in degrees to a rotation. */
     private static Rotation rotation(Vector3 degrees) {
         double size = degrees.length();
         return size == 0 ? Rotation.NONE : Rotation.about(degrees, size);

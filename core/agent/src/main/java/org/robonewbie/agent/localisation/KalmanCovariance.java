@@ -19,7 +19,7 @@ final class KalmanCovariance {
         covariance[state][state] += deviation * deviation;
     }
 
-    /** Gives a state a new deviation that is independent of the others. */
+    /** Sets the deviation of a state and removes its correlation with the other states. */
     void reset(int state, double deviation) {
         for (int i = 0; i < size; i++) {
             covariance[state][i] = 0;
@@ -39,9 +39,9 @@ final class KalmanCovariance {
     }
 
     /**
-     * Corrects the covariance by a scalar measurement.
+     * Corrects the covariance using a scalar measurement.
      *
-     * @param gradient the derivatives of the measurement by the states
+     * @param gradient the derivatives of the measurement with respect to the states
      * @param innovation measured minus expected value
      * @param deviation standard deviation of the measurement
      * @param gateDeviations larger innovations, in standard deviations, are rejected

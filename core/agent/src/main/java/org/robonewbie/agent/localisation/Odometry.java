@@ -18,12 +18,13 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * Odometry of the legs and the gyroscope: the support foot does not move, so the torso moves as the joints of that leg
- * indicate; the gyroscope measures the rotation. Feet slip, so the estimate drifts, but it is accurate over a few seconds.
+ * Odometry from the legs and the gyroscope: the support foot is assumed not to move, so the joint angles of its leg
+ * determine the movement of the torso; the gyroscope measures the rotation. Feet slip, so the estimate drifts, but it
+ * is accurate over a few seconds.
  *
  * <pre>{@code
  * odometry.update(nao);                                      // in each cycle
- * Vector3 ball = odometry.positionNow(fieldView.ball());     // after the movement since it was seen
+ * Vector3 ball = odometry.positionNow(fieldView.ball());     // corrected for the movement since the sighting
  * }</pre>
  */
 public final class Odometry {
@@ -42,7 +43,7 @@ public final class Odometry {
     private boolean begun;
     private boolean standing;
 
-    /** Creates an odometry at the origin. */
+    /** Creates an odometry with the robot at the origin. */
     public Odometry() {
         Arrays.fill(history, pose);
     }
@@ -70,7 +71,7 @@ public final class Odometry {
         height = body.foot(support).inverse().position().z() + SOLE_BELOW_FOOT;
     }
 
-    /** {@return whether a foot is known to stand on the ground, so that the last step is valid} */
+    /** {@return whether a foot is known to stand on the ground, so that {@link #step} is valid} */
     boolean isStanding() {
         return standing;
     }
@@ -85,13 +86,13 @@ public final class Odometry {
         return height;
     }
 
-    /** {@return the robot's pose relative to the place where this odometry began} */
+    /** {@return the robot's pose relative to its pose when this odometry began} */
     public Pose2d pose() {
         return pose;
     }
 
     /**
-     * Returns the current position of a resting object, from a sighting of the last minute.
+     * Returns the current position of a resting object, from a sighting within the last minute.
      *
      * @param item a known object
      * @return metres from the head: x forward, y left, z up

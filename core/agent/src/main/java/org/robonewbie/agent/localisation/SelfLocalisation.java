@@ -25,9 +25,9 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.RobotType;
 
 /**
- * Estimates the robot's pose on the field with a Kalman filter: gyroscope, accelerometer and {@link Odometry} predict it, and
- * each visible landmark corrects it, together with height and tilt of the camera. The first pose requires two landmarks in one
- * picture, by the best rigid fit of the sightings to the map.
+ * Estimates the robot's pose on the field with a Kalman filter: gyroscope, accelerometer and {@link Odometry} predict
+ * it, and each visible landmark corrects it, together with height and tilt of the camera. The first pose requires two
+ * landmarks in one picture; it is the best rigid fit of the sightings to the map.
  *
  * <p>It also identifies the field: the known fields differ in the distances between their goal posts and flags.
  *
@@ -89,7 +89,7 @@ public final class SelfLocalisation {
     }
 
     /**
-     * Processes one cycle. Call it once at the beginning of each cycle, even while the robot lies.
+     * Processes one cycle. Call it once at the beginning of each cycle, even while the robot is lying on the ground.
      *
      * @param nao the robot
      * @param view the robot's field view
@@ -131,19 +131,19 @@ public final class SelfLocalisation {
     }
 
     /**
-     * {@return the robot's pose in the coordinates of its team; the centre of the field until two landmarks were seen in one
-     * picture}
+     * {@return the robot's pose in the coordinates of its team; the centre of the field until two landmarks have been
+     * seen in one picture}
      */
     public Pose2d pose() {
         return filter.pose();
     }
 
-    /** {@return the field; the beginners' field until two landmarks were seen in one picture} */
+    /** {@return the field; the beginners' field until two landmarks have been seen in one picture} */
     public SoccerField field() {
         return field;
     }
 
-    /** {@return whether the pose is known: two landmarks were seen in one picture, or it was set} */
+    /** {@return whether the pose is known: two landmarks have been seen in one picture, or it has been set} */
     public boolean isKnown() {
         return known;
     }
@@ -178,7 +178,7 @@ public final class SelfLocalisation {
     }
 
     /**
-     * Compensates the tilt of the torso: a robot that tilts forward sees the ball higher than it lies.
+     * Compensates for the tilt of the torso: a robot that tilts forward sees the ball higher than it lies.
      *
      * @param seen x forward, y left and z up along the torso's axes, from any point in it, in metres
      * @return x forward and y left on the horizontal plane and z up, from the same point
@@ -206,7 +206,10 @@ public final class SelfLocalisation {
         }
     }
 
-    /** Discards a pose that several pictures contradict, so that a robot that was moved localises itself again. */
+    /**
+     * Corrects the pose using the sightings, and counts successive pictures that contradict it: after several of them,
+     * the pose is discarded, so that a robot that was moved localises itself again.
+     */
     private void believe(List<Sighting> sightings, Pose camera) {
         long strange = sightings.stream()
                 .filter(sighting -> !filter.see(sighting.map, sighting.direction, camera))
@@ -224,7 +227,10 @@ public final class SelfLocalisation {
         }
     }
 
-    /** Maximum difference between the landmarks' distances and those on the map, in metres. */
+    /**
+     * Returns the largest difference, in metres, between the measured distances from the first landmark to the others
+     * and those on the map.
+     */
     private static double distanceError(List<Sighting> sightings) {
         Sighting first = sightings.get(0);
         return sightings.stream()
@@ -246,8 +252,8 @@ public final class SelfLocalisation {
     }
 
     /**
-     * Weighted least-squares fit of the sightings to the map. Near landmarks have more weight, since errors grow with the
-     * distance. In the plane it has a closed form (Procrustes problem without scaling).
+     * Weighted least-squares fit of the sightings to the map. Near landmarks have more weight, because errors grow with
+     * the distance. In the plane, the fit has a closed form (Procrustes problem without scaling).
      */
     private static Pose2d fit(List<Sighting> sightings) {
         Vector3 seenMiddle = Vector3.ZERO;

@@ -10,8 +10,8 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /**
- * Reports errors of a robot program, each place in it once, so that an error in every cycle stays readable. An error never
- * stops the robot.
+ * Reports errors in a robot program, once for each line of the program, so that an error in every cycle does not flood
+ * the output. An error never stops the robot.
  */
 public final class Diagnostics {
 
@@ -25,7 +25,7 @@ public final class Diagnostics {
     /**
      * Creates diagnostics without reports.
      *
-     * @param out output of the reports, usually {@code System.err}
+     * @param out output for the reports, usually {@code System.err}
      */
     public Diagnostics(PrintStream out) {
         this.out = out;
@@ -52,7 +52,7 @@ public final class Diagnostics {
     /**
      * Reports an error at the line of the program that is being executed.
      *
-     * @param kind distinguishes this error from others at the same place; contains no changing values
+     * @param kind distinguishes this error from others at the same line; must not contain values that change
      * @param text what happened, the value, and what to do
      */
     public void report(String kind, Supplier<String> text) {
@@ -60,10 +60,10 @@ public final class Diagnostics {
     }
 
     /**
-     * Reports an error at a given place.
+     * Reports an error at a given line of the program.
      *
-     * @param place file and line; empty if the error has no place in the program
-     * @param kind distinguishes this error from others at the same place; contains no changing values
+     * @param place file and line; empty if the error belongs to no line of the program
+     * @param kind distinguishes this error from others at the same line; must not contain values that change
      * @param text what happened, the value, and what to do
      */
     public synchronized void reportAt(String place, String kind, Supplier<String> text) {
@@ -80,7 +80,7 @@ public final class Diagnostics {
     /**
      * Reports an error that makes the run a failure, such as a motion that does not exist.
      *
-     * @param kind distinguishes this error from others at the same place; contains no changing values
+     * @param kind distinguishes this error from others at the same line; must not contain values that change
      * @param text what happened, the value, and what to do
      */
     public synchronized void reportSerious(String kind, Supplier<String> text) {

@@ -12,7 +12,7 @@ public final class Failure {
      * Returns the root cause of a failed class initialisation.
      *
      * @param thrown the exception
-     * @return the exception that a static initialiser has thrown; else {@code thrown}
+     * @return the exception thrown by a static initialiser; otherwise {@code thrown} itself
      */
     public static Throwable rootOf(Throwable thrown) {
         Throwable cause = thrown.getCause();

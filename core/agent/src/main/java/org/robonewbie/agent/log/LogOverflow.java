@@ -13,9 +13,9 @@ public interface LogOverflow {
     void take(List<LogLine> oldest);
 
     /**
-     * Ends the log.
+     * Ends the storage of lines.
      *
-     * @return a line that names the place of the stored lines; empty if there are none
+     * @return a line that says where the lines are stored; empty if there are none
      */
     String closingNote();
 }

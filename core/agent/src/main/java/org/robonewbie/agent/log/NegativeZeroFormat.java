@@ -2,7 +2,7 @@ package org.robonewbie.agent.log;
 
 import java.util.regex.Pattern;
 
-/** Removes the sign of negative zeros in a text, which are rounded small numbers, as in {@code -0.00 m}. */
+/** Removes the minus sign from rounded zeros in a text, such as {@code -0.00 m} for a very small negative number. */
 public final class NegativeZeroFormat {
 
     private static final Pattern PATTERN = Pattern.compile("(?<![\\w.])-(0(?:\\.0+)?)(?![.\\w])");
@@ -10,7 +10,7 @@ public final class NegativeZeroFormat {
     private NegativeZeroFormat() {}
 
     /**
-     * Removes the sign of all zeros.
+     * Removes the minus sign from all zeros.
      *
      * @param text a text with numbers
      * @return the text with {@code 0.00} for {@code -0.00}

@@ -34,7 +34,7 @@ final class PatternAdvice {
     }
 
     /**
-     * Describes the first error.
+     * Describes the first error in a pattern.
      *
      * @param pattern a pattern that does not fit its values
      * @param values its values
@@ -54,7 +54,7 @@ final class PatternAdvice {
                 : "The values do not match " + quoted(pattern) + "; " + PER_CENT + ".";
     }
 
-    /** Describes the error of one specifier; empty if it is valid. */
+    /** Describes the error in one format specifier; empty if it is valid. */
     private String problemOf(Matcher specifier) {
         String conversion = String.valueOf(specifier.group(CONVERSION));
         if (isLone(specifier)) {
@@ -99,7 +99,7 @@ final class PatternAdvice {
         return "";
     }
 
-    /** Whether a per cent sign begins no specifier, as in {@code 50 % of the way}. */
+    /** Whether a per cent sign does not begin a format specifier, as in {@code 50 % of the way}. */
     private boolean isLone(Matcher specifier) {
         int end = specifier.end();
         boolean blank = specifier.group(FLAGS).contains(" ");

@@ -17,7 +17,10 @@ import org.robonewbie.nao.motion.Motors;
  */
 public final class LookAround {
 
-    /** Duration of one scan in seconds. An object that was not seen for longer is no longer at its last position. */
+    /**
+     * Duration of one scan in seconds. An object that has not been seen for longer than one scan is no longer where it
+     * was last seen.
+     */
     public static final double ROUND_SECONDS = 2.4;
 
     private static final double YAW_DEGREES = 60;

@@ -31,7 +31,7 @@ import org.robonewbie.nao.text.Spelling;
  */
 public final class MotionSequencer implements Motions {
 
-    /** Longest transition: from any state to the stance, and from there to a walk. */
+    /** Maximum number of motions in a transition: one from any state to the stance, and one from there to a walk. */
     private static final int MAX_TRANSITIONS = 2;
 
     private final Motors motors;
@@ -209,7 +209,7 @@ public final class MotionSequencer implements Motions {
     private void prepare(MotionFile file) {
         boolean lying = bodyPosition.get().isFallen();
         if (hasToGetUpFor(file)) {
-            load(getUpMotion()).ifPresent(states::ended); // played first
+            load(getUpMotion()).ifPresent(states::ended); // the get-up motion is played first
             lying = false;
         }
         if (!lying) {
@@ -223,7 +223,10 @@ public final class MotionSequencer implements Motions {
         states.ended(file);
     }
 
-    /** Inserts transitions to the start state of a motion: a single one if possible, else by way of the stance. */
+    /**
+     * Inserts transitions to the start state of a motion: a single one if possible, else one to the stance and one from
+     * there.
+     */
     private void addTransitionsTo(MotionFile file) {
         for (int i = 0; i < MAX_TRANSITIONS && !states.canStart(file); i++) {
             List<MotionFile> possible =
@@ -256,8 +259,8 @@ public final class MotionSequencer implements Motions {
     }
 
     /**
-     * Reports joint speeds that the motors cannot reach. Shipped motions are skipped, since they are tested and a kick may use
-     * the full speed of a motor.
+     * Reports joint speeds that the motors cannot reach. Shipped motions are skipped, because they are tested and a
+     * kick may use the full speed of a motor.
      */
     private void reportProblems(MotionPlayer next, MotionFile file) {
         int fromKeyframe = file.property("start").isPresent() ? 1 : 0;
@@ -293,7 +296,7 @@ public final class MotionSequencer implements Motions {
         }
     }
 
-    /** Reports deviations from the file; throws if the file is invalid. */
+    /** Reports what the robot cannot play exactly as written in the file; throws an exception if the file is invalid. */
     private void check(MotionFile file) {
         file.motion();
         for (MotionProblem finding : file.warnings()) {
@@ -329,7 +332,7 @@ public final class MotionSequencer implements Motions {
                 others);
     }
 
-    /** Suggests a valid name for an invalid one. */
+    /** Returns a question that suggests a valid name for an invalid one. */
     private static String meant(String name, SortedSet<String> names) {
         return Spelling.nearest(name.strip(), names)
                 .or(() -> names.contains(name.strip()) ? Optional.of(name.strip()) : Optional.empty())

@@ -39,7 +39,7 @@ final class MotionStates {
         return canStart(file, state, lastMotion);
     }
 
-    /** Whether a motion can start after another one. */
+    /** Whether a motion can start immediately after another one. */
     static boolean canStartAfter(MotionFile before, MotionFile file) {
         return canStart(file, endOf(before), nameOf(before));
     }
@@ -57,7 +57,7 @@ final class MotionStates {
         return false;
     }
 
-    /** Whether a motion declares a start on the feet. */
+    /** Whether a motion declares that it starts with the robot on its feet. */
     static boolean needsFeet(MotionFile file) {
         return file.property("start").filter(start -> !start.startsWith(LYING)).isPresent();
     }

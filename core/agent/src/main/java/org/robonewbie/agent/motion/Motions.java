@@ -5,8 +5,9 @@ import org.robonewbie.nao.motion.Interpolation;
 import org.robonewbie.nao.motion.Motion;
 
 /**
- * Plays keyframe motions by name. A motion runs to its end; the next one can start when {@link #isFinished}. It begins from the
- * current posture; a walking robot first stops, and before a walk it makes a first step.
+ * Plays keyframe motions by name. A motion runs to its end; the next one can start when {@link #isFinished}. It begins
+ * from the current posture; before that, a walking robot stops, and a standing robot that is to walk makes a first
+ * step.
  *
  * <pre>{@code
  * if (motions.isFinished()) {
@@ -18,7 +19,7 @@ import org.robonewbie.nao.motion.Motion;
  * example, after {@code // end: walking} the robot stops before it turns. A motion without these comments starts when the robot
  * stands.
  *
- * <p>If a fallen robot starts a motion that declares a start on the feet, it gets up first.
+ * <p>If a fallen robot is to play a motion that declares that it starts on the feet, it gets up first.
  *
  * <p>A joint that the program commands while a motion runs follows the program until the next motion starts.
  */
@@ -28,8 +29,9 @@ public interface Motions {
      * Starts a motion, unless another one is running.
      *
      * @param name name of the file {@code motions/NAME.txt} in the working directory, or of a shipped motion
-     * @return whether the motion starts; false while another one is running, and with a report if there is no such motion; if
-     *     the file has become invalid since it was last played, the last valid version is played, with a report
+     * @return whether the motion starts; false while another one is running, or if there is no such motion, which is
+     *     reported; if the file has become invalid since it was last played, this is reported and the last valid
+     *     version is played
      */
     boolean start(String name);
 
@@ -58,9 +60,9 @@ public interface Motions {
     boolean loop(String name);
 
     /**
-     * Starts the motion that makes a fallen robot get up: {@code stand-up-from-back}, {@code stand-up-from-front}, {@code
-     * stand-up-from-left-side} or {@code stand-up-from-right-side}. If there is no motion for the side, the one for the back is
-     * used.
+     * Starts the motion that makes a fallen robot get up: {@code stand-up-from-back}, {@code stand-up-from-front},
+     * {@code stand-up-from-left-side} or {@code stand-up-from-right-side}. If there is no motion for that side, the one
+     * for the back is used.
      *
      * @return whether it starts; false if the robot is upright or another motion is running
      */
@@ -69,7 +71,7 @@ public interface Motions {
     /** Stops the running motion immediately; a walking robot may fall. */
     void stop();
 
-    /** Stops as {@link #stop} and assumes that the robot stands with straight legs, as after a beam. */
+    /** Stops like {@link #stop}, and assumes that the robot stands with straight legs, as after a beam. */
     void reset();
 
     /** {@return whether a new motion can start: the last one is over, or there was none} */
@@ -78,13 +80,13 @@ public interface Motions {
     /** {@return the name of the running motion; empty if none is running} */
     Optional<String> current();
 
-    /** {@return the number of the keyframe that is being approached, from 1; 0 if no motion is running} */
+    /** {@return the number of the keyframe that is being approached, counted from 1; 0 if no motion is running} */
     int keyframe();
 
     /**
      * Sets whether a fallen robot gets up automatically before a motion that starts on the feet; enabled by default.
      *
-     * @param on false to play motions while the robot lies
+     * @param on false to play motions while the robot is lying on the ground
      */
     void setAutomaticGetUp(boolean on);
 

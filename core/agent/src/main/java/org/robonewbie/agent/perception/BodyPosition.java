@@ -1,6 +1,6 @@
 package org.robonewbie.agent.perception;
 
-/** Orientation of the robot's torso to the ground. */
+/** Orientation of the robot's torso relative to the ground. */
 public enum BodyPosition {
     /** The torso is upright or tilts by less than 60 degrees. */
     UPRIGHT,

@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.robonewbie.nao.Vector3;
 
 /**
- * A camera picture, without memory. Directions are relative to the head in its pose at that time.
+ * The objects in a single camera picture. Directions are relative to the pose of the head at that time.
  *
  * @param sightings the recognised objects
  * @param truth the true positions, which only a simulator with the option {@code --truth} sends
@@ -20,7 +20,7 @@ public record CameraPicture(List<Sighting> sightings, Optional<Truth> truth) {
      * A recognised object.
      *
      * @param name such as {@code ball}, {@code GOAL_POST_1_LEFT}, {@code Blue 3 HEAD} or {@code end of a line}
-     * @param direction where it is seen
+     * @param direction direction in which it is seen
      */
     public record Sighting(String name, Direction direction) {}
 

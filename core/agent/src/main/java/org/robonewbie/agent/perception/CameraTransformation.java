@@ -6,8 +6,8 @@ import org.robonewbie.nao.kinematics.ForwardKinematics;
 import org.robonewbie.nao.model.RobotType;
 
 /**
- * Conversion of directions from the turned head's view to the view of a head that looks straight ahead. Implement it to try a
- * better one.
+ * Converts directions relative to the turned head to directions relative to a head that looks straight ahead. Implement
+ * it to try a better conversion.
  */
 @FunctionalInterface
 public interface CameraTransformation {
@@ -31,9 +31,9 @@ public interface CameraTransformation {
     };
 
     /**
-     * Converts a direction from the camera's view to the view straight ahead.
+     * Converts a direction relative to the head to the direction relative to a head that looks straight ahead.
      *
-     * @param seen direction of an object; bearing 0 is the direction of the head
+     * @param seen direction of an object relative to the head; bearing 0 is straight ahead of the head
      * @param neckYawDegrees angle of the neck; positive is left
      * @param neckPitchDegrees angle of the neck; positive is up
      * @return its direction relative to the torso

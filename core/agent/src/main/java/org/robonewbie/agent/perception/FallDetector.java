@@ -5,8 +5,8 @@ import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * Detects falls from the direction of gravity in the accelerometer, which points away from the ground with 9.81 m/s² at rest.
- * Shocks of the walking feet are much stronger but short; they are clipped and smoothed.
+ * Detects falls with the accelerometer, whose reading at rest is 9.81 m/s² away from the ground. The impacts of the
+ * feet in walking cause much higher but short readings, which are clipped and smoothed.
  */
 public final class FallDetector {
 
@@ -41,7 +41,7 @@ public final class FallDetector {
         up += share * (bound * torso.acceleration().z() - up);
     }
 
-    /** Resets the detector to upright, after the robot was placed elsewhere. */
+    /** Resets the detector to upright after the robot has been placed elsewhere. */
     public void reset() {
         forward = 0;
         left = 0;

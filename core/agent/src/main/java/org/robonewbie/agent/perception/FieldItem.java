@@ -9,8 +9,8 @@ import org.robonewbie.protocol.perceptor.PolarPosition;
  * An object on the field in the robot's memory: seen now, some time ago, or never. The instance stays the same and is updated
  * with each camera picture, so programs may keep it.
  *
- * <p>All directions are those of a robot that looks straight ahead. They are as old as the last sighting and do not account for
- * the robot's movement since then.
+ * <p>All directions are relative to a head that looks straight ahead. They date from the last sighting and do not
+ * account for the robot's movement since then.
  *
  * <pre>{@code
  * FieldItem ball = fieldView.ball();
@@ -51,7 +51,7 @@ public class FieldItem {
         this.diagnostics = diagnostics;
     }
 
-    /** Stores a sighting. The direction is computed on demand, since most directions are never read. */
+    /** Stores a sighting. The direction is computed on demand, because most directions are never read. */
     void see(PolarPosition newSighting) {
         sighting = newSighting;
         yawDegrees = vision.yawDegrees;
@@ -104,7 +104,10 @@ public class FieldItem {
         return vision.nowSeconds - seenSeconds;
     }
 
-    /** {@return simulated time of the last sighting in seconds, as {@code nao.getTime()}; minus infinity if there was none} */
+    /**
+     * {@return simulated time of the last sighting in seconds, on the clock of {@code nao.getTime()}; minus infinity if
+     * there was none}
+     */
     public final double lastSeenSeconds() {
         return seenSeconds;
     }
@@ -129,23 +132,26 @@ public class FieldItem {
     }
 
     /**
-     * {@return the angle in degrees that the robot has to turn to face the object, positive is left; 0 and a report if it was
-     * never seen}
+     * {@return the angle in degrees that the robot has to turn to face the object, positive is left; 0 if the object
+     * was never seen, in which case the call is reported}
      */
     public final double bearing() {
         checkKnown("bearing");
         return direction().bearing();
     }
 
-    /** {@return degrees above the horizontal plane of the head, negative is below; 0 and a report if the object was never seen} */
+    /**
+     * {@return degrees above the horizontal plane of the head, negative is below; 0 if the object was never seen, in
+     * which case the call is reported}
+     */
     public final double elevation() {
         checkKnown("elevation");
         return direction().elevation();
     }
 
     /**
-     * {@return metres from the centre of the head: x forward, y left, z up; the origin and a report if the object was never
-     * seen}
+     * {@return metres from the centre of the head: x forward, y left, z up; the origin if the object was never seen, in
+     * which case the call is reported}
      */
     public final Vector3 position() {
         checkKnown("position");

@@ -24,7 +24,10 @@ public final class FieldMemory implements LocalFieldView {
     private final FieldItem.Vision vision = new FieldItem.Vision();
     private final FieldItem ball;
     private final Map<Landmark, FieldItem> landmarks = new EnumMap<>(Landmark.class);
-    /** All robots that were seen since the last beam. Their objects are kept even while they are too old to be listed. */
+    /**
+     * All robots that were seen since the last beam. They are kept even while their last sighting is too old for them
+     * to be listed.
+     */
     private final List<PlayerItem> met = new ArrayList<>();
 
     private List<SeenLine> seenLines = List.of();
@@ -77,7 +80,7 @@ public final class FieldMemory implements LocalFieldView {
     }
 
     /**
-     * Adds a camera picture. Call {@link #setTime} before.
+     * Adds a camera picture. Call {@link #setTime} first.
      *
      * @param picture the recognised objects
      * @param neckYawDegrees yaw angle of the neck
@@ -98,7 +101,7 @@ public final class FieldMemory implements LocalFieldView {
         seenLines = picture.lines();
     }
 
-    /** Clears the memory, since the robot was placed elsewhere. */
+    /** Clears the memory after the robot has been placed elsewhere. */
     public void forget() {
         ball.forget();
         landmarks.values().forEach(FieldItem::forget);
@@ -162,7 +165,7 @@ public final class FieldMemory implements LocalFieldView {
     @Override
     public List<LineItem> lines() {
         if (!seenLines.isEmpty()) {
-            lines = facingForward(seenLines); // computed on demand, since few programs read the many lines
+            lines = facingForward(seenLines); // computed on demand: few programs read the many lines
             seenLines = List.of();
         }
         return lines;

@@ -15,37 +15,37 @@ import org.robonewbie.nao.Landmark;
  * if (fieldView.ball().isVisible() && fieldView.ball().distance() < 0.5) { ... }
  * }</pre>
  *
- * <p>Left and right posts are those of a player that faces the goal from the field.
+ * <p>Left and right posts are named as seen by a player that faces the goal from the field.
  */
 public interface LocalFieldView {
 
-    /** {@return the ball, known or not} */
+    /** {@return the ball, whether or not it has been seen} */
     FieldItem ball();
 
     /**
      * Returns a goal post or flag.
      *
      * @param landmark name of the landmark
-     * @return the landmark, known or not
+     * @return the landmark, whether or not it has been seen
      */
     FieldItem landmark(Landmark landmark);
 
-    /** {@return the top of the left post of the opponents' goal, known or not} */
+    /** {@return the top of the left post of the opponents' goal, whether or not it has been seen} */
     FieldItem opponentGoalLeftPost();
 
-    /** {@return the top of the right post of the opponents' goal, known or not} */
+    /** {@return the top of the right post of the opponents' goal, whether or not it has been seen} */
     FieldItem opponentGoalRightPost();
 
-    /** {@return the top of the left post of the goal that the robot's team defends, known or not} */
+    /** {@return the top of the left post of the goal that the robot's team defends, whether or not it has been seen} */
     FieldItem ownGoalLeftPost();
 
-    /** {@return the top of the right post of the goal that the robot's team defends, known or not} */
+    /** {@return the top of the right post of the goal that the robot's team defends, whether or not it has been seen} */
     FieldItem ownGoalRightPost();
 
     /** {@return all other robots that were seen within the last 10 seconds, in the order of their first sighting} */
     List<PlayerItem> players();
 
-    /** {@return the robots of the same team that were seen within the last 10 seconds, without this robot} */
+    /** {@return the robots of the same team that were seen within the last 10 seconds, excluding this robot} */
     List<PlayerItem> teamMates();
 
     /** {@return the robots of the other team that were seen within the last 10 seconds} */

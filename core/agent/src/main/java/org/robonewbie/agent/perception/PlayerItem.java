@@ -6,7 +6,10 @@ import org.robonewbie.agent.log.Diagnostics;
 import org.robonewbie.nao.BodyPart;
 import org.robonewbie.nao.Vector3;
 
-/** Another robot in the robot's memory. Its position is the mean of its visible parts, which are available separately as well. */
+/**
+ * Another robot in the robot's memory. Its position is the mean position of its visible body parts, which are also
+ * available separately.
+ */
 public final class PlayerItem extends FieldItem {
 
     private final String team;
@@ -58,7 +61,7 @@ public final class PlayerItem extends FieldItem {
      * Returns a part of the robot's body.
      *
      * @param part the part
-     * @return the part, known or not
+     * @return the part, whether or not it has been seen
      */
     @SuppressWarnings("NullAway") // the map contains every part
     public FieldItem part(BodyPart part) {

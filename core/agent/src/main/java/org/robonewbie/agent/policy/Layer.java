@@ -9,7 +9,7 @@ import org.robonewbie.nao.math.PortableMath;
  * @param inputs number of inputs
  * @param outputs number of outputs
  * @param activation applied to each sum
- * @param numbers for each output its bias, then the weight of each input
+ * @param numbers parameters: for each output, its bias and then the weight of each input
  */
 @SuppressWarnings("ArrayRecordComponent")
 record Layer(int inputs, int outputs, Activation activation, double[] numbers) {
@@ -23,7 +23,7 @@ record Layer(int inputs, int outputs, Activation activation, double[] numbers) {
                 return 1 - 2 / (PortableMath.exp(2 * sum) + 1);
             }
         },
-        /** Clipping to -1 and 1. */
+        /** Clipping to the range from -1 to 1. */
         CUT {
             @Override
             double of(double sum) {

@@ -13,8 +13,8 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * A keyframe motion that a policy corrects: the reference posture in each cycle, and the progress of the motion as inputs of a
- * network.
+ * A keyframe motion that a policy corrects: the reference posture in each cycle, and the progress of the motion as
+ * inputs for a network.
  *
  * <pre>{@code
  * MotionGuide guide = new MotionGuide(motion, postureNow);
@@ -23,14 +23,20 @@ import org.robonewbie.nao.motion.Posture;
  */
 public final class MotionGuide {
 
-    /** Name of the policy's numbers for the motion: for each keyframe its milliseconds and the degrees of all joints. */
+    /**
+     * Name of the policy's parameter list that holds the motion: for each keyframe, its duration in milliseconds and
+     * the angles of all joints in degrees.
+     */
     public static final String MOTION = "motion";
 
     private static final int WAVES = 3;
     private static final int NUMBERS_PER_KEYFRAME = 1 + Joint.COUNT;
     private static final double MILLIS_PER_CYCLE = 1000 * Cycle.SECONDS;
 
-    /** Inputs for the progress of the motion: sines and cosines of multiples of half a turn, which is the whole motion. */
+    /**
+     * Inputs that encode the progress of the motion: sin(kπp) and cos(kπp), where p is the completed fraction of the
+     * motion and k is 1, 2 and so on.
+     */
     public static final List<Quantity> PROGRESS = progress();
 
     private final Motion motion;
@@ -48,10 +54,10 @@ public final class MotionGuide {
     }
 
     /**
-     * Encodes a motion as numbers of a policy.
+     * Encodes a motion as a parameter list of a policy.
      *
      * @param motion the motion
-     * @return for each keyframe its milliseconds and the degrees of all joints
+     * @return for each keyframe, its duration in milliseconds and the angles of all joints in degrees
      */
     public static List<Double> numbers(Motion motion) {
         List<Double> numbers = new ArrayList<>();
@@ -119,10 +125,10 @@ public final class MotionGuide {
     }
 
     /**
-     * Returns the progress of the motion.
+     * Returns the encoded progress of the motion.
      *
      * @param cycles cycles of 20 ms since the beginning
-     * @return the {@link #PROGRESS}, as a new array
+     * @return the values of {@link #PROGRESS}, as a new array
      */
     public double[] progress(int cycles) {
         double angle = Math.PI * Math.min(1, cycles * MILLIS_PER_CYCLE / Math.max(1, motion.durationMillis()));

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.stream.DoubleStream;
 
 /**
- * Small feed-forward neural network. The same numbers yield the same output on every platform.
+ * Small feed-forward neural network. Equal parameters and inputs yield equal outputs on every platform.
  *
  * <pre>{@code
  * Network network = Network.of(new int[] {2, 8, 1}, numbers);
@@ -17,7 +17,7 @@ public final class Network {
 
     private final List<Layer> layers;
 
-    /** Joins layers; the inputs of each must match the outputs of the previous one. */
+    /** Connects layers; the number of inputs of each must match the number of outputs of the previous one. */
     Network(List<Layer> layers) {
         this.layers = List.copyOf(layers);
         for (int i = 1; i < layers.size(); i++) {
@@ -33,9 +33,10 @@ public final class Network {
      * Creates a network with the activation function tanh in all layers.
      *
      * @param sizes number of inputs, then number of outputs of each layer
-     * @param numbers layer by layer, for each output its bias, then the weight of each input; {@link #size} numbers
+     * @param numbers parameters, layer by layer: for each output, its bias and then the weight of each input; {@link
+     *     #size} values
      * @return the network
-     * @throws IllegalArgumentException if there are too few or too many numbers
+     * @throws IllegalArgumentException if there are too few or too many parameters
      */
     public static Network of(int[] sizes, double... numbers) {
         if (numbers.length != size(sizes)) {
@@ -80,7 +81,7 @@ public final class Network {
         return layers.get(layers.size() - 1).outputs();
     }
 
-    /** {@return the numbers of all layers as for {@link #of}, as a new array} */
+    /** {@return the parameters of all layers in the order of {@link #of}, as a new array} */
     public double[] numbers() {
         return layers.stream()
                 .flatMapToDouble(layer -> DoubleStream.of(layer.numbers()))

@@ -6,8 +6,8 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * A learned policy: a network, the names and units of its inputs and outputs, and numbers of the behaviour that it corrects,
- * such as those of a gait. {@link PolicyText} is its text format.
+ * A learned policy: a network, the names and units of its inputs and outputs, and parameters of the behaviour that the
+ * network corrects, such as a gait. {@link PolicyText} defines the text format.
  *
  * <pre>{@code
  * Policy policy = PolicyFile.shipped("walk");
@@ -16,8 +16,8 @@ import java.util.TreeMap;
  * }</pre>
  *
  * @param task name of the task, such as {@code walk}
- * @param about remarks about the training
- * @param numbers other numbers by name
+ * @param about remarks on the training
+ * @param numbers parameter lists of the corrected behaviour by name
  * @param inputs inputs of the network
  * @param outputs outputs of the network
  * @param network the network
@@ -30,7 +30,7 @@ public record Policy(
         List<Quantity> outputs,
         Network network) {
 
-    /** Name of the number of cycles for which an action is held; 1 if absent. */
+    /** Name of the parameter that sets for how many cycles each action is held; 1 if absent. */
     public static final String CYCLES_PER_ACTION = "cycles-per-action";
 
     /**
@@ -51,12 +51,12 @@ public record Policy(
     }
 
     /**
-     * Looks up numbers.
+     * Looks up a parameter list.
      *
-     * @param name name of the numbers
-     * @param count expected count
-     * @return the numbers
-     * @throws IllegalArgumentException if there are none of this name, or another count
+     * @param name name of the list
+     * @param count expected number of parameters
+     * @return the parameters
+     * @throws IllegalArgumentException if there is no such list, or it has another length
      */
     public double[] numbers(String name, int count) {
         List<Double> found = numbers.getOrDefault(name, List.of());
@@ -73,7 +73,7 @@ public record Policy(
     }
 
     /**
-     * Checks that the network has given inputs and outputs.
+     * Checks that the policy has the expected inputs and outputs.
      *
      * @param wantedInputs the expected inputs
      * @param wantedOutputs the expected outputs

@@ -21,8 +21,9 @@ import java.util.stream.Collectors;
  * 0.01 -0.3
  * </pre>
  *
- * <p>A layer with its numbers of inputs and outputs is followed by a line for each output: its bias and the weights of all
- * inputs. The activation function is {@code tanh} or {@code cut}, which clips to -1 and 1.
+ * <p>A {@code layer} statement contains the numbers of inputs and outputs, and is followed by one line for each output:
+ * its bias and the weights of all inputs. The activation function is {@code tanh} or {@code cut}, which clips to the
+ * range from -1 to 1.
  */
 public final class PolicyText {
 
@@ -146,7 +147,7 @@ public final class PolicyText {
      * Formats a policy.
      *
      * @param policy the policy
-     * @return a text that {@link #parse} reads, with six significant digits for each number
+     * @return a text that {@link #parse} accepts, with six significant digits for each number
      */
     public static String format(Policy policy) {
         List<String> lines = new ArrayList<>();

@@ -11,7 +11,7 @@ import org.robonewbie.agent.walk.Walk;
 import org.robonewbie.nao.Joint;
 import org.robonewbie.protocol.embedded.Puppet;
 
-/** A manually controlled robot, independent of the owner of its cycle. It gets up automatically after a fall. */
+/** A manually controlled robot; subclasses decide how its cycle is run. It gets up automatically after a fall. */
 public abstract class SteeredRobot implements Puppet {
 
     private static final double HAND_DEGREES_PER_SECOND = 180;
@@ -27,7 +27,7 @@ public abstract class SteeredRobot implements Puppet {
      * Returns the options of a puppet.
      *
      * @param team name of its team
-     * @param number its number; 0 takes any free one
+     * @param number its player number; 0 for any free number
      * @param type its robot type, 0 to 4
      * @return its options
      */

@@ -1,5 +1,5 @@
 /**
- * Robots that are moved by hand from the studio, where each runs its cycle in a separate thread.
+ * Robots that are controlled manually from the studio. Each runs its cycle in a separate thread.
  *
  * <p><strong>Internal</strong>: not part of the API, may change with every version.
  */

@@ -20,7 +20,7 @@ public final class ConnectTimeoutHint implements AutoCloseable {
     }
 
     /**
-     * Schedules the hint on {@code System.err} in five seconds, unless it is closed before.
+     * Schedules the hint to be printed on {@code System.err} after five seconds, unless it is closed first.
      *
      * @param place address of the server, such as {@code localhost:3100}
      * @return the hint; close it when the server has answered

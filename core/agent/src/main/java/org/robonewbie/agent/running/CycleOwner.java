@@ -2,13 +2,13 @@ package org.robonewbie.agent.running;
 
 import java.util.Locale;
 
-/** Owner of the cycle, which decides the wording of reports about slow programs. */
+/** Owner of the cycle, which determines the wording of reports about slow programs. */
 public enum CycleOwner {
 
     /** The framework, which calls {@code think()}. */
     FRAMEWORK("think()", "think() has not returned", "it is called"),
 
-    /** The program itself, by {@code sense()} and {@code act()}. */
+    /** The program itself, which calls {@code sense()} and {@code act()}. */
     PROGRAM("The program", "The program has not called sense()", "sense() must be called");
 
     private final String subject;

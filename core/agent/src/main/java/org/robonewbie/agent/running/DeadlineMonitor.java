@@ -13,8 +13,8 @@ import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 
 /**
- * Message port that reports cycles which miss the simulator's deadline. A robot that falls behind catches up: it senses the
- * pending messages without thinking about each of them.
+ * Message port that reports cycles that miss the simulator's deadline. A robot that falls behind catches up: it reads
+ * all pending messages, but the program responds only to the newest.
  */
 public final class DeadlineMonitor implements MessagePort {
 
@@ -73,7 +73,7 @@ public final class DeadlineMonitor implements MessagePort {
         return clockAhead - clockAheadSeconds;
     }
 
-    /** Senses all pending messages but the newest. */
+    /** Updates the sensors from all pending messages except the newest, which the program responds to. */
     private boolean catchUp(double behind) throws IOException {
         int skipped = 0;
         boolean received = true;
@@ -121,7 +121,7 @@ public final class DeadlineMonitor implements MessagePort {
         port.close();
     }
 
-    /** Reports a problem, at most once in ten seconds for each line of the program. */
+    /** Reports a problem, at most once every ten seconds for each line of the program. */
     private void report(String kind, String pattern, Object... values) {
         long period = (long) (robot.sensors().seconds() / SECONDS_BETWEEN_REPORTS);
         robot.diagnostics()

@@ -5,8 +5,9 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
 /**
- * The turn of one robot to join a server; the next robot of the same program waits for its end. rcssserver3d puts robots that
- * join simultaneously into the same place, and the contacts of eleven of them keep it busy for minutes.
+ * The turn of one robot to join a server; the next robot of the same program waits until it is over. rcssserver3d puts
+ * robots that join simultaneously at the same position, and the contacts between eleven overlapping robots keep it busy
+ * for minutes.
  */
 public final class JoinTurn {
 
@@ -30,16 +31,16 @@ public final class JoinTurn {
         answered.countDown();
     }
 
-    /** Ends the turn: the robot is at its place, or will never be there. */
+    /** Ends the turn: the robot has reached its starting pose, or has failed to join. */
     public void end() {
         answered();
         ended.countDown();
     }
 
     /**
-     * Waits until the turn is over, or for a second until the server answers.
+     * Waits until the turn is over, or gives up if the server does not answer within a second.
      *
-     * @return whether the server answers; one that does not is holding its first cycle until more robots have joined
+     * @return whether the server has answered; if not, it is waiting for more robots to join before its first cycle
      */
     public boolean await() {
         try {

@@ -3,7 +3,7 @@ package org.robonewbie.agent.running;
 import java.io.PrintStream;
 import org.robonewbie.agent.log.RunLog;
 
-/** Prints a robot's log at the end of its run, even after Ctrl-C or an exit of the program. */
+/** Prints a robot's log at the end of its run, even after Ctrl-C or {@code System.exit}. */
 public final class LogPrinter implements AutoCloseable {
 
     private final RunLog log;
@@ -16,7 +16,7 @@ public final class LogPrinter implements AutoCloseable {
      *
      * @param log the robot's log; lines that do not fit into memory go to a file
      * @param out the output
-     * @param atInterrupt called in addition if the program is interrupted
+     * @param atInterrupt also called if the program is interrupted
      */
     public LogPrinter(RunLog log, PrintStream out, Runnable atInterrupt) {
         this.log = log;

@@ -40,12 +40,12 @@ public final class PrototypeProbe {
     }
 
     /**
-     * Copies the numbers, texts and records in which two instances differ into a third one, also in objects of the same
-     * program that its fields refer to.
+     * Copies the numbers, strings and records that differ between two instances to a third one, including those in the
+     * program's own objects that its fields refer to.
      *
-     * @param old the instance before the change
-     * @param fresh the instance after it
-     * @param robot the instance to change
+     * @param old instance created with the old numbers
+     * @param fresh instance created with the new numbers
+     * @param robot instance to change
      * @return whether all fields were accessible
      */
     public static boolean copyDifferences(Object old, Object fresh, Object robot) {

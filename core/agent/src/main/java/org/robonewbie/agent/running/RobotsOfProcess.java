@@ -5,7 +5,10 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.robonewbie.agent.log.Diagnostics;
 
-/** Registry of robots whose programs run the cycle themselves, since such a {@code main} may return normally after errors. */
+/**
+ * Registry of robots whose programs run the cycle themselves, because their {@code main} may return normally despite
+ * errors.
+ */
 public final class RobotsOfProcess {
 
     private static final Set<Diagnostics> PRESENT = ConcurrentHashMap.newKeySet();

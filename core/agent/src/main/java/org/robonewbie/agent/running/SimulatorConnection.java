@@ -16,7 +16,7 @@ import org.robonewbie.protocol.tcp.TelemetryClient;
 import org.robonewbie.protocol.tcp.TelemetryServer;
 import org.robonewbie.protocol.telemetry.TelemetrySink;
 
-/** Connection to the simulator in which the robots live: an embedded one, or a server that they join. */
+/** Connection to the simulator of the robots: an embedded one, or a server that they join. */
 public final class SimulatorConnection implements AutoCloseable {
 
     private static final String ALREADY_RUNNING =
@@ -51,7 +51,7 @@ public final class SimulatorConnection implements AutoCloseable {
     }
 
     /**
-     * Connects to the named server, starts an embedded simulator, or prefers the server on this computer to an embedded one.
+     * Connects to a server or starts an embedded simulator. If either is acceptable, prefers the server.
      *
      * @param wanted which simulator
      * @return the connection
@@ -159,7 +159,10 @@ public final class SimulatorConnection implements AutoCloseable {
         return place;
     }
 
-    /** {@return whether this is a server, which does not end the run by itself and admits robots one after another} */
+    /**
+     * {@return whether the simulator is a server, which never ends the run on its own and should be joined by one robot
+     * at a time}
+     */
     public boolean isServer() {
         return server;
     }

@@ -8,8 +8,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Detects programs that are slow in many cycles, and the cause, from a few stack samples in each of them. A single pause, such
- * as a breakpoint, class loading in the first cycle or garbage collection, does not count.
+ * Detects programs that are slow in many cycles and determines the cause, from a few stack samples per slow cycle. A
+ * single pause, such as a breakpoint, class loading in the first cycle or garbage collection, does not count.
  */
 final class SlowCycles {
 
@@ -27,7 +27,10 @@ final class SlowCycles {
 
     private record SlowCycle(long number, double milliseconds, StackSample cause) {
 
-        /** Computation is spread over many lines, so all computing cycles are alike. */
+        /**
+         * Whether two slow cycles have the same cause. All cycles spent computing count as the same, because
+         * computation is spread over many lines.
+         */
         boolean isLike(SlowCycle other) {
             boolean computes = cause.kind() == StackSample.Kind.COMPUTES;
             return computes ? other.cause.kind() == cause.kind() : other.cause.equals(cause);
@@ -44,7 +47,7 @@ final class SlowCycles {
      * Ends a cycle.
      *
      * @param milliseconds its duration
-     * @return what makes the program slow, once there are many such cycles
+     * @return the cause, once many cycles have been slow
      */
     synchronized Optional<Slowness> cycleEnds(double milliseconds) {
         cycle++;

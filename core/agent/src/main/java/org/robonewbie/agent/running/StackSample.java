@@ -5,7 +5,7 @@ import java.util.List;
 import org.robonewbie.agent.log.StudentCode;
 
 /**
- * Activity of a thread at one moment, as its stack shows.
+ * Activity of a thread at one moment, as shown by its stack.
  *
  * @param kind whether it computes, sleeps or waits
  * @param call the Java method in which the program sleeps or waits, such as {@code Scanner.nextLine()}; empty if it computes
@@ -58,7 +58,10 @@ public record StackSample(Kind kind, String call, String place) {
                 place);
     }
 
-    /** Java reports RUNNABLE for a thread that waits for input or output in the operating system. */
+    /**
+     * Whether a thread waits. Java also reports RUNNABLE for threads that wait for input or output in the operating
+     * system.
+     */
     private static boolean isWaiting(Thread.State state, StackTraceElement innermost) {
         return switch (state) {
             case WAITING, TIMED_WAITING, BLOCKED -> true;

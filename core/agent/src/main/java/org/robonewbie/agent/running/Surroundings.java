@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import org.robonewbie.nao.file.PropertiesFile;
 
-/** Environment of a program: environment variables, and property files of the working directory. */
+/** Environment of a program: environment variables, and property files in the working directory. */
 public final class Surroundings {
 
     private Surroundings() {}

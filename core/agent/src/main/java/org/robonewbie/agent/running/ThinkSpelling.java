@@ -11,7 +11,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import org.robonewbie.nao.text.Spelling;
 
-/** Detects a missing {@code think()}: a misspelt one compiles and is never called. */
+/** Detects a missing {@code think()}: a misspelt method compiles, but is never called. */
 public final class ThinkSpelling {
 
     private static final String THINK = "think";

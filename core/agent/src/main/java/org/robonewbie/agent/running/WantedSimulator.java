@@ -18,7 +18,7 @@ public record WantedSimulator(Kind kind, String host, int port, SimulatorRequest
         ANY,
         /** The server only. */
         SERVER,
-        /** An embedded simulator. */
+        /** An embedded simulator only. */
         OWN
     }
 }

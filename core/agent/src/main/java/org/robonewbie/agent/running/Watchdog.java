@@ -9,9 +9,9 @@ import org.robonewbie.agent.cycle.CycleWatch;
 import org.robonewbie.agent.log.Diagnostics;
 
 /**
- * Watchdog thread of a robot program. It reports a cycle that does not end, with the current line, at most once in ten seconds
- * for each line, and a program that is slow in many cycles. It counts its own ticks instead of reading a clock, so no time
- * passes while a debugger suspends the program.
+ * Watchdog thread of a robot program. It reports a cycle that does not end, naming the current line (at most once every
+ * ten seconds for each line), and a program that is slow in many cycles. It counts its own ticks instead of reading a
+ * clock, so no time passes while a debugger suspends the program.
  */
 public final class Watchdog implements CycleWatch, AutoCloseable {
 
@@ -151,9 +151,9 @@ public final class Watchdog implements CycleWatch, AutoCloseable {
     }
 
     /**
-     * Whether the program itself has stalled: it waits for something, or it has really computed. On a busy computer a short
-     * cycle may take long as well, so it gets six times as much time. A program that runs the cycle itself may wait for its
-     * user.
+     * Whether the program itself has stalled: it waits for something, or it has used processor time. On a busy computer
+     * even a short cycle may take long, so a program that has used little processor time is given six times as long. A
+     * program that runs the cycle itself may wait for user input.
      */
     private boolean isStalled(int patience, StackSample now) {
         if (ticks < patience) {
@@ -169,13 +169,13 @@ public final class Watchdog implements CycleWatch, AutoCloseable {
         return ManagementFactory.getThreadMXBean().getThreadCpuTime(watched.getId());
     }
 
-    /** Reports a stall, at most once in ten seconds for each line. */
+    /** Reports a stall, at most once every ten seconds for each line. */
     private void report(String howLong, StackSample now) {
         String text = owner.stall(howLong);
         diagnostics.reportAt(now.place(), text + allTicks / TICKS_BETWEEN_REPORTS, () -> text);
     }
 
-    /** Reports the cause of slow cycles, once for each line. */
+    /** Reports the cause of slow cycles, once for each line of the program. */
     private void report(Slowness slowness) {
         StackSample cause = slowness.cause();
         diagnostics.reportAt(

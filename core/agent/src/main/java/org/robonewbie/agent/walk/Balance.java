@@ -6,8 +6,9 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.geometry.Angles;
 
 /**
- * Complementary filter for the tilt of the torso: the gyroscope's rates are integrated, and the drift of the sum is corrected
- * slowly towards the direction of gravity that the accelerometer measures. Readings during shocks of the feet are ignored.
+ * Complementary filter for the tilt of the torso: the gyroscope's rates are integrated, and the drift of the integral
+ * is slowly corrected towards the direction of gravity that the accelerometer measures. Accelerometer readings during
+ * foot impacts are ignored.
  */
 final class Balance {
 

@@ -8,9 +8,9 @@ package org.robonewbie.agent.walk;
  * correction = perDegree · (tilt − planned tilt) + perDegreePerSecond · rate of tilting
  * </pre>
  *
- * <p>Ankle and hip rotate the torso back (the <em>ankle strategy</em> and the <em>hip strategy</em> of human balance); the step
- * controllers move the target of the swing foot towards the side to which the robot falls. Outputs are degrees for joints and
- * metres for steps.
+ * <p>Ankle and hip rotate the torso back (the <em>ankle strategy</em> and the <em>hip strategy</em> of human balance);
+ * the step controllers move the target of the swing foot to the side to which the robot is falling. Outputs are degrees
+ * for joints and metres for steps.
  *
  * @param anklePitch ankle against forward tilt
  * @param hipPitch hip against forward tilt

@@ -15,7 +15,7 @@ package org.robonewbie.agent.walk;
  * @param liftHeight height to which the swing foot is lifted
  * @param liftSkew 0 for a symmetric lift; positive moves the peak to an earlier phase
  * @param doubleSupport fraction of a step in which both feet are on the ground
- * @param swingHipDegrees hip roll that lifts the swing leg sideways, against the sinking of the pelvis
+ * @param swingHipDegrees hip roll that lifts the swing leg sideways, to compensate for the sinking of the pelvis
  * @param toeDegrees amplitude of the toes' pitch, up at the beginning of the swing and down at its end
  * @param bounceAmplitude amplitude of the torso's vertical oscillation
  * @param bouncePhase phase lead of the bounce, as a fraction of a step

@@ -27,7 +27,7 @@ import org.robonewbie.agent.policy.Policy;
  */
 public record PolicyWalk(WalkStyle style, WalkReflex reflex) {
 
-    /** Name of the policy's numbers for {@link FastWalk#style}. */
+    /** Name of the policy's parameter list with the coordinates for {@link FastWalk#style}. */
     public static final String GAIT = "gait";
 
     private static final String STEP = "step-millis";
@@ -55,10 +55,10 @@ public record PolicyWalk(WalkStyle style, WalkReflex reflex) {
     }
 
     /**
-     * Creates a policy from the results of a training.
+     * Creates a policy from the results of training.
      *
      * @param task name of the task
-     * @param about remarks about the training
+     * @param about remarks on the training
      * @param stepMillis duration of a step in milliseconds, a multiple of 20
      * @param most maximum speeds
      * @param backward maximum speed backward in metres per second

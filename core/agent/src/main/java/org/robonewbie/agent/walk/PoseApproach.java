@@ -11,11 +11,11 @@ import org.robonewbie.nao.math.PortableMath;
  * <pre>{@code
  * PoseApproach approach = new PoseApproach(WalkStyle.STANDARD);
  * // in each cycle:
- * WalkVelocity velocity = approach.velocity(ahead, left, turn);   // where the target is, as seen from the torso
+ * WalkVelocity velocity = approach.velocity(ahead, left, turn);   // position and heading of the target, relative to the torso
  * walk.towards(velocity.forward(), velocity.left(), velocity.turn());
  * }</pre>
  *
- * @param style style of the walk; set it by {@link Walk#setStyle} too
+ * @param style style of the walk; pass it to {@link Walk#setStyle} too
  */
 public record PoseApproach(WalkStyle style) {
 

@@ -20,7 +20,7 @@ import org.robonewbie.nao.motion.Posture;
  */
 public record ResidualPolicy(Network network) implements WalkReflex {
 
-    /** Joint offset in degrees for an output of 1. */
+    /** Joint offset, in degrees, that an output of 1 causes. */
     public static final double RANGE_DEGREES = 20;
 
     private static final double TILT = 10;

@@ -4,8 +4,8 @@ import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * The stance, in which motions begin and end: knees bent, torso slightly forward, arms down with bent elbows. The motion {@code
- * stand} leads to it.
+ * The stance, in which motions begin and end: knees bent, torso leaning slightly forward, arms down with bent elbows.
+ * The motion {@code stand} ends in it.
  */
 public final class Stance {
 

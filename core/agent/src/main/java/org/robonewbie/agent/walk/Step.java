@@ -8,8 +8,8 @@ import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * One step: the swing foot moves to its target while the support foot stands. The torso moves to the middle between both feet
- * and sways over the support foot. Inverse kinematics yields the joint angles of the legs.
+ * One step: the swing foot moves to its target while the support foot stands. The torso moves to the midpoint between
+ * the feet and sways over the support foot. Inverse kinematics yields the joint angles of the legs.
  *
  * @param gait parameters of the gait
  * @param swing the swing leg
@@ -57,7 +57,10 @@ public record Step(
                 .then(correction.swingForward() * travelled, correction.swingLeft() * travelled, 0);
     }
 
-    /** Pose of a standing foot relative to the torso, which is above the middle between the feet except for sway and offsets. */
+    /**
+     * Pose of a standing foot relative to the torso, which is above the midpoint between the feet, apart from sway and
+     * offsets.
+     */
     private FootPose pose(Pose2d foot, Pose2d middle, Leg leg, StepPhase moment) {
         Translation2d seen = foot.translation().seenFrom(middle);
         double outward = leg == Leg.LEFT ? gait.footSpread() : -gait.footSpread();

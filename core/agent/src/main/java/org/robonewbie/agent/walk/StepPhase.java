@@ -14,9 +14,9 @@ import org.robonewbie.nao.motion.Posture;
  * σ = clamp((φ − d/2) / (1 − d), 0, 1)
  * </pre>
  *
- * <p>so both feet are on the ground during the first and the last part d/2 of the step. The trajectories are sums of sines, as
- * in the open-loop gait of Behnke (2006): they need no model of the robot's mass, only amplitudes and phases that were found by
- * a search.
+ * <p>so both feet are on the ground during the first and the last d/2 of the step. The trajectories are sums of sines,
+ * as in the open-loop gait of Behnke (2006): they need no model of the robot's mass, only amplitudes and phases that
+ * were found by a search.
  *
  * @param gait amplitudes and phases
  * @param swing the swing leg
@@ -33,7 +33,10 @@ record StepPhase(Gait gait, Leg swing, double phase, TorsoPosture torso) {
         return part - gait.swingEasing() * PortableMath.sin(2 * Math.PI * part) / (2 * Math.PI);
     }
 
-    /** Height of the swing foot in metres: h a sin(πs)^1.2, where s = σ^exp(−skew) shifts the peak. */
+    /**
+     * Height of the swing foot in metres: h · a · sin(πs)^1.2, where h is the lift height of the gait and s =
+     * σ^exp(−skew) shifts the peak by its lift skew.
+     */
     double lift() {
         double skewed = PortableMath.pow(swingPhase(), PortableMath.exp(-gait.liftSkew()));
         return gait.liftHeight() * torso.amplitude() * PortableMath.pow(PortableMath.sin(Math.PI * skewed), 1.2);
@@ -64,7 +67,7 @@ record StepPhase(Gait gait, Leg swing, double phase, TorsoPosture torso) {
         return kinematics.solve(Leg.RIGHT, right.on(ground), withLeftLeg).applyTo(withLeftLeg);
     }
 
-    /** Horizontal frame on the ground below the torso, which tilts about the middle between the hips. */
+    /** Horizontal frame on the ground below the torso, which tilts about the midpoint between the hips. */
     private CoordinateFrame ground() {
         return CoordinateFrame.ORIGIN
                 .moved(0, 0, -HIPS_BELOW_TORSO)
@@ -78,13 +81,13 @@ record StepPhase(Gait gait, Leg swing, double phase, TorsoPosture torso) {
         return gait.toeDegrees() * torso.amplitude() * PortableMath.sin(2 * Math.PI * swingPhase());
     }
 
-    /** Hip roll that lifts the swing leg sideways against the sinking of the pelvis, in degrees. */
+    /** Hip roll that lifts the swing leg sideways to compensate for the sinking of the pelvis, in degrees. */
     double hipRollDegrees() {
         double outward = gait.swingHipDegrees() * torso.amplitude() * PortableMath.sin(Math.PI * swingPhase());
         return swing == Leg.LEFT ? outward : -outward;
     }
 
-    /** Lateral oscillation a sin(π(φ + phase)), from 1 on the left to −1 on the right. */
+    /** Lateral oscillation a · sin(π(φ + p)) with the sway's phase lead p, from 1 on the left to −1 on the right. */
     private double sideways() {
         double side = swing == Leg.LEFT ? -1 : 1;
         return side * torso.amplitude() * PortableMath.sin(Math.PI * (phase + gait.swayPhase()));

@@ -18,7 +18,7 @@ package org.robonewbie.agent.walk;
  */
 public interface Walk {
 
-    /** Maximum speed forward in metres per second; the maximum backward is lower. */
+    /** Maximum speed forward in metres per second; the maximum speed backward is lower. */
     double MAX_FORWARD = WalkStyle.STANDARD.most().forward();
 
     /** Maximum speed sideways in metres per second. */
@@ -54,7 +54,7 @@ public interface Walk {
     void setStyle(WalkStyle style);
 
     /**
-     * Sets a learned walk, from the next time the robot starts to walk; {@link #setStyle} ends it.
+     * Sets a learned walk, which takes effect the next time the robot starts to walk; {@link #setStyle} replaces it.
      *
      * <pre>{@code
      * walk.setPolicy(new PolicyWalk(PolicyFile.shipped("walk")));

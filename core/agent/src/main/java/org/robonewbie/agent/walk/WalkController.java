@@ -12,7 +12,7 @@ import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.motion.PostureFollower;
 
-/** Controls the joints: by the walk engine while the robot walks, else by motions. */
+/** Controls the joints, with the walk engine while the robot walks and with motions otherwise. */
 public final class WalkController implements Walk {
 
     private static final double NEAR_DEGREES = 8;
@@ -89,7 +89,7 @@ public final class WalkController implements Walk {
         return walking ? 0 : motions.keyframe();
     }
 
-    /** Resets the walk after the robot was placed elsewhere and stands there. */
+    /** Resets the walk after the robot has been placed elsewhere, standing. */
     public void reset() {
         wanted = WalkVelocity.ZERO;
         walking = false;

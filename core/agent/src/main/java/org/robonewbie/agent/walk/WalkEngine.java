@@ -9,7 +9,8 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * Walk engine: converts a velocity into one posture for each cycle. A pure computation without a connection.
+ * Walk engine: converts a velocity into one posture for each cycle. It is a pure computation that needs no connection
+ * to a simulator.
  *
  * <p><img src="doc-files/step.svg" alt="A step seen from above: support foot, swing foot and the path of the torso between
  * them; below it the curves of lift, travel and sway over the step phase">
@@ -24,12 +25,12 @@ import org.robonewbie.nao.motion.Posture;
  * turned = max(0, ± 2 slip · ω · T)
  * </pre>
  *
- * <p>so that the middle between the feet moves with v. In a sideways step or a turn, the leg on that side opens in one step,
- * twice as far since it opens only in every other step, and the other leg follows in the next.
+ * <p>so that the midpoint between the feet moves with v. In a sideways step or a turn, the leg on that side moves
+ * outward in one step, twice as far because it does so only in every other step, and the other leg follows in the next.
  *
- * <p><b>Motion.</b> In each cycle the step phase φ = t / T determines the positions of feet and torso: {@link Step}, with the
- * trajectories of {@link StepPhase}. Inverse kinematics yields the joint angles of the legs. This is an open-loop gait: the
- * plan is a fixed function of the phase, and the robot's mass plays no role.
+ * <p><b>Motion.</b> In each cycle the step phase φ = t / T determines the positions of feet and torso: {@link Step},
+ * with the trajectories of {@link StepPhase}. Inverse kinematics yields the joint angles of the legs. This is an
+ * open-loop gait: the plan is a fixed function of the phase, and does not depend on the robot's mass.
  *
  * <p><b>Balance.</b> {@link Balance} estimates the tilt of the torso; {@link BalanceGains} converts its deviation from the plan
  * into corrections of ankles, hips and the target of the swing foot.
@@ -47,7 +48,7 @@ public final class WalkEngine {
 
     private static final int CYCLE_MILLIS = 20;
 
-    /** Minimum duration of the last step, for styles with very short steps. */
+    /** Minimum duration of the last step in cycles, for styles with very short steps. */
     private static final int MIN_CYCLES_OF_LAST_STEP = 10;
 
     private final WalkStyle style;
@@ -206,7 +207,10 @@ public final class WalkEngine {
         return new TorsoPosture(stopping ? 0 : 1, lean, ankleOffset);
     }
 
-    /** Target of the swing foot: composed of the way to the torso's path and from there to the swing foot's side. */
+    /**
+     * Returns the target of the swing foot: from the support foot to the path of the torso, along this path, and to the
+     * side of the swing foot.
+     */
     private Pose2d target() {
         double seconds = style.gait().stepMillis() / 1000.0;
         WalkVelocity slip = style.slip();

@@ -27,7 +27,7 @@ import org.robonewbie.nao.model.RobotType;
  * @param leanPerSpeed forward tilt of the torso per metre per second, degrees
  * @param ankleOffsetPerSpeed shift of the ankles forward per metre per second, metres
  * @param leanPerChange forward tilt of the torso per metre per second of speed increase in a step, degrees
- * @param slip factors by which planned steps are longer than the resulting motion, since the feet slip
+ * @param slip factors by which planned steps are longer than the resulting motion, because the feet slip
  */
 public record WalkStyle(
         Gait gait,
@@ -59,7 +59,10 @@ public record WalkStyle(
      */
     public static final WalkStyle FAST = FastWalk.style(FastWalk.coordinates());
 
-    /** Limit for robots of type 3 in metres per second, which fall at higher speeds; their longer steps yield 0.65 m/s. */
+    /**
+     * Maximum forward speed, in metres per second, to request of robots of type 3, which fall at higher speeds. With
+     * their longer steps they actually reach 0.65 m/s.
+     */
     private static final double MAX_FORWARD_OF_LONGEST_LEGS = 0.5;
 
     /**

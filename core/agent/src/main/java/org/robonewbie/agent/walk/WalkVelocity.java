@@ -18,8 +18,8 @@ public record WalkVelocity(double forward, double left, double turn) {
     }
 
     /**
-     * Scales the velocity down to given limits; its direction is preserved. The limits form an octahedron: a robot that uses
-     * half of one speed has half of the others left.
+     * Scales the velocity down to given limits; its direction is preserved. The limits form an octahedron: a robot that
+     * moves at half of one maximum speed can use at most half of the others.
      *
      * @param most maximum speeds
      * @param backward maximum speed backward, metres per second
@@ -36,7 +36,7 @@ public record WalkVelocity(double forward, double left, double turn) {
      *
      * @param wanted the other velocity
      * @param change maximum change of each component
-     * @return the other velocity, or one on the way there
+     * @return the other velocity, or one between the two
      */
     public WalkVelocity towards(WalkVelocity wanted, WalkVelocity change) {
         return new WalkVelocity(

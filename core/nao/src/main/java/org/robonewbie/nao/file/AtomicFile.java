@@ -42,7 +42,8 @@ public final class AtomicFile {
     }
 
     /**
-     * Writes a file, replacing an existing one. If two programs write the same file at the same time, the later one wins.
+     * Writes a file, replacing an existing one. If two programs write the same file at the same time, the one that
+     * finishes last wins.
      *
      * @param file the file
      * @param bytes the content of the file
@@ -51,7 +52,7 @@ public final class AtomicFile {
     public static void write(Path file, byte[] bytes) throws UnwritableFileException {
         String unique = UUID.randomUUID().toString().substring(0, DIGITS);
         Path part = file.resolveSibling(
-                "." + unique + UNFINISHED); // no part of the file's name, which may be of maximum length
+                "." + unique + UNFINISHED); // without the file's name, which may have maximum length
         try {
             try {
                 Files.write(part, bytes, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);

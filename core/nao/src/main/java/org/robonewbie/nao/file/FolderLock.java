@@ -41,7 +41,10 @@ public final class FolderLock implements AutoCloseable {
         }
     }
 
-    /** Locks one byte far behind the content, since mandatory locks, as on Windows, would prevent others from reading. */
+    /**
+     * Tries to lock the file; returns whether another program holds the lock. Only one byte far beyond the content is
+     * locked, because a mandatory lock on the content, as on Windows, would prevent others from reading it.
+     */
     static boolean isTaken(FileChannel channel) throws IOException {
         try {
             FileLock lock = channel.tryLock(Long.MAX_VALUE - 1, 1, false);

@@ -61,7 +61,10 @@ public final class PathEncoding {
                         + name() + ". Write \"export LC_ALL=C.UTF-8\" and start again.";
     }
 
-    /** Returns whether a name could not be decoded; an existing file may really contain the replacement character. */
+    /**
+     * Returns whether a name could not be decoded; the name of an existing file may really contain the replacement
+     * character.
+     */
     private static boolean isLost(String name) {
         try {
             return name.indexOf(UNDECODABLE) >= 0 && !Files.exists(Path.of(name));

@@ -39,7 +39,7 @@ public final class RegularFile {
     }
 
     /**
-     * Checks a file without opening it, as {@link #read} does first.
+     * Checks a file without opening it; {@link #read} makes the same checks first.
      *
      * @param file the file, or a symbolic link to one
      * @param maxBytes maximum size of such a file in bytes

@@ -17,9 +17,9 @@ import java.util.function.Predicate;
 import org.robonewbie.nao.text.PrintableText;
 
 /**
- * An untrusted folder that was submitted for grading or a competition. It may contain regular files only, within limits of number
- * and total size. Symbolic links are followed within the folder and rejected if they lead out of it; hard links count as regular
- * files. Nothing that is rejected is opened.
+ * An untrusted folder that was submitted for grading or a competition. It may contain regular files only, within limits
+ * on number and total size. Symbolic links are followed within the folder and rejected if they point outside it; hard
+ * links count as regular files. Nothing that is rejected is opened.
  *
  * <pre>{@code
  * new SubmittedFolder(Path.of("submissions/anna"), folder -> folder.endsWith("target")).copyTo(workFolder);

@@ -7,8 +7,8 @@ import org.robonewbie.nao.text.DecodedText;
 import org.robonewbie.nao.text.UndecodableTextException;
 
 /**
- * Reads text files in the encodings that editors, spreadsheets and shells use; see {@link DecodedText}. For files that users
- * edit; files that only programs write are in UTF-8.
+ * Reads text files in the encodings that editors, spreadsheets and shells use; see {@link DecodedText}. Intended for
+ * files that users edit; files that only programs write are always in UTF-8.
  *
  * <pre>{@code
  * for (String line : TextFile.read(Path.of("teams.properties")).lines()) { ... }

@@ -18,7 +18,7 @@ public final class UnwritableFileException extends IOException {
     }
 
     /**
-     * Creates an exception with the reason of an error of the system.
+     * Creates an exception whose message explains an error of the operating system.
      *
      * @param file the file
      * @param cause the error

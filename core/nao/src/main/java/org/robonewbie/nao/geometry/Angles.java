@@ -22,7 +22,7 @@ public final class Angles {
      *
      * @param y component to the left
      * @param x component forward
-     * @return angle to the x axis in degrees, positive to the left, -180 to 180
+     * @return angle from the x axis in degrees, positive to the left, -180 to 180
      */
     public static double atan2(double y, double x) {
         return PortableMath.toDegrees(PortableMath.atan2(y, x));

@@ -13,7 +13,7 @@ public final class BodyPoses {
 
     static final String HEAD = "head";
 
-    /** Maximum height of a corner that counts as touching the ground; the soles of a standing robot tilt slightly. */
+    /** Height below which a corner counts as touching the ground; the soles of a standing robot tilt slightly. */
     private static final double TOUCH_METRES = 0.012;
 
     private static final int CORNERS = 8;
@@ -66,7 +66,7 @@ public final class BodyPoses {
      * Returns the corners of a sole.
      *
      * @param leg the leg of the foot
-     * @return front left, front right, rear right and rear left corner, in metres
+     * @return the front left, front right, rear right and rear left corners, in metres
      */
     public List<Vector3> soleCorners(Leg leg) {
         List<Vector3> corners = corners(model.linkIndex(leg.footLink()));

@@ -135,7 +135,10 @@ final class LegSolver {
         return square;
     }
 
-    /** Calculates the remaining rotation as a rotation vector: along its axis, as long as its angle in radians times the weight. */
+    /**
+     * Calculates the remaining rotation as a rotation vector: its direction is the axis, and its length is the angle in
+     * radians times the weight.
+     */
     private void evaluateRotation(double[] rotation) {
         double x = (missing(rotation, 2, 1) - missing(rotation, 1, 2)) / 2;
         double y = (missing(rotation, 0, 2) - missing(rotation, 2, 0)) / 2;

@@ -37,8 +37,8 @@ public final class SimSparkFrame {
     /**
      * Converts a pose from SimSpark's frame to the body frame.
      *
-     * @param pose with x right, y forward, z up inside and outside
-     * @return the same pose with x forward, y left, z up inside and outside
+     * @param pose pose whose own frame and reference frame both have x right, y forward, z up
+     * @return the same pose with x forward, y left, z up in both frames
      */
     public static Pose toBody(Pose pose) {
         Rotation turn = pose.rotation();
@@ -48,8 +48,8 @@ public final class SimSparkFrame {
     /**
      * Converts a pose from the body frame to SimSpark's frame.
      *
-     * @param pose with x forward, y left, z up inside and outside
-     * @return the same pose with x right, y forward, z up inside and outside
+     * @param pose pose whose own frame and reference frame both have x forward, y left, z up
+     * @return the same pose with x right, y forward, z up in both frames
      */
     public static Pose fromBody(Pose pose) {
         Rotation turn = pose.rotation();

@@ -45,7 +45,10 @@ record HalfPiRemainder(int quadrant, double head, double tail) {
     private static final int FRACTION = 192;
     private static final int DOUBLE_BITS = 53;
 
-    /** Reduces a non-negative angle. The record is created in one place so that escape analysis can avoid the allocation. */
+    /**
+     * Reduces a non-negative angle. The record is created at a single point of the code so that escape analysis can
+     * avoid the allocation.
+     */
     static HalfPiRemainder of(double radians) {
         if (radians < LARGE) {
             return ofMedium(radians);

@@ -6,8 +6,8 @@ import java.util.function.DoubleBinaryOperator;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * Check that {@link PortableMath} yields the same bits on this machine as everywhere: a hash of 200,000 results of a function, for
- * pseudo-random arguments of all magnitudes, is compared with a stored one.
+ * Check that {@link PortableMath} yields the same bits on this machine as on every other: a hash of 200,000 results of
+ * a function, for pseudo-random arguments of all magnitudes, is compared with a stored one.
  *
  * @param function name of the function in {@link PortableMath}
  * @param expected the stored hash
@@ -68,7 +68,10 @@ public record MathFingerprint(String function, long expected, long actual) {
         return sum;
     }
 
-    /** Returns, in turn, a double with random bits, a number from -1 to 1, one from -10 to 10, and one of moderate magnitude. */
+    /**
+     * Returns, for the kinds 0 to 3, a double with random bits, a number from -1 to 1, one from -10 to 10, and one of
+     * moderate magnitude; further kinds repeat these.
+     */
     static double argument(SplittableRandom random, int kind) {
         double between = 2 * random.nextDouble() - 1;
         return switch (kind & 3) {

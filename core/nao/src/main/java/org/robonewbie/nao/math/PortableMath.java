@@ -155,7 +155,7 @@ public final class PortableMath {
     }
 
     /**
-     * {@return the nearest integer as a double; ties round to the even one}
+     * {@return the nearest integer as a double; ties round to the even integer}
      *
      * @param x the number to round
      */
@@ -173,7 +173,8 @@ public final class PortableMath {
     }
 
     /**
-     * {@return the exact value of dividend - n * divisor, where n is the integer nearest to the quotient, the even one of a tie}
+     * {@return the exact value of dividend - n * divisor, where n is the integer nearest to the quotient, or the even
+     * integer in a tie}
      *
      * <p>The remainder of an angle by 360 is the equivalent angle between -180 and 180 degrees.
      *

@@ -29,12 +29,12 @@ final class Power {
     private static final double LOG2_OF_3_HALVES_HEAD = 0.5849624872207642;
     private static final double LOG2_OF_3_HALVES_TAIL = 1.350039202129749e-08;
 
-    /** Exponent from which a power overflows or underflows unless its base is very close to 1. */
+    /** Exponent at and above which a power overflows or underflows unless its base is very close to 1. */
     private static final double HUGE_EXPONENT = 0x1.00001p31;
 
     private static final double HOPELESS_EXPONENT = 0x1.00001p64;
 
-    /** Distance of the rounded logarithm 1024 to the overflow threshold. */
+    /** Distance from the rounded logarithm 1024 to the overflow threshold. */
     private static final double OVERFLOW_MARGIN = 8.008566259537294e-17;
 
     private Power() {}
@@ -101,7 +101,7 @@ final class Power {
         return Math.abs(y) >= HOPELESS_EXPONENT || x < 0x1.fffffp-1 || x >= 0x1.00001p0;
     }
 
-    /** Calculates log2(x) by a series, for x within 2^-20 of 1. */
+    /** Calculates x^y from a series for log2(x), for x within 2^-20 of 1. */
     private static double powerNear1(double x, double y) {
         double t = x - 1;
         double w = (t * t) * (0.5 - t * (0.3333333333333333 - t * 0.25));
@@ -111,7 +111,7 @@ final class Power {
         return twoToThe(y, head, v - (head - u));
     }
 
-    /** log2(x) = n + log2(b) + log2(m / b) with m between sqrt(3)/2 and sqrt(3), where b is 1 or 3/2. */
+    /** Calculates x^y from log2(x) = n + log2(b) + log2(m / b) with m between sqrt(3)/2 and sqrt(3), where b is 1 or 3/2. */
     private static double powerOfNormal(double x, double y) {
         double normal = x < Double.MIN_NORMAL ? x * 0x1p53 : x;
         int exponent = (Words.high(normal) >> 20) - 1023 - (x < Double.MIN_NORMAL ? 53 : 0);

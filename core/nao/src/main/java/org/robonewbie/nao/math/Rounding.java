@@ -3,7 +3,7 @@ package org.robonewbie.nao.math;
 /** Rounding to integers, exact remainders and rounding errors. */
 final class Rounding {
 
-    /** Magnitude from which every double is an integer. */
+    /** Magnitude at and above which every double is an integer. */
     private static final double WHOLE = 0x1p52;
 
     /** Factor of Veltkamp's splitting of a double into halves (1968). */
@@ -21,7 +21,7 @@ final class Rounding {
         return (long) (x - below >= 0.5 ? below + 1 : below);
     }
 
-    /** Binary long division. Each subtraction is exact, since the remainder is less than twice the subtrahend. */
+    /** Binary long division. Each subtraction is exact, because the remainder is less than twice the subtrahend. */
     static double remainder(double dividend, double divisor) {
         double rest = Math.abs(dividend);
         double unit = Math.abs(divisor);

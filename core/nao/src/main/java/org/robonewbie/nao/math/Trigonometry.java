@@ -8,7 +8,7 @@ package org.robonewbie.nao.math;
  */
 final class Trigonometry {
 
-    /** Largest angle without reduction, slightly above pi/4. */
+    /** Largest angle that needs no reduction, slightly above pi/4. */
     private static final double QUARTER_PI = 0x1.921fcp-1;
 
     private static final double TOO_SMALL_TO_BEND = 0x1p-27;
@@ -41,7 +41,7 @@ final class Trigonometry {
     private static final double T11 = -1.8558637485527546e-05;
     private static final double T12 = 2.590730518636337e-05;
 
-    /** Angle from which the tangent is calculated from the difference to pi/4. */
+    /** Angle at and above which the tangent is calculated from the difference between pi/4 and the angle. */
     private static final double STEEP = 0x1.59428p-1;
 
     private static final double PI_QUARTER_HEAD = 0.7853981633974483;

@@ -4,8 +4,8 @@ import org.robonewbie.nao.Joint;
 import org.robonewbie.nao.Vector3;
 
 /**
- * A motorised hinge between two links. The robot has one for each {@link org.robonewbie.nao.Joint}, and robot type 4 two more
- * for its toes.
+ * A motorised hinge between two links. The robot has one for each {@link org.robonewbie.nao.Joint}, and robot type 4
+ * has two more for its toes.
  *
  * @param perceptorName name of the angle sensor in SimSpark's messages
  * @param effectorName name of the motor in SimSpark's messages

@@ -21,7 +21,7 @@ public final class JointStates {
      * Stores the reading of a joint's sensor.
      *
      * @param joint the joint
-     * @param newDegrees its angle in degrees; NaN, a missing reading, keeps the last one
+     * @param newDegrees its angle in degrees; NaN stands for a missing reading and leaves the last one unchanged
      */
     public void sense(Joint joint, double newDegrees) {
         if (Double.isFinite(newDegrees)) {

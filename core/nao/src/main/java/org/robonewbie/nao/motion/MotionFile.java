@@ -153,8 +153,8 @@ public final class MotionFile {
     }
 
     /**
-     * {@return what a robot cannot play exactly as written, such as angles beyond a joint's range and odd times, in the order of
-     * the file}
+     * {@return what a robot cannot play exactly as written, such as angles beyond a joint's range and durations that
+     * are not whole cycles, in the order of the file}
      */
     public List<MotionProblem> warnings() {
         List<MotionProblem> warnings = new ArrayList<>();
@@ -208,7 +208,7 @@ public final class MotionFile {
      * Sets a property by a comment {@code // key: value}. Changes the first comment with this key, or adds one at the top.
      *
      * @param key the word before the colon
-     * @param value the text after the colon, without line ends
+     * @param value the text after the colon, without line terminators
      * @return the changed file
      * @throws MotionFormatException if the bytes of the file could not be decoded
      */
@@ -230,7 +230,7 @@ public final class MotionFile {
     }
 
     /**
-     * Replaces a keyframe. Numbers that stay the same keep their digits.
+     * Replaces a keyframe. Unchanged numbers keep their original digits.
      *
      * @param index index of the keyframe, from 0
      * @param keyframe the new keyframe
@@ -268,7 +268,7 @@ public final class MotionFile {
         return changed;
     }
 
-    /** {@return the text of the file with its original line ends, and the byte order mark if there was one} */
+    /** {@return the text of the file with its original line terminators, and the byte order mark if there was one} */
     public String text() {
         return (decoded.hasByteOrderMark() ? "\uFEFF" : "") + content();
     }
@@ -283,7 +283,7 @@ public final class MotionFile {
     }
 
     /**
-     * Exchanges left and right, also in the properties {@code start} and {@code end}.
+     * Exchanges left and right, including in the properties {@code start} and {@code end}.
      *
      * @param newName the name of the mirrored motion, without {@code .txt}
      * @return a file with the mirrored motion

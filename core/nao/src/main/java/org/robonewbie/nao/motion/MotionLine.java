@@ -10,10 +10,10 @@ import org.robonewbie.nao.Joint;
 /** A line of a motion file with its original text, so that everything that is not edited is saved unchanged. */
 sealed interface MotionLine {
 
-    /** Returns the characters of the line without its line end. */
+    /** Returns the characters of the line without its line terminator. */
     String text();
 
-    /** Returns the line end: {@code \n}, {@code \r\n}, {@code \r} or nothing. */
+    /** Returns the line terminator: {@code \n}, {@code \r\n}, {@code \r} or nothing. */
     String lineEnd();
 
     static MotionLine parse(String text, String lineEnd) {
@@ -88,7 +88,7 @@ sealed interface MotionLine {
             return new Frame(text.toString(), "\n", keyframe);
         }
 
-        /** Replaces the keyframe. Unchanged numbers keep their digits; white space and comments are kept. */
+        /** Replaces the keyframe. Unchanged numbers keep their original digits; white space and comments are kept. */
         Frame with(Keyframe changed) {
             List<Word> words = Word.allIn(text);
             StringBuilder line = new StringBuilder();
@@ -118,7 +118,10 @@ sealed interface MotionLine {
                     : BigDecimal.valueOf(degrees).stripTrailingZeros().toPlainString();
         }
 
-        /** Returns what a robot cannot play exactly as written: odd times and angles beyond a joint's range. */
+        /**
+         * Returns what a robot cannot play exactly as written: durations that are not whole cycles, and angles beyond a
+         * joint's range.
+         */
         List<MotionProblem> warnings(int line) {
             List<Word> words = Word.allIn(text);
             List<MotionProblem> warnings = new ArrayList<>();

@@ -72,7 +72,7 @@ public final class MotionPlayer {
      * 1.1, any other with the given interpolation.
      *
      * @param file the file
-     * @param speed factor of the speed; 1 plays as written, 2 twice as fast
+     * @param speed speed factor; 1 plays as written, 2 twice as fast
      * @param interpolation the path of the joints between keyframes
      * @return the player
      */
@@ -93,8 +93,8 @@ public final class MotionPlayer {
     }
 
     /**
-     * Returns whether the motion turns a joint on the way to the current keyframe. On the way to the first keyframe, which depends
-     * on the robot's initial posture, the joints count that the motion turns later.
+     * Returns whether the motion turns a joint on the way to the current keyframe. On the way to the first keyframe,
+     * which depends on the robot's initial posture, every joint counts that the motion turns later.
      *
      * @param joint the joint
      * @return whether a command for the joint would conflict with the motion
@@ -249,7 +249,10 @@ public final class MotionPlayer {
         return Motors.inside(joint, posture.degrees(joint));
     }
 
-    /** Returns the cycle in which each keyframe is reached: the nearest to its time, but later than that of the keyframe before. */
+    /**
+     * Returns the cycle in which each keyframe is reached: the nearest to its time, but later than that of the previous
+     * keyframe.
+     */
     private static int[] keyframeEnds(Motion motion) {
         int[] ends = new int[motion.keyframes().size()];
         int millis = 0;

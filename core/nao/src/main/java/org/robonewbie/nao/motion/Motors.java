@@ -5,8 +5,9 @@ import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.Joint;
 
 /**
- * Speed controller for the motors of the 22 joints. The simulator accepts speeds only: a motor keeps its speed until it receives
- * another one. This class adds target angles, which a joint approaches and holds, and stops joints before their mechanical stops.
+ * Speed controller for the motors of the 22 joints. The simulator accepts speeds only: a motor keeps its speed until it
+ * receives another one. This class adds target angles, which a joint approaches and holds, and stops joints just before
+ * they reach their mechanical stops.
  *
  * <p>It compensates the delay of the simulation. The speed that answers message k turns the joint in the step before message k +
  * 2. Until then the speed that answered message k - 1 still acts, so that when the new speed takes effect, the joint will be at its
@@ -93,7 +94,10 @@ public final class Motors {
         return !commanded[joint.ordinal()];
     }
 
-    /** Sets the speed of a joint on behalf of a motion, unless the joint was commanded otherwise since the motion started. */
+    /**
+     * Sets the speed of a joint on behalf of a motion, unless the program has commanded the joint since the motion
+     * started.
+     */
     void setMotionSpeed(Joint joint, double speed) {
         if (isFree(joint)) {
             degreesPerSecond[joint.ordinal()] = speed;

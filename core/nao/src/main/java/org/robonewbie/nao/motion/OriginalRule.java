@@ -8,11 +8,11 @@ import org.robonewbie.nao.Joint;
 /**
  * The playback rule of RoboNewbie 1.1, for files with the comment {@code // play: 1.1}.
  *
- * <p>A keyframe of T milliseconds has N = T / 20 cycles, rounded down. While more than one cycle remains, each joint makes the step
- * (target - (sensed + previous step)) / (remaining - 1), where the previous step is that of the cycle before in the same keyframe.
- * In the last cycle all joints stop. The trajectory is thus replanned in each cycle from the sensed angles, the robot rests for one
- * cycle at each keyframe, and a keyframe of one cycle has no effect. A keyframe ends early when all steps are exactly 0. One more
- * cycle follows the last keyframe.
+ * <p>A keyframe of T milliseconds has N = T / 20 cycles, rounded down. While more than one cycle remains, each joint
+ * turns by the step (target - (sensed + previous step)) / (remaining - 1), where the previous step is that of the
+ * previous cycle, or 0 in the first cycle of a keyframe. In the last cycle all joints stop. The trajectory is thus
+ * replanned in each cycle from the sensed angles, the robot rests for one cycle at each keyframe, and a keyframe of one
+ * cycle has no effect. A keyframe ends early when all steps are exactly 0. One more cycle follows the last keyframe.
  */
 final class OriginalRule {
 

@@ -8,8 +8,8 @@ import java.util.function.Consumer;
 import org.robonewbie.nao.Vector3;
 
 /**
- * Serializes values to bytes without loss: integers and the bits of doubles in little-endian order, texts in UTF-8 after their
- * length.
+ * Serializes values to bytes without loss: integers and the bits of doubles in little-endian order, texts in UTF-8,
+ * preceded by their length.
  */
 public final class StateWriter {
 

@@ -38,7 +38,7 @@ public final class Csv {
      * Formats a line.
      *
      * @param cells the text of each cell
-     * @return the line without its line end
+     * @return the line without its line terminator
      */
     public static String line(Stream<String> cells) {
         // In the web edition, Collectors.joining drops an empty first cell.

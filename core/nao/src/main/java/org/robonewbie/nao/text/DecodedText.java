@@ -21,7 +21,7 @@ import java.util.Optional;
  *
  * @param encoding encoding of the bytes
  * @param hasByteOrderMark whether the file starts with a byte order mark, which {@code content} does not contain
- * @param content all characters, with the line ends of the file
+ * @param content all characters, with the line terminators of the file
  */
 public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, String content) {
 
@@ -61,7 +61,7 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
         }
     }
 
-    /** {@return the lines without their line ends: carriage return, line feed, or both} */
+    /** {@return the lines without their terminators: carriage return, line feed, or both} */
     public List<String> lines() {
         List<String> lines = new ArrayList<>();
         int start = 0;

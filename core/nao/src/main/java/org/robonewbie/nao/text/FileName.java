@@ -5,8 +5,8 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
- * Checks for file names that are valid on Windows, macOS and Linux, in any script. The studio's pages have the same rule in
- * {@code state/file-name.js}.
+ * Checks for file names that are valid on Windows, macOS and Linux, in any script. The studio's pages implement the
+ * same rules in {@code state/file-name.js}.
  *
  * <pre>{@code
  * FileName.problem("grüßen");   // empty
@@ -21,7 +21,7 @@ public final class FileName {
     /** Path separators, characters that Windows rejects, and the escape character of URLs. */
     private static final String RESERVED = "/\\:*?\"<>|%";
 
-    /** Spaces that look like an ordinary one. The ideographic space is valid, since Japanese keyboards produce it. */
+    /** Spaces that look like an ordinary one. The ideographic space is valid, because Japanese keyboards produce it. */
     private static final String OTHER_SPACES =
             "\u00A0\u1680\u2000\u2001\u2002\u2003\u2004\u2005\u2006\u2007\u2008\u2009\u200A\u202F\u205F";
 

@@ -4,11 +4,11 @@ package org.robonewbie.nao.text;
 public enum TextEncoding {
     /** The default of nearly every editor. */
     UTF_8("UTF-8"),
-    /** Windows PowerShell and Excel ("Unicode text"); always with a byte order mark. */
+    /** Written by Windows PowerShell and Excel ("Unicode text"); always with a byte order mark. */
     UTF_16_LE("UTF-16LE"),
-    /** UTF-16 with swapped bytes; always with a byte order mark. */
+    /** UTF-16 in big-endian byte order; always with a byte order mark. */
     UTF_16_BE("UTF-16BE"),
-    /** Old Windows editors, NetBeans and Excel in Western Europe; a superset of printable Latin-1. */
+    /** Written by old Windows editors, NetBeans and Excel in Western Europe; a superset of printable Latin-1. */
     WINDOWS_1252("Windows-1252");
 
     private final String title;

@@ -4,7 +4,10 @@ import java.util.List;
 import org.robonewbie.protocol.effector.EffectorMessageWriter;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
-/** A placeholder connection for an agent of a saved state that is not connected now: it answers each message, but never moves. */
+/**
+ * A placeholder connection for an agent of a saved state that is not currently connected: it answers each message but
+ * never moves.
+ */
 final class AbsentLink implements ServerLink {
 
     private boolean answerDue;

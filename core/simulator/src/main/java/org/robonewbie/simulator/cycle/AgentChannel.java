@@ -13,13 +13,13 @@ import org.robonewbie.simulator.Console;
 /** The message exchange with one agent: incoming commands, outgoing messages and synchronisation. */
 public final class AgentChannel implements Restorable {
 
-    /** Messages that an agent may leave unanswered in sync mode while it joins. */
+    /** Number of messages that an agent may leave unanswered in sync mode while it joins. */
     private static final int FREE_MESSAGES = 5;
 
-    /** Limit of queued commands per cycle; a robot has 24 hinges. */
+    /** Maximum number of queued commands per cycle; a robot has only 24 hinges. */
     private static final int MAX_COMMANDS = 2000;
 
-    /** Limit of the bytes per cycle that are kept for observers. */
+    /** Maximum number of bytes per cycle that are kept for observers. */
     private static final int MAX_KEPT_BYTES = 65_536;
 
     private final ServerLink link;
@@ -89,14 +89,13 @@ public final class AgentChannel implements Restorable {
         return executedMessage;
     }
 
-    /** The commands executed in this cycle. */
     List<EffectorCommand> executedCommands() {
         return executed;
     }
 
     /**
-     * Whether the agent has disconnected. In sync mode this is reported only when its next answer is due, so that a run does not
-     * depend on when the end of the connection arrives.
+     * Whether the agent has disconnected. In sync mode this is reported only when its next answer is due, so that a run
+     * does not depend on the moment at which the disconnection is detected.
      */
     boolean hasLeft() {
         return !link.isOpen() && !(synchronous && synchronised);
@@ -115,12 +114,12 @@ public final class AgentChannel implements Restorable {
                 || (!link.isLocal() && !spoken);
     }
 
-    /** Agents of other processes may join without {@code (syn)}; any answer counts until their first one. */
+    /** An agent in another process may join without {@code (syn)}: until it first sends one, any answer counts. */
     private boolean hasAnsweredWithoutSyn() {
         return !link.isLocal() && answered && !everSynchronised;
     }
 
-    /** Whether this is an agent of another process that a world in sync mode awaits before its first cycle. */
+    /** Whether this agent is in another process and must join before the first cycle of a world in sync mode. */
     boolean isAwaited() {
         return synchronous && strict && !link.isLocal();
     }
@@ -214,7 +213,7 @@ public final class AgentChannel implements Restorable {
 
     @Override
     public void restore(StateReader in) {
-        // Messages that have not been read yet belong to the abandoned course of events.
+        // Unread messages belong to the state that is being replaced.
         while (link.poll(incoming)) {
             incoming.clear();
         }

@@ -19,7 +19,7 @@ import org.robonewbie.simulator.sensing.CameraSettings;
 import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.world.Robot;
 
-/** A connected agent with its robot and its requests of this cycle. */
+/** A connected agent with its robot and its requests in this cycle. */
 public final class AgentSession {
 
     private final AgentChannel connection;
@@ -95,12 +95,12 @@ public final class AgentSession {
         return isNewborn;
     }
 
-    /** Sets the camera, whose calibration errors survive a new body. */
+    /** Sets the camera, which keeps its calibration errors when the robot gets a new body. */
     void setCamera(Camera newCamera) {
         camera = Optional.of(newCamera);
     }
 
-    /** The camera picture of this cycle. */
+    /** The camera image of this cycle. */
     Optional<Vision> picture() {
         return picture;
     }
@@ -183,7 +183,7 @@ public final class AgentSession {
         return taken;
     }
 
-    /** Whether the next message contains number and team; true once after joining. */
+    /** Returns whether the next message must contain number and team; true only for the first call after joining. */
     boolean takeTeamAnnouncement() {
         boolean taken = teamAnnouncementDue;
         teamAnnouncementDue = false;
@@ -196,7 +196,7 @@ public final class AgentSession {
         isNewborn = false;
     }
 
-    /** Whether a camera picture is due; one in three cycles, counted from the connection. */
+    /** Whether a camera image is due, in every third cycle since the agent connected. */
     boolean seesInThisCycle() {
         return cycles % CameraSettings.CYCLES_PER_PICTURE == 0;
     }

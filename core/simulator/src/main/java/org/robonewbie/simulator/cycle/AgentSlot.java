@@ -77,7 +77,7 @@ record AgentSlot(int id, String team, int number) {
         out.putInt(number);
     }
 
-    /** Returns an agent for each slot, and removes the agents with a slot from the list. */
+    /** Assigns an agent to each slot and removes the assigned agents from the list. */
     private static AgentSession[] fill(
             List<AgentSlot> slots, List<AgentSession> agents, Supplier<AgentSession> absent) {
         AgentSession[] found = new AgentSession[slots.size()];

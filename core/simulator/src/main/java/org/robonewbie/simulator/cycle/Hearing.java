@@ -10,8 +10,9 @@ import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.protocol.perceptor.Heard;
 
 /**
- * A robot's hear perceptor. Per cycle it receives at most the robot's own message, one message of a team mate and one of an
- * opponent, and after a message it receives none of that kind in the next cycle (SimSpark: {@code agentstate.cpp}).
+ * A robot's hear perceptor. In each cycle it receives at most the robot's own message, one message from a teammate and
+ * one from an opponent. After a message from a teammate or an opponent, it receives none of that kind in the next cycle
+ * (SimSpark: {@code agentstate.cpp}).
  */
 final class Hearing implements Restorable {
 

@@ -31,8 +31,8 @@ final class PerceptorGenerator {
     }
 
     /**
-     * Takes the pictures of all cameras. As in SimSpark, they show the world after the physics step and before the referee
-     * moves anything.
+     * Captures the images of all cameras. As in SimSpark, they show the world after the physics step and before the
+     * referee moves anything.
      */
     void takePictures(List<AgentSession> agents) {
         boolean isPictureDue = agents.stream().anyMatch(AgentSession::seesInThisCycle);
@@ -61,7 +61,10 @@ final class PerceptorGenerator {
         return Optional.of(agent.camera().get().look(agent.robot().get(), world, players, side));
     }
 
-    /** An awaited agent sees nothing before it joins a team, since its view would depend on the order of connections. */
+    /**
+     * Whether an awaited agent has not yet joined a team. Until then it sees nothing, because its view would depend on
+     * the order of connections.
+     */
     private static boolean isUnidentified(AgentSession agent) {
         return agent.connection().isAwaited() && agent.player().isEmpty();
     }

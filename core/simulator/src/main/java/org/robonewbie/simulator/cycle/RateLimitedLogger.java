@@ -4,7 +4,10 @@ import java.util.HashSet;
 import java.util.Set;
 import org.robonewbie.simulator.Console;
 
-/** A logger for the problems of one connection. Each kind is logged once, so that a faulty client cannot flood the console. */
+/**
+ * A logger for problems with one connection. Each kind of problem is logged only once, so that a faulty client cannot
+ * flood the console.
+ */
 public final class RateLimitedLogger {
 
     private static final int LIMIT = 20;
@@ -27,7 +30,7 @@ public final class RateLimitedLogger {
     /**
      * Logs a problem unless its kind was logged before.
      *
-     * @param kind key of the kind of problem
+     * @param kind key that identifies the kind of problem
      * @param sentence the message without its subject
      */
     public void warn(String kind, String sentence) {

@@ -12,7 +12,7 @@ import org.robonewbie.simulator.soccer.Match;
 import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.world.LinkMotion;
 
-/** Restores a world from two snapshots, whose difference gives the velocities. */
+/** Restores a world from two snapshots, deriving the velocities from their difference. */
 final class Restoration {
 
     private final SimulationCycle cycle;

@@ -39,10 +39,9 @@ import org.robonewbie.simulator.world.SoccerWorld;
  * in the previous cycle, steps the physics, runs the referee and generates the next messages (SimSpark: {@code
  * simulationserver.cpp}).
  *
- * <p>An agent's answer to message k is therefore read after message k + 1 is generated, and its effect shows in message k + 2: a
- * delay of two cycles.
- * Agents are served in the order of their connections or, for agents of other processes, in the {@link TurnOrder}, so that equal
- * answers give equal games.
+ * <p>An agent's answer to message k is therefore read after message k + 1 is generated, and its effect shows in message k
+ * + 2: a delay of two cycles. Agents are served in the order of their connections or, for agents in other processes, in
+ * the {@link TurnOrder}, so that identical answers produce identical games.
  */
 public final class SimulationCycle implements Restorable {
 
@@ -174,8 +173,8 @@ public final class SimulationCycle implements Restorable {
     }
 
     /**
-     * Reads the agents' messages and removes the robots of agents that have left. Called between two cycles, so that a world that
-     * is left waiting for agents shows no stale robots.
+     * Reads the agents' messages and removes the robots of agents that have left. Called between two cycles, so that a
+     * world that is waiting for agents shows no stale robots.
      */
     public void readMessages() {
         for (int i = 0; i < agents.size(); ) {
@@ -234,7 +233,7 @@ public final class SimulationCycle implements Restorable {
     }
 
     /**
-     * Continues from an earlier snapshot; robots that are not in the game now are skipped.
+     * Continues from an earlier snapshot; robots that are no longer in the game are skipped.
      *
      * @param before a snapshot before {@code target}, used to derive velocities; the same snapshot for a world at rest
      * @param target the snapshot to continue from
@@ -246,7 +245,7 @@ public final class SimulationCycle implements Restorable {
     /**
      * Counts the connected agents that have sent a message.
      *
-     * @param team the team whose entrance they used; empty for agents of the common port
+     * @param team the team whose port they used; empty for agents on the common port
      * @return their number
      */
     public int speakingAgents(Optional<String> team) {
@@ -332,9 +331,9 @@ public final class SimulationCycle implements Restorable {
     }
 
     /**
-     * Continues from a saved state. Each saved agent is matched to a connected one: by team and number, then by robot id, finally
-     * to any agent without a robot. A saved agent without a match is replaced by a robot that does not move. Connected agents
-     * without a match stay connected without a robot.
+     * Continues from a saved state. Each saved agent is matched to a connected one: by team and number, then by robot id,
+     * and finally by picking any agent without a robot. A saved agent without a match is replaced by a robot that does
+     * not move. Connected agents without a match stay connected without a robot.
      *
      * <p>The recording ends; a new one without a file begins.
      *

@@ -86,7 +86,7 @@ public final class SteppedSimulator implements AutoCloseable {
     }
 
     /**
-     * Connects one of several agents of this thread.
+     * Connects one of several agents that run on this thread.
      *
      * @param turn called repeatedly while the agent waits for a message; must let the other agents answer and call {@link #cycle}
      * @return the agent's end
@@ -98,7 +98,7 @@ public final class SteppedSimulator implements AutoCloseable {
     }
 
     /**
-     * Connects an agent of another process.
+     * Connects an agent in another process.
      *
      * @param link the simulator's end of its connection
      */
@@ -222,7 +222,7 @@ public final class SteppedSimulator implements AutoCloseable {
     }
 
     /**
-     * Continues approximately from an earlier snapshot; robots that are not in the game now are skipped.
+     * Continues approximately from an earlier snapshot; robots that are no longer in the game are skipped.
      *
      * @param before a snapshot before {@code target}, used to derive velocities; the same snapshot for a world at rest
      * @param target the snapshot to continue from

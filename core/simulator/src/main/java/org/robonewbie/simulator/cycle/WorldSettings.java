@@ -7,7 +7,7 @@ import org.robonewbie.simulator.sensing.CameraSettings;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
- * The parameters that determine a run: equal settings and equal agents give equal runs.
+ * The parameters that determine a run: identical settings and identical agents produce identical runs.
  *
  * <pre>{@code
  * WorldSettings settings = WorldSettings.beginner().withSeed(7).withNoise(false);
@@ -15,7 +15,7 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
  *
  * @param parameters pitch, rules and beam noise
  * @param synchronous whether each cycle waits for all agents; otherwise the simulation runs in real time
- * @param camera camera noise and ground truth in camera pictures
+ * @param camera camera noise and ground truth in camera images
  * @param landscape objects on the pitch
  * @param seed seed of all random numbers
  */

@@ -68,7 +68,7 @@ public final class BeginnersSimulatorProvider implements SimulatorProvider {
         }
     }
 
-    /** Runs with a view are recorded for replay. */
+    /** Returns the file of the automatic recording, which only a run with a view has. */
     private static Optional<Path> automaticRecording(SimulatorRequest request) {
         return request.headless()
                 ? Optional.empty()

@@ -10,8 +10,8 @@ import java.util.concurrent.locks.LockSupport;
 import org.robonewbie.simulator.Console;
 
 /**
- * Opens the user's browser with the command of the operating system. The command contains a {@link RedirectPage} instead of the
- * address, because all accounts of a computer can read its command lines.
+ * Opens the user's browser with the command of the operating system. The command contains a {@link RedirectPage} instead
+ * of the address, because command lines are visible to all users of a computer.
  */
 public final class Browser {
 
@@ -21,10 +21,10 @@ public final class Browser {
     private Browser() {}
 
     /**
-     * Opens a view in the browser, unless a page of an earlier run is still open and reconnects. Non-blocking.
+     * Opens a view in the browser, unless a page that is still open from an earlier run reconnects. Non-blocking.
      *
      * @param view the view
-     * @param console output for the address if the browser cannot be opened
+     * @param console receives the address if the browser cannot be opened
      */
     public static void openUnlessWatched(Viewer.View view, Console console) {
         Thread opener = new Thread(
@@ -49,7 +49,7 @@ public final class Browser {
      * Opens an address in the browser.
      *
      * @param address the address, which must stay secret from other users of this computer
-     * @param console output for the address if the browser cannot be opened
+     * @param console receives the address if the browser cannot be opened
      */
     public static void open(URI address, Console console) {
         try {

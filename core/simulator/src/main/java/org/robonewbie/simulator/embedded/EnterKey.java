@@ -10,7 +10,9 @@ import java.util.function.Supplier;
 /** Prints a new address of a view whenever Enter is pressed in the terminal, because each address is valid for one use. */
 public final class EnterKey {
 
-    /** System property set by the launcher, which also prevents a background process from being stopped when it reads. */
+    /**
+     * System property set by the launcher, which also ensures that a background process is not suspended when it reads.
+     */
     private static final String TERMINAL = "robonewbie.terminal";
 
     private static final String HINT = " (valid once; press Enter here for a new address)";
@@ -19,8 +21,8 @@ public final class EnterKey {
     private EnterKey() {}
 
     /**
-     * Starts listening if the launcher has started this process in a terminal. Once a program in this process reads standard
-     * input, it receives the lines instead.
+     * Starts listening if the launcher has started this process in a terminal. Once the program in this process reads
+     * from standard input, the program receives the lines instead.
      *
      * @param view the view
      * @return a hint to print after the first address; empty if not listening
@@ -38,7 +40,9 @@ public final class EnterKey {
         return HINT;
     }
 
-    /** Prints an address for each line until the input ends, or passes the lines to the program if it reads. */
+    /**
+     * Prints an address for each line until the input ends, or passes the line to the program if it has started reading.
+     */
     static void listen(InputStream keyboard, SharedInput program, Supplier<URI> addresses, PrintStream terminal) {
         byte[] line = new byte[MAX_LINE_BYTES];
         try (program) {
@@ -48,7 +52,7 @@ public final class EnterKey {
                 }
             }
         } catch (IOException inBackground) {
-            // The terminal belongs to another program now.
+            // The terminal now belongs to another program.
         }
     }
 }

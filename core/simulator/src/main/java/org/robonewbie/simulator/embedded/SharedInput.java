@@ -6,7 +6,10 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.InterruptedIOException;
 
-/** The standard input of a program that shares the terminal. It receives the bytes offered after its first read. */
+/**
+ * Standard input for a program that shares the terminal with the simulator. The program receives the bytes offered after
+ * its first read.
+ */
 final class SharedInput extends InputStream {
 
     private ByteArrayInputStream pending = new ByteArrayInputStream(new byte[0]);

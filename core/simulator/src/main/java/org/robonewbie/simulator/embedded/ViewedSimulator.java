@@ -23,7 +23,9 @@ final class ViewedSimulator implements EmbeddedSimulator {
         this.telemetryServer = view.flatMap(opened -> listen(simulator.agentPort(), opened.telemetry()));
     }
 
-    /** Starts the telemetry server. Robots of other processes work without it, so a port in use is not an error. */
+    /**
+     * Starts the telemetry server. Robots of other processes work without the server, so a port in use is not an error.
+     */
     private static Optional<TelemetryServer> listen(int agentPort, TelemetrySink sink) {
         try {
             return Optional.of(TelemetryServer.open(TelemetryServer.portFor(agentPort), sink));

@@ -36,8 +36,8 @@ public interface Viewer {
         boolean isWatched();
 
         /**
-         * Returns the sink for the telemetry of robots. It must be thread-safe: robots of this process and, through a {@link
-         * org.robonewbie.protocol.tcp.TelemetryServer}, of other processes use it.
+         * Returns the sink for the telemetry of robots. It must be thread-safe: robots in this process and, through a
+         * {@link org.robonewbie.protocol.tcp.TelemetryServer}, in other processes use it.
          *
          * @return receives log lines, beliefs and drawings; {@link TelemetrySink#NONE} if this view does not show them
          */

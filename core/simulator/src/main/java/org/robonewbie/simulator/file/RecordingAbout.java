@@ -14,8 +14,8 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.file.RegularFile;
 
 /**
- * The metadata of a recording in a sidecar file {@code NAME.about}: its origin and the user's annotations. The recording itself
- * contains none of it, so that equal runs give equal recordings.
+ * The metadata of a recording in a sidecar file {@code NAME.about}: its origin and the user's annotations. The recording
+ * itself contains none of it, so that identical runs produce identical recordings.
  *
  * @param agent name of the program, empty if unknown
  * @param project working directory of the program, empty if unknown
@@ -46,7 +46,7 @@ public record RecordingAbout(String agent, String project, boolean starred, List
             boolean starred,
             @Nullable List<Bookmark> bookmarks) {}
 
-    /** Makes the list unmodifiable. */
+    /** Makes the list of bookmarks unmodifiable. */
     public RecordingAbout {
         bookmarks = List.copyOf(bookmarks);
     }
@@ -93,7 +93,7 @@ public record RecordingAbout(String agent, String project, boolean starred, List
     }
 
     /**
-     * Adds a bookmark or replaces the one at the same time.
+     * Adds a bookmark, replacing any at the same time.
      *
      * @param seconds time since the start of the recording
      * @param note the user's note, truncated to 300 characters

@@ -14,8 +14,8 @@ import org.robonewbie.simulator.recording.RecordingReader;
 import org.robonewbie.simulator.recording.RecordingTarget;
 
 /**
- * A recording as a gzip file. It is written as {@code NAME.part} and renamed when it is closed, so that a killed program leaves a
- * readable part.
+ * A recording as a gzip file. It is written as {@code NAME.part} and renamed when it is closed, so that a program that is
+ * killed leaves a partial but readable recording.
  */
 public final class RecordingFile implements RecordingTarget {
 
@@ -130,7 +130,7 @@ public final class RecordingFile implements RecordingTarget {
         void on(OutputStream stream) throws IOException;
     }
 
-    /** Performs an action. A failure, such as a full disk, ends the recording but not the simulation. */
+    /** Performs an action. A failure, such as a full disk, stops the recording but not the simulation. */
     private void attempt(Action action) {
         if (out != null) {
             try {

@@ -10,11 +10,11 @@ import org.robonewbie.nao.file.AtomicFile;
 /**
  * A recording with its sidecar files of the same name, which are moved and deleted together.
  *
- * @param recording the recording file; ends with {@code .part} while it is written
+ * @param recording the recording file; its name ends with {@code .part} while it is being written
  */
 public record RecordingGroup(Path recording) {
 
-    /** Extension of files with log lines and drawings of robots. */
+    /** Extension of files with log lines and drawings from robots. */
     public static final String NOTES = ".notes";
 
     /** Extension of files with an index of the recording. */

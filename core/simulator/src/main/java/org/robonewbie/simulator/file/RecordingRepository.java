@@ -15,8 +15,8 @@ import java.util.stream.Stream;
 import org.robonewbie.nao.file.AtomicFile;
 
 /**
- * The folder for automatic recordings, with a size limit. The oldest recordings are deleted to stay within the limit, even while a
- * run is recorded. Starred recordings are kept and do not count.
+ * The folder for automatic recordings, with a size limit. The oldest recordings are deleted to stay within the limit,
+ * even while a run is being recorded. Starred recordings are kept and do not count.
  *
  * @param folder the folder, which need not exist
  * @param maxBytes maximum total size of the recordings
@@ -35,8 +35,8 @@ public record RecordingRepository(Path folder, long maxBytes) {
     /**
      * Returns the repository of the current user.
      *
-     * @return the repository in {@code .robonewbie/recordings} of the home directory or in the folder of {@link #SWITCH}; empty if
-     *     recording is switched off
+     * @return the repository in {@code .robonewbie/recordings} in the home directory or in the folder that {@link
+     *     #SWITCH} names; empty if recording is switched off
      */
     public static Optional<RecordingRepository> ofUser() {
         String choice = Optional.ofNullable(System.getenv(SWITCH)).orElse("");
@@ -51,7 +51,7 @@ public record RecordingRepository(Path folder, long maxBytes) {
      * Allocates the next recording and deletes old ones if necessary.
      *
      * @param agent name of the program, empty if unknown
-     * @return the file, named after the current time, which does not exist yet; empty if the folder cannot be used
+     * @return the file, named after the current time, which does not yet exist; empty if the folder cannot be used
      */
     public Optional<Path> next(String agent) {
         try {
@@ -96,7 +96,7 @@ public record RecordingRepository(Path folder, long maxBytes) {
         }
     }
 
-    /** Deletes the oldest recordings beyond the size limit, but never the newest one. */
+    /** Deletes the oldest recordings until the rest is within the size limit, but never the newest one. */
     private void deleteOldest() throws IOException {
         long bytes = 0;
         for (Path file : list()) {

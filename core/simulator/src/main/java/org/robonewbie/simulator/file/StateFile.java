@@ -9,7 +9,7 @@ import org.robonewbie.simulator.state.WorldState;
 /** Reads and writes saved world states. */
 public final class StateFile {
 
-    /** File extension. */
+    /** Extension of files with a saved state. */
     public static final String ENDING = ".state";
 
     private StateFile() {}

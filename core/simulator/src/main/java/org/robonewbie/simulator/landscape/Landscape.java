@@ -9,8 +9,8 @@ import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * Set of things on the pitch: none in a soccer match, otherwise obstacles to walk around, climb or push. The command line option
- * is {@code --scene}.
+ * Set of objects on the pitch: none in a soccer match, otherwise obstacles to walk around, climb or push. The
+ * command-line option {@code --scene} selects one.
  *
  * <pre>{@code
  * WorldSettings settings = WorldSettings.beginner().withLandscape(Landscape.SLOPE);
@@ -18,7 +18,7 @@ import org.robonewbie.nao.math.PortableMath;
  *
  * @param name name on the command line
  * @param description short description for help texts
- * @param things the things in their initial poses
+ * @param things the objects in their initial poses
  */
 public record Landscape(String name, String description, List<Thing> things) {
 
@@ -59,7 +59,7 @@ public record Landscape(String name, String description, List<Thing> things) {
     /** All landscapes, the bare pitch first. */
     public static final List<Landscape> ALL = List.of(SOCCER, OBSTACLES, SLOPE, BOX);
 
-    /** Copies the list of things. */
+    /** Copies the list of objects. */
     public Landscape {
         things = List.copyOf(things);
     }

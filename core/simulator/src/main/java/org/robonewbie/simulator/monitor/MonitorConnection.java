@@ -51,7 +51,7 @@ final class MonitorConnection {
         return !encoder.isPending();
     }
 
-    /** Reads what has arrived. */
+    /** Reads the orders that have arrived. */
     List<Order> receive() {
         List<Order> commands = new ArrayList<>();
         try {

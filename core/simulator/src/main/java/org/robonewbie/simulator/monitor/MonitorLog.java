@@ -12,10 +12,10 @@ import org.robonewbie.protocol.monitor.MonitorMessageWriter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
- * A log in the format of rcssserver3d for replay in RoboViz and rcssmonitor3d. It has one line per 0.2 s with a monitor message,
- * which is a full one at least every 3 s and whenever the scene has changed.
+ * A log in the format of rcssserver3d for replay in RoboViz and rcssmonitor3d. Every 0.2 s it gets a line with a monitor
+ * message: a full one at least every 3 s and whenever the scene has changed, otherwise a partial one.
  *
- * <p>Each line is flushed, so that a server that is killed leaves a valid log.
+ * <p>Each line is flushed, so that a killed server leaves a valid log.
  */
 public final class MonitorLog implements AutoCloseable {
 

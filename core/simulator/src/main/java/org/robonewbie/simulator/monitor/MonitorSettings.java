@@ -14,7 +14,7 @@ import org.robonewbie.simulator.soccer.SoccerParameters;
  */
 public record MonitorSettings(String bindAddress, int port, double stepSeconds, SoccerParameters parameters) {
 
-    /** Seconds between two messages of rcssserver3d. */
+    /** Seconds between two messages in rcssserver3d. */
     public static final double DEFAULT_STEP_SECONDS = 0.04;
 
     int cyclesPerMessage() {

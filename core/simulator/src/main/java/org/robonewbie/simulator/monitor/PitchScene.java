@@ -130,7 +130,7 @@ final class PitchScene {
         }
     }
 
-    /** Returns a grey box as SimSpark describes the outer walls. */
+    /** Returns a grey box in the format that SimSpark uses for the outer walls. */
     static MeshNode box(float sizeX, float sizeY, float sizeZ) {
         return new MeshNode(
                 new StandardShape("StdUnitBox", List.of()), sizeX, sizeY, sizeZ, List.of("matGrey"), false, true);

@@ -13,7 +13,7 @@ import org.robonewbie.protocol.monitor.SceneNode;
 import org.robonewbie.protocol.monitor.TransformNode;
 import org.robonewbie.protocol.order.PlayerNumber;
 
-/** A robot in the scene: one top-level node with a child for each link, in world coordinates. */
+/** A robot in the monitors' scene: one top-level node, with a child node for each link in world coordinates. */
 final class RobotFigure {
 
     private static final String ANY_TEAM = "matTeam";

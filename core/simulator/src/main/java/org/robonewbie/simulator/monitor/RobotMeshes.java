@@ -12,8 +12,8 @@ import org.robonewbie.protocol.monitor.MeshNode.StandardShape;
 import org.robonewbie.protocol.sexp.SexpWriter;
 
 /**
- * The meshes of a robot's links: mesh files of the monitors, and primitive shapes inside the joints. Source: a recording of
- * rcssserver3d 0.7.3 and SimSpark's NAO scene files.
+ * The meshes of a robot's links: mesh files that the monitors provide, and primitive shapes for the links inside joints.
+ * Source: a recording of rcssserver3d 0.7.3 and SimSpark's NAO scene files.
  */
 final class RobotMeshes {
 
@@ -29,7 +29,7 @@ final class RobotMeshes {
         materialOfType = "matType" + typeNumber;
     }
 
-    /** The mesh of a link; some mesh files are modelled lying on the back. */
+    /** The mesh of a link, and whether its file is modelled lying on its back. */
     record Look(MeshNode mesh, boolean lying) {}
 
     Look look(Link link) {
@@ -57,7 +57,7 @@ final class RobotMeshes {
         };
     }
 
-    /** Returns the mesh of a thigh; only the right one shows the number. */
+    /** Returns the mesh of a thigh; only the right one shows the uniform number. */
     private static MeshNode thigh(String name) {
         return name.startsWith("r")
                 ? mesh(name, 0.07f, "matNum", "matTeam", "naowhite")

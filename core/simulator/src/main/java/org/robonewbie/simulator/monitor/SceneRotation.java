@@ -3,8 +3,8 @@ package org.robonewbie.simulator.monitor;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * Single-precision transforms of fixed scene nodes, rotated about x, then y, then z. The operations have SimSpark's order, so that
- * monitors receive the same rounding errors.
+ * Single-precision transforms of fixed scene nodes, rotated about x, then y, then z. The operations are in SimSpark's
+ * order, so that monitors receive values with the same rounding errors.
  */
 final class SceneRotation {
 
@@ -33,7 +33,7 @@ final class SceneRotation {
         return rotation.matrix;
     }
 
-    /** Rotates the first column towards the second. */
+    /** Rotates two columns in their common plane, the first towards the second. */
     private void rotate(int first, int second, float degrees) {
         float cosine = cosine(degrees);
         float sine = sine(degrees);

@@ -22,7 +22,6 @@ final class SoccerScene {
         nodes = List.copyOf(pitch.nodes());
     }
 
-    /** The top-level nodes. */
     List<TransformNode> nodes() {
         return nodes;
     }

@@ -8,7 +8,7 @@ import org.robonewbie.protocol.monitor.TransformNode;
 import org.robonewbie.simulator.landscape.Thing;
 import org.robonewbie.simulator.physics.BodyPose;
 
-/** The objects of a landscape in the scene, drawn as grey boxes like the outer walls. */
+/** The objects of a landscape in the monitors' scene, drawn as grey boxes like the outer walls. */
 final class ThingFigures {
 
     private List<Thing> shown = List.of();
@@ -18,7 +18,10 @@ final class ThingFigures {
         return nodes;
     }
 
-    /** Updates the nodes; returns whether number or sizes of the objects have changed, which requires a full message. */
+    /**
+     * Updates the nodes; returns whether the number or the sizes of the objects have changed, which requires a full
+     * message.
+     */
     boolean update(List<Thing> things) {
         boolean changed = things.size() != shown.size();
         for (int i = 0; !changed && i < things.size(); i++) {

@@ -3,7 +3,9 @@ package org.robonewbie.simulator.physics;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.model.Shape;
 
-/** Group of bodies and colliders, such as a robot or a goal. Its parts do not collide with each other, except in the scenery. */
+/**
+ * Group of bodies and colliders, such as a robot or a goal. They do not collide with each other, except in the scenery.
+ */
 public interface Assembly {
 
     /**
@@ -16,7 +18,7 @@ public interface Assembly {
     RigidBody addBody(MassDistribution mass, Vector3 position);
 
     /**
-     * Connects two bodies by a hinge whose angle is 0 in their present pose.
+     * Connects two bodies by a hinge whose angle is 0 in their current pose.
      *
      * @param child the outer body; a positive angle rotates it relative to the parent by the right-hand rule
      * @param parent the inner body
@@ -58,7 +60,7 @@ public interface Assembly {
     Collider addTrigger(BodyPose pose, Shape shape, Object owner);
 
     /**
-     * Removes all parts from the world. They must not be used afterwards.
+     * Removes all bodies, hinges and colliders from the world. They must not be used afterwards.
      *
      * @throws UnsupportedOperationException for the scenery
      */

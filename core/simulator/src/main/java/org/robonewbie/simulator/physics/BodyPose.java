@@ -43,7 +43,7 @@ public record BodyPose(Vector3 position, RotationMatrix rotation) {
     }
 
     /**
-     * Converts a quaternion pose without changing its axes.
+     * Converts a pose with a quaternion without changing its axes.
      *
      * @param pose pose in the world frame
      * @return the same pose

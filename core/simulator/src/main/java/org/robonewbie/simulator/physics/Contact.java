@@ -18,7 +18,8 @@ public interface Contact {
      * Adds the contact force to weighted sums. The force acts on the body of the first collider and includes friction. It is zero
      * before the step, for a trigger, and between sleeping bodies.
      *
-     * @param sums seven elements, to which force, position times magnitude of the force, and magnitude are added, in newtons
+     * @param sums seven elements, to which force, the position times the magnitude of the force, and the magnitude are
+     *     added, in newtons
      */
     void addTo(double[] sums);
 }

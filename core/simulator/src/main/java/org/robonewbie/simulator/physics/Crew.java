@@ -5,7 +5,8 @@ import java.util.function.IntConsumer;
 /**
  * Executor of independent tasks, on any number of threads.
  *
- * <p>The result must not depend on the order or the threads: a task must not write to anything that another task accesses.
+ * <p>The result must not depend on the order of the tasks or on the threads: a task must not write to anything that
+ * another task accesses.
  */
 public interface Crew {
 
@@ -17,11 +18,11 @@ public interface Crew {
     };
 
     /**
-     * Runs a task for each index and returns when all are done. Earlier writes of the caller are visible to all tasks, and their
-     * writes are visible to the caller afterwards.
+     * Runs a task for each index and returns when all are done. Earlier writes by the caller are visible to all tasks,
+     * and their writes are visible to the caller afterwards.
      *
      * @param count number of tasks, at least 0
-     * @param task receives the index of a task, from 0 on
+     * @param task receives the index of a task, starting from 0
      */
     void divide(int count, IntConsumer task);
 }

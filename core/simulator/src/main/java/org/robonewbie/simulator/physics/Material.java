@@ -6,8 +6,8 @@ import java.util.OptionalDouble;
 /**
  * Contact properties of a surface. Friction is unlimited but slips under load.
  *
- * <p>For an empty value the other surface decides; if both are empty, the engine's default applies. Source: SimSpark's contact
- * joint handler and ODE's contact parameters.
+ * <p>If a value is empty, that of the other surface applies; if both are empty, the engine's default applies. Source:
+ * SimSpark's contact joint handler and ODE's contact parameters.
  *
  * @param bounce restitution
  * @param errorReduction fraction of a penetration that is corrected per step (ODE: soft ERP)
@@ -26,7 +26,7 @@ public record Material(
     public record Bounce(double restitution, double minimumVelocity) {}
 
     /**
-     * Combines two surfaces: the mean of two values, or the only value.
+     * Combines two surfaces: each property is the mean of both values, or the only value given.
      *
      * @param other the other surface
      * @return the properties of their contact

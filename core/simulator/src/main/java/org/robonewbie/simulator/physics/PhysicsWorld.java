@@ -6,8 +6,8 @@ import org.robonewbie.nao.state.Restorable;
 /**
  * Rigid body world with gravity, motorised hinges and contacts, advanced in fixed steps.
  *
- * <p>A step consists of {@link #findContacts()} and {@link #step}. Contacts are valid until the next {@code findContacts()}. The
- * same calls in the same order give bit-identical results. A world needs no closing.
+ * <p>A step consists of {@link #findContacts()} and {@link #step}. Contacts are valid until the next {@code
+ * findContacts()}. The same calls in the same order produce bit-identical results. A world need not be closed.
  *
  * <p>The state can be saved between two steps and restored in any world that was built by the same calls. After that there are
  * no contacts until the next {@code findContacts()}.
@@ -20,12 +20,12 @@ import org.robonewbie.nao.state.Restorable;
  */
 public interface PhysicsWorld extends Restorable {
 
-    /** {@return a new empty assembly whose parts do not collide with each other, such as one robot} */
+    /** {@return a new empty assembly, such as for one robot, whose bodies do not collide with each other} */
     Assembly addAssembly();
 
     /**
-     * {@return the permanent assembly for everything else, such as ball and outer walls; its parts collide with each other and
-     * with all others}
+     * {@return the permanent assembly for everything else, such as ball and outer walls; its bodies collide with each
+     * other and with all others}
      */
     Assembly scenery();
 
@@ -46,7 +46,7 @@ public interface PhysicsWorld extends Restorable {
     void setGrip(double factor);
 
     /**
-     * Sets the executor of the next steps, if the engine supports parallel steps. Results stay bit-identical.
+     * Sets the executor of the following steps, if the engine supports parallel steps. Results stay bit-identical.
      *
      * @param crew executor
      */
@@ -56,14 +56,15 @@ public interface PhysicsWorld extends Restorable {
     void findContacts();
 
     /**
-     * {@return the contacts of the present step, at most four per pair of colliders, in a deterministic order; unmodifiable}
+     * {@return the contacts of the current step, at most four per pair of colliders, in a deterministic order;
+     * unmodifiable}
      */
     List<Contact> contacts();
 
     /**
      * Advances all bodies that are awake.
      *
-     * @param seconds length of the step
+     * @param seconds duration of the step
      */
     void step(double seconds);
 }

@@ -111,7 +111,7 @@ public interface RigidBody {
      */
     void setMassFactor(double factor);
 
-    /** {@return whether the body is asleep and skipped in the step} */
+    /** {@return whether the body is asleep, so that steps skip it} */
     boolean isAsleep();
 
     /** Wakes the body. */

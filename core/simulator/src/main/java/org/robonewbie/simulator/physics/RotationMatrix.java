@@ -26,7 +26,7 @@ public record RotationMatrix(
     /**
      * Creates a rotation about the z axis.
      *
-     * @param radians angle by the right-hand rule, counter-clockwise seen from above
+     * @param radians angle by the right-hand rule, counter-clockwise as seen from above
      * @return the rotation
      */
     public static RotationMatrix aboutZ(double radians) {

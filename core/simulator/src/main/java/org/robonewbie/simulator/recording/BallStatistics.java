@@ -5,8 +5,8 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * The true results of the ball: the distance that it rolled and flew, excluding moves by the referee, and the minimum distance of its
- * centre from the mouth of the goal that the left team attacks, 0 once it is in the goal.
+ * Ground-truth results for the ball: the distance that it rolled and flew, excluding moves by the referee, and the
+ * minimum distance of its centre from the mouth of the goal that the left team attacks, 0 once it is in the goal.
  */
 final class BallStatistics {
 

@@ -36,7 +36,7 @@ final class ByteSink {
         length += count;
     }
 
-    /** Appends an unsigned 64-bit number, seven bits per byte, lowest first. */
+    /** Appends an unsigned 64-bit number, seven bits per byte, least significant first. */
     void putUnsigned(long value) {
         long rest = value;
         while ((rest & ~0x7FL) != 0) {

@@ -2,7 +2,7 @@ package org.robonewbie.simulator.recording;
 
 import java.io.IOException;
 
-/** Thrown for a file that is not a recording or is damaged. The message is suitable for the user. */
+/** Thrown for a file that is not a recording or is damaged. The message can be shown to the user. */
 public final class DamagedRecordingException extends IOException {
 
     private static final long serialVersionUID = 1;

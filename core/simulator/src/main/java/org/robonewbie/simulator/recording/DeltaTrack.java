@@ -6,7 +6,7 @@ import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.math.PortableMath;
 
-/** Delta encoding of a fixed number of values in fixed-point steps. */
+/** Delta encoding of a fixed number of fixed-point values. */
 final class DeltaTrack {
 
     private final long[] last;
@@ -15,7 +15,7 @@ final class DeltaTrack {
         last = new long[count];
     }
 
-    /** Returns the known track, or a new one if it is null or has another size. */
+    /** Returns the given track, or a new one if it is null or has a different size. */
     static DeltaTrack fitting(@Nullable DeltaTrack known, int count) {
         return known != null && known.last.length == count ? known : new DeltaTrack(count);
     }
@@ -26,7 +26,7 @@ final class DeltaTrack {
         last[index] = steps;
     }
 
-    /** Writes position and quaternion of a pose to the values from an index on. */
+    /** Writes the position and quaternion of a pose as the values starting at an index. */
     void putPose(int index, Pose pose, ByteSink sink) {
         Vector3 position = pose.position();
         put(index, position.x(), RecordingFormat.STEPS_PER_METRE, sink);

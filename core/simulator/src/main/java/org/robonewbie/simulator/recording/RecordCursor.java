@@ -2,7 +2,7 @@ package org.robonewbie.simulator.recording;
 
 import java.nio.charset.StandardCharsets;
 
-/** A reader of bytes that a {@link ByteSink} has written. It throws an {@link IndexOutOfBoundsException} at the end. */
+/** A reader of bytes written by a {@link ByteSink}. Reading past the end throws an {@link IndexOutOfBoundsException}. */
 final class RecordCursor {
 
     private final byte[] bytes;
@@ -57,7 +57,7 @@ final class RecordCursor {
         return begin;
     }
 
-    /** Reads the number of elements that follow, of at least one byte each. */
+    /** Reads the number of elements that follow, each at least one byte long. */
     int getCount() {
         long count = getUnsigned();
         if (count < 0 || count > end - at) {

@@ -26,7 +26,7 @@ final class RecordSink {
         }
     }
 
-    /** Writes magic, version and header. */
+    /** Writes the magic bytes, the version and the header. */
     void begin(List<String> header) {
         byte[] magic = RecordingFormat.MAGIC.getBytes(StandardCharsets.US_ASCII);
         records.putBytes(magic, magic.length);
@@ -36,7 +36,7 @@ final class RecordSink {
         send();
     }
 
-    /** Starts a record; {@link #put} ends it. */
+    /** Starts a record and returns the buffer for its content; {@link #put} ends the record. */
     ByteSink newPayload() {
         payload.clear();
         return payload;

@@ -7,7 +7,7 @@ import org.robonewbie.simulator.WorldSnapshot;
  * One cycle of a recording.
  *
  * @param snapshot the world at the end of the cycle
- * @param commands the commands of the agents
+ * @param commands the agents' commands
  * @param events match events, such as {@code goal left Stars}
  */
 public record RecordedCycle(WorldSnapshot snapshot, List<RobotCommands> commands, List<String> events) {

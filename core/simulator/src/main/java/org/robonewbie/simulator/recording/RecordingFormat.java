@@ -16,13 +16,13 @@ final class RecordingFormat {
     static final int EVENT = 5;
     static final int CYCLE = 6;
 
-    /** State record at the start of an excerpt that is sent to a page; never in a file. */
+    /** State record at the start of an excerpt that is sent to a browser page; never used in a file. */
     static final int STATE = 7;
 
-    /** All objects on the pitch; absent in a soccer match. */
+    /** Record kind with all objects on the pitch; absent in a soccer match. */
     static final int THINGS = 8;
 
-    /** The new pose of one object. */
+    /** Record kind with the new pose of one object. */
     static final int MOVED_THING = 9;
 
     /** Resolution of positions: 0.1 mm. */
@@ -42,7 +42,7 @@ final class RecordingFormat {
 
     static final int MAX_RECORD_BYTES = 1 << 24;
 
-    /** Values of a pose: position and quaternion. */
+    /** Number of values of a pose: position and quaternion. */
     static final int NUMBERS_PER_POSE = 7;
 
     private RecordingFormat() {}

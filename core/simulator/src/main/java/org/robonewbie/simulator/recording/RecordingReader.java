@@ -24,7 +24,7 @@ import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.landscape.Thing;
 
 /**
- * A reader that returns a recording cycle by cycle. It also reads the unfinished file of a killed program.
+ * A reader that returns a recording cycle by cycle. It can also read the unfinished file of a program that was killed.
  *
  * <pre>{@code
  * try (RecordingReader reader = RecordingFile.read(file)) {

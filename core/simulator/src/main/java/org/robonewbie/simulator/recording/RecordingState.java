@@ -8,8 +8,8 @@ import java.util.Map;
 import org.robonewbie.nao.model.NaoModel;
 
 /**
- * An incremental reader of a recording that keeps the state after the last cycle in raw fixed-point numbers, so that reading can
- * start in the middle. It accepts the bytes in chunks and reports events and cycles to a listener.
+ * An incremental reader of a recording that keeps the state after the last cycle as raw fixed-point values, so that
+ * another reader can start in the middle. It accepts the bytes in chunks and reports events and cycles to a listener.
  *
  * <pre>{@code
  * RecordingState state = new RecordingState(listener);
@@ -21,7 +21,7 @@ import org.robonewbie.nao.model.NaoModel;
  */
 public final class RecordingState {
 
-    /** Values of a pose: x, y, z, and a quaternion w, x, y, z. */
+    /** Number of values of a pose: x, y, z, and a quaternion w, x, y, z. */
     public static final int NUMBERS_PER_POSE = RecordingFormat.NUMBERS_PER_POSE;
 
     /** Resolution of positions in steps per metre. */
@@ -50,7 +50,7 @@ public final class RecordingState {
     public interface Listener {
 
         /**
-         * Called for an event of the cycle that ends next.
+         * Called for an event of the current cycle, before {@link #cycleEnded}.
          *
          * @param text such as {@code goal left Stars}
          */
@@ -66,7 +66,7 @@ public final class RecordingState {
     }
 
     /**
-     * Creates the state before the first byte.
+     * Creates the initial state, before any bytes have been read.
      *
      * @param listener receives events and cycles
      */
@@ -77,7 +77,7 @@ public final class RecordingState {
     /**
      * Reads the next bytes of the uncompressed recording.
      *
-     * @param bytes an array that starts with the bytes
+     * @param bytes an array that contains the bytes at its start
      * @param count number of bytes
      * @throws IllegalArgumentException if they are not a recording of this version or are damaged
      */
@@ -235,7 +235,7 @@ public final class RecordingState {
      *
      * @param robot the robot
      * @param index 0 to 2 for x, y, z in steps of 0.1 mm, 3 to 6 for the quaternion
-     * @return the raw number
+     * @return the raw value
      */
     public long number(ListedRobot robot, int index) {
         long[] track = tracks.get(robot.id());

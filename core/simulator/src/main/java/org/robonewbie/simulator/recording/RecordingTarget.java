@@ -1,6 +1,9 @@
 package org.robonewbie.simulator.recording;
 
-/** A destination for the bytes of a recording, such as a file. Failures must not disturb the run. */
+/**
+ * A destination for the bytes of a recording, such as a file. Implementations must not throw exceptions, so that a
+ * failure does not disturb the run.
+ */
 public interface RecordingTarget {
 
     /** Discards all bytes; the recording still has a checksum. */
@@ -19,7 +22,7 @@ public interface RecordingTarget {
     /**
      * Writes bytes.
      *
-     * @param bytes an array that starts with the bytes; reused by the caller
+     * @param bytes an array that contains the bytes at its start; reused by the caller
      * @param length number of bytes
      */
     void write(byte[] bytes, int length);

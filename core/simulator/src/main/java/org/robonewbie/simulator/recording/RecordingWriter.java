@@ -19,8 +19,9 @@ import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.WorldSnapshot;
 
 /**
- * A writer of recordings, which contain the changes of game, ball, robots and commands in each cycle. Equal runs give equal bytes.
- * Commands are optional, for sources such as the log of another server.
+ * A writer of recordings, which contain the changes to the game, the ball, the robots and their commands in each cycle.
+ * Identical runs produce identical bytes. Commands are optional, because sources such as the log of another server lack
+ * them.
  */
 public final class RecordingWriter implements AutoCloseable {
 

@@ -8,7 +8,7 @@ import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.simulator.world.Robot;
 
 /**
- * The true results of one robot: falls and walked distance.
+ * Ground-truth results for one robot: falls and walked distance.
  *
  * <p>A robot stands while its torso tilts by less than 30 degrees and its centre is more than 0.25 m above the ground. A fall is
  * counted when, after standing, the torso tilts by more than 60 degrees or sinks below 0.2 m.
@@ -21,7 +21,7 @@ final class RobotStatistics {
     private static final double SMOOTHING = Cycle.SECONDS / 0.5;
     private static final double SEGMENT_METRES = 0.1;
 
-    /** Movement per cycle above which a robot was beamed. */
+    /** Movement per cycle above which a robot must have been beamed. */
     private static final double BEAM_METRES = 0.1;
 
     private final NaoModel model;
@@ -107,7 +107,7 @@ final class RobotStatistics {
         }
     }
 
-    /** Adds a step to the walked path, which excludes jumps. */
+    /** Adds a movement to the walked path unless it is a jump. */
     private void walk(double x, double y) {
         walkedX += x;
         walkedY += y;

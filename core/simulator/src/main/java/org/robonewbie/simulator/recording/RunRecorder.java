@@ -14,8 +14,8 @@ import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.world.SoccerWorld;
 
 /**
- * Writes the recording of a run and collects the results for its report. Not thread-safe. Of robots that have left, it keeps only the
- * results of the most recent ones, so that the memory of a long-running server stays bounded.
+ * Writes the recording of a run and collects the results for its report. Not thread-safe. Of the robots that have left,
+ * it keeps the results of only the most recent ones, so that a long-running server uses a bounded amount of memory.
  */
 public final class RunRecorder implements AutoCloseable {
 
@@ -48,7 +48,7 @@ public final class RunRecorder implements AutoCloseable {
     }
 
     /**
-     * Notes the state before the physics step.
+     * Stores the state before the physics step.
      *
      * @param participants all robots in the order of their connections
      */
@@ -60,7 +60,7 @@ public final class RunRecorder implements AutoCloseable {
         }
     }
 
-    /** Measures the physics step, before the referee acts. */
+    /** Measures the effects of the physics step. Call before the referee acts. */
     public void afterStep() {
         ball.afterStep(world.ball().position());
         for (Participant participant : present) {
@@ -148,7 +148,7 @@ public final class RunRecorder implements AutoCloseable {
                     participant.unansweredMessages());
         }
 
-        /** Whether the entry is up to date, as it nearly always is. */
+        /** Whether the entry is up to date for a participant. */
         boolean isOf(Participant participant) {
             Optional<Player> player = participant.player();
             boolean samePlayer = player.isEmpty()

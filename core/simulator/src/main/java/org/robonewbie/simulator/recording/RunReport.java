@@ -13,7 +13,7 @@ import org.robonewbie.nao.model.Hinge;
 import org.robonewbie.nao.model.NaoModel;
 
 /**
- * The true results of a run.
+ * The ground-truth results of a run.
  *
  * @param seed seed of all random numbers
  * @param simulatedSeconds simulated duration
@@ -21,8 +21,8 @@ import org.robonewbie.nao.model.NaoModel;
  * @param missedCycles number of 20 ms cycles by which the run fell behind real time; 0 in sync mode
  * @param robots the results of all robots
  * @param ball the results of the ball
- * @param goals all goals that counted
- * @param recordingSha256 checksum of the uncompressed recording, equal for equal runs
+ * @param goals all valid goals
+ * @param recordingSha256 checksum of the uncompressed recording, equal for identical runs
  */
 public record RunReport(
         long seed,
@@ -82,7 +82,7 @@ public record RunReport(
     public record Ball(Vector3 position, double metresMoved, double leastDistanceToGoal) {}
 
     /**
-     * A goal that counted.
+     * A valid goal.
      *
      * @param playSeconds game time in seconds
      * @param team name of the team that scored

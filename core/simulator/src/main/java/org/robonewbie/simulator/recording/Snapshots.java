@@ -16,7 +16,7 @@ public final class Snapshots {
     private Snapshots() {}
 
     /**
-     * Takes a snapshot, with the pace of real time.
+     * Takes a snapshot with the clock values of a simulation that runs in real time.
      *
      * @param cycle number of the cycle
      * @param match the game

@@ -7,14 +7,14 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.simulator.landscape.Thing;
 
 /**
- * Encoding of the objects on the pitch: all objects when their number or kind changes, otherwise those that have moved. Poses are
- * not delta-encoded, since objects rest most of the time.
+ * Encoding of the objects on the pitch: all objects when their number or kind changes, otherwise only those that have
+ * moved. Poses are not delta-encoded, because objects are at rest most of the time.
  */
 final class ThingTrack {
 
     private List<Thing> last = List.of();
 
-    /** Writes the changes since the last call. */
+    /** Writes the changes since the previous call. */
     void write(List<Thing> things, RecordSink sink) {
         if (things.equals(last)) {
             return;
@@ -78,7 +78,10 @@ final class ThingTrack {
         return things;
     }
 
-    /** Reads a record of kind {@link RecordingFormat#MOVED_THING} and returns all objects with the new pose. */
+    /**
+     * Reads a record of kind {@link RecordingFormat#MOVED_THING} and returns all objects, including the one with the new
+     * pose.
+     */
     static List<Thing> readMoved(List<Thing> before, RecordCursor source) {
         int index = source.getIndex(before.size());
         List<Thing> now = new ArrayList<>(before);

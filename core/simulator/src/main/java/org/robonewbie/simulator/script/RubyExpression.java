@@ -7,8 +7,8 @@ import java.util.regex.Pattern;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * Evaluates Ruby expressions of numbers, strings, {@code true}, {@code false} and variables with known values, by recursive descent.
- * Integer division rounds down.
+ * Recursive-descent evaluator of Ruby expressions that consist of numbers, strings, {@code true}, {@code false} and
+ * variables with known values. Integer division rounds down.
  */
 final class RubyExpression {
 
@@ -16,7 +16,7 @@ final class RubyExpression {
             Pattern.compile("0[xX]\\p{XDigit}+(?:_\\p{XDigit}+)*|0[bB][01]+(?:_[01]+)*|0[oO_]?[0-7]+(?:_[0-7]+)*"
                     + "|(?:0|[1-9]\\d*(?:_\\d+)*)(?:\\.\\d+(?:_\\d+)*)?(?:[eE][-+]?\\d+(?:_\\d+)*)?");
 
-    /** Longer expressions are not evaluated, which bounds the nesting of brackets. */
+    /** Maximum length of an expression that is evaluated, which bounds the nesting of brackets. */
     private static final int MAX_TOKENS = 200;
 
     private final List<RubyToken> tokens;
@@ -28,7 +28,7 @@ final class RubyExpression {
         this.variables = variables;
     }
 
-    /** The expression is beyond this evaluator. */
+    /** Thrown for an expression that this evaluator does not support. */
     private static final class UnknownValueException extends RuntimeException {
 
         private static final long serialVersionUID = 1L;

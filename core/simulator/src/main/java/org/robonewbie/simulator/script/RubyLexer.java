@@ -12,8 +12,8 @@ import java.util.regex.Pattern;
 import org.robonewbie.simulator.script.RubyToken.Kind;
 
 /**
- * Tokenizer for the subset of Ruby that start scripts use. Comments, {@code =begin}, {@code __END__}, strings and here-documents are
- * recognised, so that their content is never taken for code.
+ * Tokenizer for the subset of Ruby that start scripts use. Comments, {@code =begin}, {@code __END__}, strings and
+ * here-documents are recognised, so that their content is never mistaken for code.
  */
 final class RubyLexer {
 
@@ -40,7 +40,7 @@ final class RubyLexer {
 
     private final String text;
     private final List<RubyToken> tokens = new ArrayList<>();
-    /** Assigned names; an operator, not an argument, follows them. */
+    /** Names of assigned variables. Unlike a call, a variable is followed by an operator, not by an argument. */
     private final Set<String> variables = new HashSet<>();
 
     private final Deque<Matcher> documents = new ArrayDeque<>();
@@ -56,7 +56,7 @@ final class RubyLexer {
      * The tokens of a script.
      *
      * @param all in script order
-     * @param unfinishedLine line of an unterminated string, at which the tokenizer stopped
+     * @param unfinishedLine line of an unterminated string at which the tokenizer stopped; empty if there is none
      */
     record Result(List<RubyToken> all, OptionalInt unfinishedLine) {}
 
@@ -123,7 +123,7 @@ final class RubyLexer {
         return true;
     }
 
-    /** Skips the bodies of here-documents, which follow the line that starts them. */
+    /** Skips the bodies of the here-documents that started in the line just read. */
     private void skipDocuments() {
         while (!documents.isEmpty()) {
             Matcher document = documents.remove();
@@ -197,7 +197,10 @@ final class RubyLexer {
         };
     }
 
-    /** Returns whether a word is a call whose argument starts here: a blank before but none after it, as in {@code puts /x/}. */
+    /**
+     * Returns whether a word is a call whose argument starts here: there is a blank before the current character but none
+     * after it, as in {@code puts /x/}.
+     */
     private boolean isCall(RubyToken word) {
         boolean blankBehind = at + 1 >= text.length() || Character.isWhitespace(text.charAt(at + 1));
         return word.to() < at && !blankBehind && !variables.contains(word.text());

@@ -12,7 +12,7 @@ import org.robonewbie.simulator.script.RubyToken.Kind;
  * A statement of a Ruby script.
  *
  * @param tokens its tokens, at least one
- * @param block the enclosing block, such as {@code if} or {@code def}; empty if Ruby certainly executes the statement
+ * @param block the enclosing block, such as {@code if} or {@code def}; empty if Ruby always executes the statement
  */
 record RubyStatement(List<RubyToken> tokens, Optional<RubyToken> block) {
 
@@ -29,7 +29,7 @@ record RubyStatement(List<RubyToken> tokens, Optional<RubyToken> block) {
         return tokens.get(0).line();
     }
 
-    /** Splits a script into statements, including those in blocks. */
+    /** Splits a script into statements, including those inside blocks. */
     static List<RubyStatement> of(List<RubyToken> script) {
         return new Divider(script).statements();
     }
@@ -123,7 +123,10 @@ record RubyStatement(List<RubyToken> tokens, Optional<RubyToken> block) {
             }
         }
 
-        /** A name after a dot, or before the colon of a hash key, is not a keyword. */
+        /**
+         * Returns whether a word is a name even if it is spelled like a keyword: after a dot or {@code def}, or before
+         * the colon of a hash key.
+         */
         private boolean isName(int index) {
             RubyToken token = script.get(index);
             boolean behindDot = index > 0

@@ -7,7 +7,7 @@ package org.robonewbie.simulator.script;
  * @param text the word or operator; the value of a string or symbol
  * @param line line number from 1
  * @param from index of its first character in the script
- * @param to index after its last character
+ * @param to index just after its last character
  */
 record RubyToken(Kind kind, String text, int line, int from, int to) {
 

@@ -112,7 +112,7 @@ final class ScriptReader {
                 && tokens.stream().noneMatch(token -> token.isWord("if") || token.isWord("unless"));
     }
 
-    /** Finds a script that another one runs: in the same folder, then in the working directory. */
+    /** Finds a script that another one runs: first in the folder of the other one, then in the working directory. */
     Optional<Path> find(String script, Path other) {
         try {
             Path beside = Objects.requireNonNull(other.toAbsolutePath().getParent());

@@ -12,7 +12,7 @@ import org.robonewbie.simulator.script.RubyToken.Kind;
 import org.robonewbie.simulator.soccer.SoccerParameter;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
-/** Interpreter of one statement; a setting counts only if Ruby certainly executes it. */
+/** Interpreter of one statement; a setting takes effect only if Ruby always executes it. */
 final class ScriptStatement {
 
     private static final int LAST_PORT = 65535;
@@ -194,7 +194,7 @@ final class ScriptStatement {
         }
     }
 
-    /** Reports a setting that Ruby may not execute; all other Ruby is ignored silently. */
+    /** Reports any setting in a statement that Ruby might not execute; other Ruby code is ignored silently. */
     private void ignore() {
         forgetVariables();
         nameSettings();
@@ -248,7 +248,7 @@ final class ScriptStatement {
         };
     }
 
-    /** Forgets variables that are assigned in a statement that Ruby may not execute. */
+    /** Discards the values of variables assigned in a statement that Ruby might not execute. */
     private void forgetVariables() {
         for (int i = 0; i + 1 < tokens.size(); i++) {
             if (tokens.get(i + 1).kind() == Kind.SIGN

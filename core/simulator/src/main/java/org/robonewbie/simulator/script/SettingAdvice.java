@@ -10,7 +10,9 @@ import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.simulator.script.RubyToken.Kind;
 import org.robonewbie.simulator.soccer.SoccerParameter;
 
-/** The settings that start scripts can make, and replacements for the settings of rcssserver3d that they cannot. */
+/**
+ * The settings supported in start scripts, and replacements for those settings of rcssserver3d that are not supported.
+ */
 final class SettingAdvice {
 
     private static final Set<String> TAKEN =
@@ -20,7 +22,7 @@ final class SettingAdvice {
     private static final String PHYSICS = "the world's constants are those of the original and cannot be changed.";
     private static final String THREADS = "it has no effect here.";
 
-    /** Replacement by the variable of {@code spark.rb} and {@code rcssserver3d.rb}. */
+    /** Replacement for each unsupported variable of {@code spark.rb} and {@code rcssserver3d.rb}. */
     private static final Map<String, String> ORIGINAL = Map.ofEntries(
             Map.entry("$recordLogfile", "use the option --log FILE."),
             Map.entry("$recordLogfileName", "use the option --log FILE."),
@@ -69,7 +71,7 @@ final class SettingAdvice {
         return SoccerParameter.ofSimSparkName(name).isPresent();
     }
 
-    /** Returns whether a name is that of a parameter with different capitalization. */
+    /** Returns whether a name differs from that of a parameter only in capitalization. */
     static boolean isParameterInOtherLetters(String name) {
         return Arrays.stream(SoccerParameter.values())
                 .anyMatch(each -> each.simSparkName().equalsIgnoreCase(name));
@@ -96,7 +98,7 @@ final class SettingAdvice {
                 : "there is no parameter " + name + "." + SoccerParameter.question(name);
     }
 
-    /** Returns the plain form of a setting. */
+    /** Returns an example of the supported notation of a setting. */
     static String example(List<RubyToken> tokens) {
         RubyToken first = tokens.get(0);
         if (first.kind() == Kind.GLOBAL) {

@@ -31,7 +31,7 @@ import org.robonewbie.simulator.world.SoccerWorld;
  * Camera in the centre of a robot's head (SimSpark: {@code restrictedvisionperceptor.cpp}).
  *
  * <p>It detects the centres of all objects within its view cone, including the robot's own arms, without range limit or
- * occlusion. The server takes a picture in every third cycle.
+ * occlusion. The server takes an image in every third cycle.
  *
  * <pre>{@code
  * Camera camera = new Camera(world.field(), CameraSettings.STANDARD, random);
@@ -74,12 +74,12 @@ public final class Camera implements Restorable {
     }
 
     /**
-     * Takes a picture.
+     * Takes an image.
      *
      * @param observer the robot that carries the camera in its head
      * @param world the world with the ball
      * @param players all robots that belong to a team, in a fixed order, including the observer
-     * @param side the observer's team for the true positions, if it has one
+     * @param side the side of the observer's team, which determines the frame of the true positions; empty without a team
      * @return the detected objects; values are not rounded
      */
     public Vision look(Robot observer, SoccerWorld world, List<VisiblePlayer> players, Optional<TeamSide> side) {
@@ -137,7 +137,7 @@ public final class Camera implements Restorable {
         return seenLines;
     }
 
-    /** Stores the visible part of a line in {@link #ends}. */
+    /** Returns whether part of a line is visible, and stores the ends of that part in {@link #ends}. */
     private boolean isVisible(BodyPose head, Segment line) {
         locate(head, line.start());
         System.arraycopy(local, 0, ends, 0, 3);
@@ -146,13 +146,16 @@ public final class Camera implements Restorable {
         return (ends[1] > 0 || ends[4] > 0) && cone.clip(ends);
     }
 
-    /** Stores the position of a point in {@link #local} without allocation, since most points are not visible. */
+    /**
+     * Returns whether a point is visible, and stores its position in {@link #local}. Allocates nothing, because most
+     * points are not visible.
+     */
     private boolean sees(BodyPose head, Vector3 point) {
         locate(head, point);
         return cone.contains(local[0], local[1], local[2]);
     }
 
-    /** Transforms a point to the head frame, including the calibration error, which therefore affects visibility. */
+    /** Transforms a point to the head frame. Adds the calibration error, which therefore affects visibility. */
     private void locate(BodyPose head, Vector3 point) {
         RotationMatrix rotation = head.rotation();
         double x = point.x() - head.position().x();

@@ -23,7 +23,7 @@ public record CameraSettings(
     /** The NAO's camera in rcssserver3d. */
     public static final CameraSettings STANDARD = new CameraSettings(120, 120, true, true, false, false, false);
 
-    /** Cycles from one picture to the next. */
+    /** Number of cycles from one image to the next. */
     public static final int CYCLES_PER_PICTURE = 3;
 
     /**
@@ -49,7 +49,7 @@ public record CameraSettings(
     }
 
     /**
-     * Returns a copy with other ground truth readings, which a real camera does not have.
+     * Returns a copy with different ground-truth readings, which a real camera does not have.
      *
      * @param ownPositionOn whether the true position of the robot's own head is reported
      * @param ownOrientationOn whether the true direction of the robot's own head is reported

@@ -6,8 +6,8 @@ import org.robonewbie.nao.math.PortableMath;
 /**
  * View cone of a camera in the frame of the head: x right, y forward, z up.
  *
- * <p>Points are tested by their angles. A partly hidden line is clipped at the rectangular image plane instead, so clipped ends
- * can lie slightly outside the angles.
+ * <p>Points are tested by their angles. A partly hidden line is clipped at the rectangular image plane instead, so
+ * clipped ends may lie slightly outside the limits of the angles.
  */
 final class ViewCone {
 
@@ -39,7 +39,10 @@ final class ViewCone {
                 && isWithin(z, PortableMath.hypot(x, y), halfVertical, upward);
     }
 
-    /** Compares the angle with a limit; away from the limit the tangents are enough, which is faster. */
+    /**
+     * Returns whether an angle is within a limit. Unless it is close to the limit, its tangent is compared instead, which
+     * is faster.
+     */
     private static boolean isWithin(double opposite, double adjacent, double limit, double tangent) {
         double edge = tangent * adjacent;
         if (limit < Math.PI / 2 && Math.abs(Math.abs(opposite) - edge) > ROUNDING * edge) {

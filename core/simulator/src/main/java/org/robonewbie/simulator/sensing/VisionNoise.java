@@ -13,8 +13,8 @@ import org.robonewbie.simulator.state.SplittableRandomSource;
  * Noise model of a camera: a constant calibration error, and Gaussian noise for each measurement (SimSpark: {@code
  * restrictedvisionperceptor.cpp}, {@code naoneckhead.rsg}).
  *
- * <p>Gaussian values come from Marsaglia's polar method with {@code nextDouble()} and {@link PortableMath}, so that a seed gives
- * the same values on every platform.
+ * <p>Gaussian values come from Marsaglia's polar method with {@code nextDouble()} and {@link PortableMath}, so that a
+ * seed produces the same values on every platform.
  */
 final class VisionNoise implements Restorable {
 

@@ -44,14 +44,17 @@ final class AgentAcceptor {
         }
     }
 
-    /** Admits the agents and reads the messages that have arrived, without waiting. */
+    /** Admits new agents and reads the messages that have arrived, without waiting. */
     void receive() {
         wakeUpRequested = false;
         admit(0);
         cycle.readMessages();
     }
 
-    /** Reads until nothing more arrives, such as an agent's last answer followed by its end, up to a limit for endless senders. */
+    /**
+     * Reads until nothing more arrives, for example an agent's last answer and its disconnection. A limit protects
+     * against endless senders.
+     */
     void receiveAll() {
         receive();
         for (int chunks = 0; chunks < MAX_CHUNKS && admit(0); chunks++) {

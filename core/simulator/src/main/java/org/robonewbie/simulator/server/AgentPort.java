@@ -19,8 +19,8 @@ import java.util.function.Consumer;
 import org.robonewbie.simulator.Console;
 
 /**
- * The selector of the agents' connections, which listens on one TCP port for all agents or on one endpoint per team. It is confined
- * to the simulation thread; other threads may only interrupt its waiting with {@link #wakeUp}.
+ * The selector for the agents' connections, which listens on one TCP port for all agents or on one endpoint per team. It
+ * is confined to the simulation thread; other threads may only call {@link #wakeUp}.
  */
 final class AgentPort implements AutoCloseable {
 
@@ -36,7 +36,7 @@ final class AgentPort implements AutoCloseable {
         this.console = console;
     }
 
-    /** A listening socket for the agents of one team, or of all. */
+    /** A listening socket for the agents of one team, or of all teams. */
     private record Listener(ServerSocketChannel channel, Optional<TeamEndpoint> endpoint) {
 
         /** The TCP port, 0 for a Unix domain socket. */
@@ -118,7 +118,7 @@ final class AgentPort implements AutoCloseable {
         }
     }
 
-    /** Interrupts the waiting of {@link #listen}. Thread-safe. */
+    /** Makes a waiting {@link #listen} return. Thread-safe. */
     void wakeUp() {
         selector.wakeup();
     }

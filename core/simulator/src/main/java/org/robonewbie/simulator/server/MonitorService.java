@@ -26,7 +26,7 @@ import org.robonewbie.simulator.soccer.MatchState;
 import org.robonewbie.simulator.soccer.Player;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
-/** Feeds the monitor port and the monitor log, and executes the orders of trainers. */
+/** Feeds the monitor port and the monitor log, and executes orders from trainers. */
 final class MonitorService {
 
     private static final int MAX_QUEUED_ORDERS = 1000;
@@ -42,7 +42,7 @@ final class MonitorService {
     /**
      * Creates the service; {@link #open} starts it.
      *
-     * @param betweenCycles executor on the simulation thread
+     * @param betweenCycles runs a task on the simulation thread, between two cycles
      * @param end ends the simulation
      */
     MonitorService(SimulationCycle cycle, Consumer<Runnable> betweenCycles, Runnable end, Console console) {
@@ -76,7 +76,7 @@ final class MonitorService {
         log.ifPresent(lines -> lines.cycleEnded(cycle.cycle(), this::snapshot));
     }
 
-    /** Sends the state while the clock is paused, for new monitors and for the changes of trainers. */
+    /** Sends the state while the clock is paused, for new monitors and after changes by trainers. */
     void idle() {
         port.filter(monitors -> monitors.monitors() > 0).ifPresent(monitors -> monitors.show(snapshot()));
     }

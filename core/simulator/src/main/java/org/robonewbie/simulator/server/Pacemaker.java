@@ -6,8 +6,8 @@ import java.util.function.LongSupplier;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * Synchronises simulated time with real time. Time lost in a slow cycle is dropped: the simulation falls behind instead of running
- * faster afterwards.
+ * Synchronises simulated time with real time. Time lost in a slow cycle is not made up: the simulation falls behind
+ * rather than running faster afterwards.
  */
 final class Pacemaker {
 
@@ -28,7 +28,10 @@ final class Pacemaker {
         this(speed, System::nanoTime, Pacemaker::sleepUntil);
     }
 
-    /** Creates a pacemaker with another clock: a time in nanoseconds, and a method that blocks until a time of this clock. */
+    /**
+     * Creates a pacemaker with a custom clock: its time in nanoseconds, and a method that blocks until a given time of
+     * this clock.
+     */
     Pacemaker(double speed, LongSupplier nanoTime, LongConsumer sleepUntil) {
         this.speed = speed;
         this.nanoTime = nanoTime;
@@ -51,7 +54,7 @@ final class Pacemaker {
         return speed;
     }
 
-    /** Excludes the time until the next cycle from the pace. */
+    /** Excludes the time until the next cycle from the measured speed. */
     void pause() {
         running = false;
     }
@@ -74,7 +77,7 @@ final class Pacemaker {
         sleepUntil.accept(due);
     }
 
-    /** The number of cycles by which the simulation fell behind real time. */
+    /** Number of cycles by which the simulation has fallen behind real time. */
     long missedCycles() {
         return missedCycles;
     }

@@ -157,7 +157,10 @@ final class Simulation implements SimulationControl, Runnable {
         }
     }
 
-    /** Whether a closing simulation may end. The last messages of agents that have left still count, unless paused. */
+    /**
+     * Whether a closing simulation may end. Unless it is paused, the last messages of agents that have left are executed
+     * first.
+     */
     private boolean isFinished() {
         acceptor.receiveAll();
         return (paused && stepsLeft == 0)
@@ -203,7 +206,10 @@ final class Simulation implements SimulationControl, Runnable {
         }
     }
 
-    /** Executes the queued commands, but none added meanwhile, so that a busy client cannot block the simulation. */
+    /**
+     * Executes the commands queued so far, but none that are added meanwhile, so that a busy client cannot block the
+     * simulation.
+     */
     private void executeCommands() {
         for (int count = commands.size(); count > 0; count--) {
             commands.remove().run();
@@ -327,7 +333,10 @@ final class Simulation implements SimulationControl, Runnable {
         command(() -> actIfAnswered(action, receiver, end));
     }
 
-    /** Performs the action once all agents have answered, retrying until the timeout; a thinking agent cannot be saved. */
+    /**
+     * Performs the action once all agents have answered, retrying until the timeout, because an agent that is computing
+     * its answer cannot be saved.
+     */
     private <T> void actIfAnswered(Supplier<T> action, Consumer<Optional<T>> receiver, long end) {
         acceptor.receive();
         if (isAnswered()) {

@@ -15,7 +15,9 @@ import org.robonewbie.simulator.recording.RunReport;
  * A running simulator with a thread and ports for agents and monitors.
  *
  * <pre>{@code
- * try (Simulator simulator = Simulator.start(SimulatorSettings.of(WorldSettings.beginner().withSynchronous(false)).withAgentPort(0), Console.standard())) {
+ * WorldSettings world = WorldSettings.beginner().withSynchronous(false);
+ * SimulatorSettings settings = SimulatorSettings.of(world).withAgentPort(0);
+ * try (Simulator simulator = Simulator.start(settings, Console.standard())) {
  *     simulator.awaitEnd();
  * }
  * }</pre>

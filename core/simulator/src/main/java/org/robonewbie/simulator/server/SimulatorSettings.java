@@ -45,7 +45,7 @@ public record SimulatorSettings(
      * @param port TCP port for agents, 0 for any free port; ignored if there are team endpoints
      * @param endpoints an endpoint for each team, or empty for one port for all agents
      * @param awaited number of agents that must have sent a message before the first cycle
-     * @param silentSeconds real seconds after which an agent of another process that blocks sync mode is disconnected
+     * @param silentSeconds real seconds after which an agent in another process is disconnected if it blocks sync mode
      */
     public record Agents(
             String bindAddress, int port, List<TeamEndpoint> endpoints, int awaited, double silentSeconds) {

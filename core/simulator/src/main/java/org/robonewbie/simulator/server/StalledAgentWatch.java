@@ -10,9 +10,9 @@ import org.robonewbie.simulator.cycle.AgentChannel;
 import org.robonewbie.simulator.cycle.AgentSession;
 
 /**
- * Reports agents that block sync mode and disconnects those of other processes after a timeout. New agents, with less than a
- * second of answers, get about a third of the timeout, halved after each disconnection, so that a client that reconnects
- * repeatedly costs the other agents little time.
+ * Reports agents that block sync mode and disconnects those in other processes after a timeout. For a new agent, which
+ * has answered for less than a simulated second, the timeout is about a third. It is halved whenever a new agent is
+ * disconnected, so that a client that reconnects repeatedly delays the other agents only briefly.
  */
 final class StalledAgentWatch {
 
@@ -66,12 +66,12 @@ final class StalledAgentWatch {
         }
     }
 
-    /** Teams with an endpoint of which an agent was disconnected. Thread-safe. */
+    /** Teams with an endpoint that have had an agent disconnected. Thread-safe. */
     Set<String> silentTeams() {
         return silentTeams;
     }
 
-    /** Agents of a team endpoint are never new. */
+    /** Returns whether an agent is new; an agent that uses a team endpoint never is. */
     private static boolean isNew(AgentChannel connection) {
         return connection.link().team().isEmpty() && connection.answeredMessages() < ANSWERS_OF_A_NEW_AGENT;
     }

@@ -13,8 +13,8 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.tcp.TcpAgentLink;
 
 /**
- * A synthetic client for warm-ups and load tests. It joins over TCP, beams to its place in a grid before kick-off, moves in a fixed
- * pattern and says a message in every third cycle, until the server closes the connection.
+ * A synthetic client for warm-ups and load tests. It joins over TCP, beams to its position in a grid before kick-off, and
+ * then moves in a fixed pattern and says a message in every third cycle until the server closes the connection.
  */
 public abstract class SyntheticPlayer implements Runnable {
 
@@ -103,14 +103,14 @@ public abstract class SyntheticPlayer implements Runnable {
     }
 
     /**
-     * Called for each message of the server.
+     * Called for each message from the server.
      *
      * @param perceptors the perceptor message
      */
     protected void received(MessageBuffer perceptors) {}
 
     /**
-     * Returns whether the player beams.
+     * Returns whether the player still beams.
      *
      * @param seconds simulated seconds since it joined
      * @return whether the match has not started yet

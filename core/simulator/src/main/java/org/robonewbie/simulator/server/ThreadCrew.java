@@ -10,8 +10,8 @@ import org.jspecify.annotations.Nullable;
 import org.robonewbie.simulator.physics.Crew;
 
 /**
- * A pool of threads for data-parallel loops. The calling thread and the sleeping helper threads take pieces dynamically, so that a
- * helper that wakes up late delays nothing.
+ * A pool of threads for data-parallel loops. The calling thread and the helper threads, which sleep between loops, take
+ * iterations dynamically, so that a helper that wakes up late causes no delay.
  *
  * <pre>{@code
  * try (ThreadCrew crew = new ThreadCrew(2)) {
@@ -19,7 +19,7 @@ import org.robonewbie.simulator.physics.Crew;
  * }
  * }</pre>
  *
- * <p>Only one thread at a time may call {@link #divide}, and not from within a piece.
+ * <p>Only one thread at a time may call {@link #divide}, and not from within an iteration.
  */
 public final class ThreadCrew implements Crew, AutoCloseable {
 
@@ -74,7 +74,7 @@ public final class ThreadCrew implements Crew, AutoCloseable {
         }
     }
 
-    /** Ends the helper threads. */
+    /** Stops the helper threads. */
     @Override
     public void close() {
         closed = true;
@@ -84,7 +84,10 @@ public final class ThreadCrew implements Crew, AutoCloseable {
     /** One parallel loop. */
     private static final class Job {
 
-        /** Iterations of spinning before the caller parks; parking takes longer than the last pieces. */
+        /**
+         * Number of spins before the caller parks, because parking usually takes longer than the iterations still
+         * running.
+         */
         private static final int SPINS = 2_000;
 
         private final Thread owner = Thread.currentThread();

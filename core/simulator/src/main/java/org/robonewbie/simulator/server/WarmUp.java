@@ -12,8 +12,8 @@ import org.robonewbie.simulator.cycle.WorldSettings;
 import org.robonewbie.simulator.soccer.SoccerParameters;
 
 /**
- * A JIT warm-up for simulators that must keep real time from their first cycle on: a short hidden match at full speed. Its players
- * swing their legs and fall over each other, so that the code paths of a real match are compiled.
+ * A JIT warm-up for simulators that must keep up with real time from their first cycle on: a short hidden match at full
+ * speed. Its players swing their legs and fall over each other, so that the code paths of a real match are compiled.
  *
  * <pre>{@code
  * WarmUp.run(() -> simulator.connectedAgents() == 0);

@@ -74,7 +74,7 @@ final class BallTracker implements Memory {
         return lastTouch;
     }
 
-    /** Player that touched the ball last, if that was after a tick. */
+    /** Player that touched the ball last, if the touch was after a given tick. */
     Optional<Player> touchedAfter(long tick) {
         return lastTouch.filter(touch -> touch.tick() > tick).map(Touch::player);
     }
@@ -87,7 +87,7 @@ final class BallTracker implements Memory {
         return onField;
     }
 
-    /** Side of the goal that contains the ball. */
+    /** Returns the side of the goal that contains the ball; empty if none does. */
     Optional<TeamSide> goal() {
         for (TeamSide side : TeamSide.values()) {
             if (world.isBallInGoal(side) || hasCrossedGoalLine(side)) {
@@ -102,7 +102,10 @@ final class BallTracker implements Memory {
                 && Math.abs(position.y()) < field.width() / 2 + radius() + MARGIN;
     }
 
-    /** Extrapolates a fast ball back to the goal line. */
+    /**
+     * Whether the ball is behind the goal line and crossed it inside the goal, judging by its position and velocity.
+     * Detects goals by a ball that is too fast for the contact test.
+     */
     private boolean hasCrossedGoalLine(TeamSide side) {
         double sign = side == TeamSide.LEFT ? -1 : 1;
         Vector3 ball = position();

@@ -82,7 +82,10 @@ final class ChargingRule implements FoulRule {
         }
     }
 
-    /** Whether a robot approached the opponent rather than the ball. */
+    /**
+     * Whether a robot may be guilty: it approached the opponent rather than the ball, or came later to the ball, or both
+     * were far from the ball.
+     */
     private boolean isCandidate(Approach robot, Approach other) {
         double range = parameters.get(SoccerParameter.CHARGING_MAX_BALL_RULES_DISTANCE);
         if (robot.ballDistance() > range && other.ballDistance() > range) {
@@ -100,7 +103,7 @@ final class ChargingRule implements FoulRule {
                 && robot.speed() >= parameters.get(SoccerParameter.CHARGING_MIN_SPEED);
     }
 
-    /** Whether a robot reached the ball later than the other one. */
+    /** Whether a robot is expected to reach the ball later than the other one. */
     private boolean isLater(Approach robot, Approach other) {
         boolean farther = robot.ballDistance()
                 > other.ballDistance() + parameters.get(SoccerParameter.CHARGING_MIN_DELTA_DISTANCE);
@@ -126,7 +129,7 @@ final class ChargingRule implements FoulRule {
         }
     }
 
-    /** In keep-away the right team never charges. */
+    /** In keep-away, the right team is never punished for charging. */
     private boolean isKeepawayHunter(Player player) {
         return parameters.isOn(SoccerParameter.KEEPAWAY) && player.side() == TeamSide.RIGHT;
     }

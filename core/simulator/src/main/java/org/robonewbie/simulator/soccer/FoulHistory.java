@@ -9,7 +9,7 @@ import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.protocol.monitor.FoulType;
 
-/** State of one player that the foul rules need. Times are in ticks of 20 ms. */
+/** State that the foul rules keep for one player. Times are in ticks of 20 ms. */
 final class FoulHistory implements Memory {
 
     /** Tick in the distant past. */
@@ -40,7 +40,7 @@ final class FoulHistory implements Memory {
         Arrays.fill(velocities, Vector3.ZERO);
     }
 
-    /** Clears penalties and counters, for example in a pause of the match. */
+    /** Clears penalties and counters, for example during a pause in the match. */
     void forgiveFouls() {
         punishedFor = Optional.empty();
         penaltyTicks = 0;
@@ -78,7 +78,7 @@ final class FoulHistory implements Memory {
         penaltyTicks = 0;
     }
 
-    /** Returns the number of earlier ticks of the penalty and counts this one. */
+    /** Counts a tick of the penalty and returns the number of earlier ones. */
     int countPenalty() {
         return penaltyTicks++;
     }

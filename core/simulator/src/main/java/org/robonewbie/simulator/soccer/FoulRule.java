@@ -3,6 +3,6 @@ package org.robonewbie.simulator.soccer;
 /** Rule for one type of foul. */
 interface FoulRule extends Memory {
 
-    /** Finds fouls of this tick and reports them to the referee. */
+    /** Detects fouls in this tick and reports them to the referee. */
     void judge();
 }

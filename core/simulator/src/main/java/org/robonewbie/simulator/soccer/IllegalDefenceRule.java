@@ -8,7 +8,7 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.monitor.FoulType;
 
-/** Illegal defence foul: limits the number of robots in their own penalty area. */
+/** Illegal defence foul: limits the number of a team's robots in its own penalty area. */
 final class IllegalDefenceRule implements FoulRule {
 
     private final Match match;
@@ -37,7 +37,10 @@ final class IllegalDefenceRule implements FoulRule {
         }
     }
 
-    /** The field player that entered last; if the goalkeeper entered last, the field player farthest from the goal. */
+    /**
+     * Returns the offender: the field player that entered the area last or, if the goalkeeper entered last, the field
+     * player farthest from the goal.
+     */
     private Optional<Player> offender(List<Player> inside, TeamSide side) {
         Optional<Player> last = inside.stream()
                 .max(Comparator.comparingLong(player -> player.fouls().areaEntryTick()));

@@ -3,7 +3,7 @@ package org.robonewbie.simulator.soccer;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.protocol.monitor.FoulType;
 
-/** Incapable foul: a robot that is fallen for too long is removed from the pitch. */
+/** Incapable foul: a robot that has been down for too long is removed from the pitch. */
 final class IncapableRule implements FoulRule {
 
     private static final double GROUND_HEIGHT = 0.15;

@@ -7,7 +7,7 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
-/** Common part of all set pieces: a pause, after which the ball is held at its spot until a robot touches it. */
+/** Common behaviour of all set pieces: a pause, after which the ball is held at its spot until a robot touches it. */
 final class KickPreparation {
 
     private static final double SETTLING_SECONDS = 0.03;
@@ -33,13 +33,13 @@ final class KickPreparation {
         return match.state().modeSeconds() < pauseSeconds;
     }
 
-    /** Whether the time for a kick is over, so that the ball is dropped. A limit of 0 disables this. */
+    /** Whether the time limit for a kick has expired, so that the ball must be dropped. A limit of 0 disables this. */
     static boolean isLate(Match match) {
         double limit = match.parameters().get(SoccerParameter.RULE_DROP_BALL_TIME);
         return limit > 0 && match.state().modeSeconds() > limit;
     }
 
-    /** Drops the ball if the time for the kick is over; returns whether it did. */
+    /** Drops the ball if the time limit for the kick has expired; returns whether it did. */
     boolean dropIfLate(Vector3 spot) {
         boolean late = isLate(match);
         if (late) {
@@ -49,8 +49,8 @@ final class KickPreparation {
     }
 
     /**
-     * Holds the ball at its spot and returns the player that has kicked it. As in SimSpark the ball is not moved before the first
-     * touch of the match; this matters only when a trainer sets the play mode.
+     * Holds the ball at its spot and returns the player that has kicked it. As in SimSpark, the ball is not moved before
+     * the first touch of the match; this matters only when a trainer sets the play mode.
      */
     Optional<Player> holdBall(Vector3 spot) {
         Optional<Player> toucher = match.ball().touchedAfter(firstTouchTick);

@@ -48,7 +48,7 @@ public final class Match implements Restorable {
      *
      * @param world the physical world
      * @param parameters soccer parameters
-     * @param seed seed of the referee's random decisions
+     * @param seed seed for the referee's random decisions
      */
     public Match(SoccerWorld world, SoccerParameters parameters, long seed) {
         this.world = world;
@@ -192,7 +192,7 @@ public final class Match implements Restorable {
     }
 
     /**
-     * Requests pass mode. Does nothing unless all conditions hold.
+     * Requests pass mode for a player's team. Does nothing unless all conditions for pass mode hold.
      *
      * @param player the requesting player
      */
@@ -319,7 +319,7 @@ public final class Match implements Restorable {
         setPiece = newSetPiece;
     }
 
-    /** Whether indirect kicks and double touches are judged: only in a match with more than two robots. */
+    /** Whether the rules for indirect kicks and double touches apply: only in a match with more than two robots. */
     boolean hasKickRules() {
         return parameters.isOn(SoccerParameter.FREE_KICK_RULES)
                 && !shootout
@@ -354,7 +354,7 @@ public final class Match implements Restorable {
         return parameters.isOn(SoccerParameter.COIN_TOSS_FOR_KICK_OFF) ? Optional.empty() : Optional.of(TeamSide.LEFT);
     }
 
-    /** Ends a half when its time is over. */
+    /** Ends a half when its time has elapsed. */
     private void checkTime() {
         double halfTime = parameters.get(SoccerParameter.RULE_HALF_TIME);
         if (state.playMode() == PlayMode.GAME_OVER || state.playSeconds() < state.half() * halfTime) {

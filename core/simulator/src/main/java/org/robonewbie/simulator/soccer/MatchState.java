@@ -23,8 +23,8 @@ public final class MatchState {
     }
 
     /**
-     * {@return the game time in seconds; it is stopped before a kick-off and after the game, and continues from the first half to
-     * the second}
+     * {@return the game time in seconds; it is stopped before a kick-off and after the game, and is not reset at
+     * half-time}
      */
     public double playSeconds() {
         return playTicks * Cycle.SECONDS;
@@ -67,7 +67,7 @@ public final class MatchState {
     }
 
     /**
-     * Sets the game time. The time since the last change of the play mode stays.
+     * Sets the game time. Does not change the time since the last change of the play mode.
      *
      * @param seconds game time in seconds, at least 0
      */

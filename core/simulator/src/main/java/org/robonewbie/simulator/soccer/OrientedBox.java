@@ -8,9 +8,9 @@ import org.robonewbie.simulator.world.Robot;
 /**
  * Oriented bounding box with a separating axis test.
  *
- * <p>As in SimSpark ({@code boxcollider.cpp}) the cross products of two edges are not normalised. Nearly parallel edges give a
- * nearly zero axis, along which the boxes count as separated. Boxes that are rotated relative to each other about a single
- * common axis therefore never overlap.
+ * <p>As in SimSpark ({@code boxcollider.cpp}), the cross products of two edges are not normalised. Nearly parallel edges
+ * yield an axis of nearly zero length, along which the boxes count as separated. Boxes that are rotated relative to each
+ * other about a single common axis therefore never overlap.
  *
  * @param centre centre
  * @param x half edge along the box's x axis

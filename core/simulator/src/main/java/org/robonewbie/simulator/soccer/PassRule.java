@@ -5,7 +5,7 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
-/** Pass mode: keeps opponents away from the ball until a robot touches it or the time is over. */
+/** Pass mode: keeps opponents away from the ball until a robot touches it or the time has elapsed. */
 final class PassRule implements PlayModeRule {
 
     private static final double PUSH = 0.1;

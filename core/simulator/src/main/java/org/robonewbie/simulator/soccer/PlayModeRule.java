@@ -1,6 +1,6 @@
 package org.robonewbie.simulator.soccer;
 
-/** Actions of the referee in one play mode. */
+/** The referee's actions in one play mode. */
 interface PlayModeRule extends Memory {
 
     /** Called when the play mode starts. */

@@ -37,7 +37,10 @@ final class PlayOnRule implements PlayModeRule {
         }
     }
 
-    /** Ends a set piece when another player touches the ball; a kick-off only outside the centre circle or by an opponent. */
+    /**
+     * Ends a set piece when another player touches the ball. After a kick-off, a teammate's touch counts only when the
+     * ball is outside the centre circle.
+     */
     private void updateSetPiece() {
         Optional<SetPiece> piece = match.setPiece();
         Optional<BallTracker.Touch> touch = match.ball().lastTouch();
@@ -73,7 +76,7 @@ final class PlayOnRule implements PlayModeRule {
                         .isPresent();
     }
 
-    /** In a penalty shoot-out the right team must stay in its penalty area. */
+    /** Whether a player of the right team has left its penalty area, which is not allowed in a penalty shoot-out. */
     private boolean hasKeeperLeftDuringShootout() {
         Area area = match.penaltyArea(TeamSide.RIGHT);
         return match.isShootout()

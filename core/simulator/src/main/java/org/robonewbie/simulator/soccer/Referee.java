@@ -16,9 +16,10 @@ import org.robonewbie.protocol.monitor.FoulType;
 import org.robonewbie.protocol.order.PlayerNumber;
 
 /**
- * Judges fouls in each cycle and enforces penalties (SimSpark: {@code soccerruleaspect.cpp}).
+ * Calls fouls in each cycle and enforces penalties (SimSpark: {@code soccerruleaspect.cpp}).
  *
- * <p>A punished robot is held in the air for a short time and then placed beside the pitch. Until then it commits no other foul.
+ * <p>A punished robot is held in the air for a short time and then placed beside the pitch. Until then, it cannot be
+ * punished again.
  */
 final class Referee implements Memory {
 

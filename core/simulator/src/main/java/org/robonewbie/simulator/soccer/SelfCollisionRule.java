@@ -111,7 +111,7 @@ final class SelfCollisionRule implements FoulRule {
         return frozen;
     }
 
-    /** Prefix of the effector names of a limb, such as {@code rae}; empty for the torso. */
+    /** Returns the common prefix of the effector names of a link's limb, such as {@code rae}; empty for the torso. */
     private static String limb(String link) {
         if (link.equals(NaoModel.TORSO)) {
             return "";

@@ -28,12 +28,12 @@ public enum SoccerParameter {
     PENALTY_LENGTH("PenaltyLength", 1.8, 1.2, "depth of the penalty area, metres"),
     /** Width of the penalty area. */
     PENALTY_WIDTH("PenaltyWidth", 3.9, 2.6, "width of the penalty area without the goal's width, metres"),
-    /** Distance of opponents at a set piece. */
+    /** Distance that opponents must keep from a set piece. */
     FREE_KICK_DISTANCE(
             "FreeKickDistance", 2, 1.3, "metres that opponents keep from a set piece; radius of the centre circle"),
     /** Distance to which opponents are moved at a set piece. */
     FREE_KICK_MOVE_DISTANCE("FreeKickMoveDist", 2.5, 1.5, "metres from a set piece to which opponents are moved"),
-    /** Distance of the kicking team when the ball is placed. */
+    /** Distance to which the kicking team is moved when the ball is placed. */
     KICK_REPEL_DISTANCE(
             "KickRepelDist", 0.5, 0.5, "metres that the kicking team is moved away when the ball is placed"),
     /** Position of the goal kick. */
@@ -55,7 +55,7 @@ public enum SoccerParameter {
     /** Free start positions. */
     START_ANY_FIELD_POSITION(
             "StartAnyFieldPosition", false, true, "whether robots may be beamed into the opponents' half"),
-    /** Exit after the match. */
+    /** Automatic exit after the match. */
     AUTOMATIC_QUIT("AutomaticQuit", false, false, "whether the simulator exits ten seconds after the match"),
     /** Change of sides at half-time. */
     CHANGE_SIDES_IN_SECOND_HALF("ChangeSidesInSecondHalf", false, false, "whether the teams change sides at half-time"),
@@ -69,11 +69,11 @@ public enum SoccerParameter {
     KEEPAWAY_LENGTH("KeepawayLength", 20, 8, "initial metres along x"),
     /** Initial width of the keep-away area. */
     KEEPAWAY_WIDTH("KeepawayWidth", 20, 8, "initial metres along y"),
-    /** Shrinking of the keep-away area. */
+    /** Rate at which the keep-away area shrinks. */
     KEEPAWAY_LENGTH_REDUCTION_RATE("KeepawayLengthReductionRate", 4, 4, "metres per minute"),
-    /** Shrinking of the keep-away area. */
+    /** Rate at which the keep-away area shrinks. */
     KEEPAWAY_WIDTH_REDUCTION_RATE("KeepawayWidthReductionRate", 4, 4, "metres per minute"),
-    /** Radius of a robot. */
+    /** Nominal radius of a robot. */
     AGENT_RADIUS("AgentRadius", 0.4, 0.4, "metres: torso height of a beamed robot and space for a moved robot"),
     /** Maximum number of robots of one type. */
     MAX_ROBOT_TYPE_COUNT("MaxRobotTypeCount", 7, 11, "maximum number of robots of one type in a team"),
@@ -95,11 +95,11 @@ public enum SoccerParameter {
     RULE_DROP_BALL_TIME("RuleDropBallTime", 15, 15, "seconds until the ball is dropped if a set piece is not taken"),
     /** Single half. */
     SINGLE_HALF_TIME("SingleHalfTime", false, true, "whether the match ends after one half"),
-    /** Offside. */
+    /** Offside; not implemented. */
     USE_OFFSIDE("UseOffside", false, false, "without effect, as in rcssserver3d"),
     /** Maximum number of robots in contact. */
     MAX_TOUCH_GROUP_SIZE("MaxTouchGroupSize", 2, 1000, "maximum number of robots that may touch each other"),
-    /** Penalty for touching. */
+    /** Whether a touching foul is penalised by removal from the pitch. */
     TOUCHING_FOUL_BEAM_PENALTY(
             "TouchingFoulBeamPenalty", false, false, "whether a touching foul removes the robot from the pitch"),
     /** Charging foul. */
@@ -109,58 +109,58 @@ public enum SoccerParameter {
     /** Minimum angle between a charging robot's motion and the ball. */
     CHARGING_MIN_BALL_SPEED_ANGLE(
             "ChargingMinBallSpeedAngle", 30, 30, "degrees between the robot's motion and the ball"),
-    /** Minimum difference of the distances to the ball. */
+    /** Charging: minimum difference between the robots' distances from the ball. */
     CHARGING_MIN_DELTA_DISTANCE(
             "ChargingMinDeltaDist", 0.05, 0.05, "metres by which one robot is farther from the ball"),
-    /** Minimum difference of the directions of motion. */
+    /** Charging: minimum difference between the robots' directions of motion. */
     CHARGING_MIN_DELTA_ANGLE("ChargingMinDeltaAng", 15, 15, "degrees"),
-    /** Immunity from charging after a touch of the ball. */
+    /** Time of immunity from charging after a touch of the ball. */
     CHARGING_IMMUNITY_TIME("ChargingImmunityTime", 1, 1, "seconds of immunity after a touch of the ball"),
-    /** Minimum time between two collisions. */
+    /** Charging: time without contact after which a contact is a new collision. */
     CHARGING_COLLISION_MIN_TIME("ChargingCollisionMinTime", 0.2, 0.2, "seconds without contact before a new collision"),
-    /** Range of the ball rules. */
+    /** Charging: distance up to which a robot is near the ball; if both robots are farther away, the ball is ignored. */
     CHARGING_MAX_BALL_RULES_DISTANCE("ChargingMaxBallRulesDist", 1, 1, "maximum metres to the ball for the ball rules"),
-    /** Minimum distance of a collision from the ball. */
+    /** Charging: minimum distance of a collision from the ball. */
     CHARGING_MIN_COLLISION_BALL_DISTANCE("ChargingMinCollBallDist", 0.1, 0.1, "metres from the collision to the ball"),
-    /** Minimum speed of a collision. */
+    /** Charging: minimum speed of a robot towards the collision. */
     CHARGING_MIN_COLLISION_SPEED("ChargingMinCollisionSpeed", 0.2, 0.2, "metres per second towards the collision"),
-    /** Tolerance of self-collisions. */
+    /** Overlap of two links below which there is no self-collision. */
     SELF_COLLISIONS_TOLERANCE("SelfCollisionsTolerance", 0.04, 0.04, "metres that two links may overlap"),
-    /** Report of self-collisions. */
+    /** Console messages about self-collisions. */
     PRINT_SELF_COLLISIONS("PrintSelfCollisions", true, false, "whether the console reports self-collisions"),
     /** Self-collision foul. */
     FOUL_ON_SELF_COLLISIONS("FoulOnSelfCollisions", true, false, "whether a self-collision is a foul"),
-    /** Penalty for self-collision. */
+    /** Duration of the usual penalty for self-collision: frozen joints. */
     SELF_COLLISION_JOINT_FROZEN_TIME("SelfCollisionJointFrozenTime", 1, 1, "seconds for which the joints are frozen"),
-    /** Immunity after the penalty for self-collision. */
+    /** Time of immunity after the penalty for self-collision. */
     SELF_COLLISION_JOINT_THAW_TIME("SelfCollisionJointThawTime", 2, 2, "seconds until the joints can be frozen again"),
-    /** Other penalty for self-collision. */
+    /** Alternative penalty for self-collision: removal from the pitch. */
     SELF_COLLISION_BEAM_PENALTY(
             "SelfCollisionBeamPenalty", false, false, "whether a self-collision removes the robot from the pitch"),
-    /** Cooldown of the other penalty for self-collision. */
+    /** Minimum time between two removals for self-collision. */
     SELF_COLLISION_BEAM_COOLDOWN_TIME("SelfCollisionBeamCooldownTime", 10, 10, "seconds between two such penalties"),
     /** Log file of self-collisions. */
     WRITE_SELF_COLLISIONS_TO_FILE(
             "WriteSelfCollisionsToFile", false, false, "without effect; self-collisions are in the recording"),
-    /** Time limit for a robot that does not stand. */
+    /** Time limit for a robot that is not standing. */
     NOT_STANDING_MAX_TIME("NotStandingMaxTime", 30, 1e9, "seconds"),
-    /** Time limit for a goalkeeper that does not stand. */
+    /** Time limit for a goalkeeper that is not standing. */
     GOALIE_NOT_STANDING_MAX_TIME("GoalieNotStandingMaxTime", 60, 1e9, "seconds"),
     /** Time limit for a robot that lies on the ground. */
     GROUND_MAX_TIME("GroundMaxTime", 15, 1e9, "seconds"),
     /** Time limit for a goalkeeper that lies on the ground. */
     GOALIE_GROUND_MAX_TIME("GoalieGroundMaxTime", 30, 1e9, "seconds"),
-    /** Maximum number of defenders. */
+    /** Maximum number of defenders in their own penalty area. */
     MAX_PLAYERS_INSIDE_OWN_AREA(
             "MaxPlayersInsideOwnArea", 3, 1000, "maximum number of robots in their own penalty area"),
-    /** Penalty for illegal defence. */
+    /** Whether illegal defence is penalised by removal from the pitch. */
     ILLEGAL_DEFENSE_BEAM_PENALTY(
             "IllegalDefenseBeamPenalty", false, false, "whether illegal defence removes the robot from the pitch"),
-    /** Crowding: distance of the opponent. */
+    /** Crowding: the distance between ball and opponent below which it is called. */
     MIN_OPPONENT_DISTANCE("MinOppDistance", 0, 0, "metres from ball to opponent below which crowding is called"),
-    /** Crowding: distance of the second robot. */
+    /** Crowding: distance that a team's second robot must keep from the ball. */
     MIN_SECOND_PLAYER_DISTANCE("Min2PlDistance", 0, 0, "metres that the second robot of a team keeps from the ball"),
-    /** Crowding: distance of the third robot. */
+    /** Crowding: distance that a team's third robot must keep from the ball. */
     MIN_THIRD_PLAYER_DISTANCE("Min3PlDistance", 0, 0, "metres that the third robot of a team keeps from the ball"),
     /** Duration of a penalty. */
     FOUL_HOLD_TIME("FoulHoldTime", 0.5, 0.5, "seconds for which a punished robot is held in the air"),
@@ -172,7 +172,7 @@ public enum SoccerParameter {
     BEAM_NOISE_XY("BeamNoiseXY", 0.05, 0, "maximum position error of a beam in metres"),
     /** Angle noise of a beam. */
     BEAM_NOISE_ANGLE("BeamNoiseAngle", 10, 0, "maximum angle error of a beam in degrees"),
-    /** Maximum number of positions tried for a moved robot. */
+    /** Maximum number of positions that are tried when a robot is moved. */
     MAX_NUM_SAFE_REPOSITION_ATTEMPTS(
             "MaxNumSafeRepositionAttempts", 100, 100, "positions tried for a moved robot; 0 disables the search"),
     /** Pass mode: maximum speed of the ball. */
@@ -185,9 +185,9 @@ public enum SoccerParameter {
     PASS_MODE_DURATION("PassModeDuration", 4, 4, "seconds"),
     /** Pass mode: time until the team may score again. */
     PASS_MODE_SCORE_WAIT_TIME("PassModeScoreWaitTime", 10, 10, "seconds"),
-    /** Pass mode: time until the next one. */
+    /** Pass mode: time before a team can request it again. */
     PASS_MODE_RETRY_WAIT_TIME("PassModeRetryWaitTime", 3, 3, "seconds"),
-    /** Indirect kicks and double touches; always on in rcssserver3d. */
+    /** Rules for indirect kicks and double touches; always on in rcssserver3d. */
     FREE_KICK_RULES("FreeKickRules", true, false, "whether indirect goals and double touches are judged"),
     /** Time in which a new robot may be beamed during play; not in rcssserver3d. */
     BEAM_GRACE_TIME("BeamGraceTime", 0, 2, "seconds after joining in which a robot may be beamed in any play mode");

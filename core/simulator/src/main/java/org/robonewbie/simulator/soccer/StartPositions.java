@@ -6,7 +6,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
-/** Start positions of a team at the side line. As in SimSpark a position is never reused. */
+/** Start positions of a team along the side line. As in SimSpark, a position is never reused. */
 public final class StartPositions {
 
     private final double radius;

@@ -8,7 +8,7 @@ import org.robonewbie.nao.TeamSide;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.world.Robot;
 
-/** Team of a match. */
+/** Team in a match. */
 public final class Team {
 
     /** Maximum number of players, and the highest shirt number. */
@@ -45,7 +45,7 @@ public final class Team {
         side = side.opponent();
     }
 
-    /** Reason why a robot may not join; empty if it may. Number 0 stands for any free one. */
+    /** Returns the reason why a robot may not join; empty if it may. Number 0 requests any free number. */
     Optional<String> objection(int number, RobotType type) {
         if (players.size() >= SIZE) {
             return Optional.of("team \"" + name + "\" already has all " + SIZE + " players");
@@ -60,14 +60,14 @@ public final class Team {
         return typeObjection(type);
     }
 
-    /** Adds a robot; number 0 stands for the lowest free one. */
+    /** Adds a robot; number 0 requests the lowest free number. */
     Player add(int number, Robot robot) {
         Player player = new Player(this, number == 0 ? lowestFreeNumber() : number, robot);
         players.add(player);
         return player;
     }
 
-    /** Resets the team before a restored match. */
+    /** Resets the team before a saved match is restored. */
     void reset(TeamSide newSide) {
         side = newSide;
         players.clear();

@@ -173,7 +173,7 @@ public final class Teams {
         rightPositions.save(out);
     }
 
-    /** Restores the state. Players with the same team, number and robot stay the same objects. */
+    /** Restores the state. Players whose team, number and robot are unchanged remain the same objects. */
     void restore(StateReader in, List<Robot> robots) {
         List<Team> formerTeams = List.copyOf(teams);
         teams.clear();

@@ -10,7 +10,7 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.monitor.FoulType;
 import org.robonewbie.simulator.world.RobotContact;
 
-/** Touching foul: limits the size of a group of robots in contact and moves a newcomer away from it. */
+/** Touching foul: limits the size of a group of robots in contact and removes an offender from it. */
 final class TouchingRule implements FoulRule {
 
     private final Match match;
@@ -31,7 +31,7 @@ final class TouchingRule implements FoulRule {
         groups.forEach(group -> group.forEach(player -> player.fouls().setTouched(group)));
     }
 
-    /** Connected components of players in contact, in the order of the contacts. */
+    /** Returns the groups of players in contact, directly or through others, in the order of the contacts. */
     private List<Set<Player>> groups() {
         List<Set<Player>> groups = new ArrayList<>();
         for (RobotContact contact : match.robotContacts()) {
@@ -64,7 +64,7 @@ final class TouchingRule implements FoulRule {
         groups.add(joined);
     }
 
-    /** Contacts between feet or toes do not count in rcssserver3d. */
+    /** Whether a contact is between feet or toes; as in rcssserver3d, such contacts do not count. */
     private static boolean isBetweenFeet(RobotContact contact) {
         return isFoot(contact.first().name()) && isFoot(contact.second().name());
     }
@@ -82,7 +82,10 @@ final class TouchingRule implements FoulRule {
                 .findFirst();
     }
 
-    /** The newcomer if its team is at least half of the group, otherwise an opponent; never a goalkeeper. */
+    /**
+     * Returns the offender: the newcomer if its team makes up at least half of the group, otherwise an opponent of the
+     * newcomer; never a goalkeeper.
+     */
     private static Optional<Player> offender(Player newcomer, Set<Player> group) {
         TeamSide side = newcomer.side();
         long mates = group.stream().filter(player -> player.side() == side).count();

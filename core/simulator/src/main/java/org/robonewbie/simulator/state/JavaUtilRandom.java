@@ -6,7 +6,7 @@ import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
 /**
- * Restorable equivalent of {@link java.util.Random}: the same seed gives the same sequence.
+ * Restorable equivalent of {@link java.util.Random}: the same seed produces the same sequence.
  *
  * <p>48-bit linear congruential generator as specified by {@code java.util.Random} (D. H. Lehmer; Knuth, The Art of Computer
  * Programming 2, section 3.2.1).

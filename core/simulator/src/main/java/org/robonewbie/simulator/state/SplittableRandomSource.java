@@ -6,8 +6,8 @@ import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
 /**
- * Restorable equivalent of {@link java.util.SplittableRandom}: the same seed gives the same sequence of {@code long} and
- * {@code double} values. Other types differ.
+ * Restorable equivalent of {@link java.util.SplittableRandom}: the same seed produces the same sequence of {@code long}
+ * and {@code double} values. Values of other types differ.
  *
  * <p>Source: SplitMix64 in Steele, Lea and Flood, "Fast splittable pseudorandom number generators" (OOPSLA 2014).
  */

@@ -7,7 +7,7 @@ import org.robonewbie.simulator.physics.MassDistribution;
 import org.robonewbie.simulator.physics.RigidBody;
 import org.robonewbie.simulator.physics.RotationMatrix;
 
-/** Soccer ball: a soft sphere that bounces and rolls, with air drag. */
+/** Soccer ball: a soft sphere that bounces, rolls and is slowed down by air drag. */
 public final class Ball {
 
     private static final double LINEAR_DRAG = 0.01;
@@ -49,7 +49,7 @@ public final class Ball {
     }
 
     /**
-     * Moves the ball without changing its velocity and spin, like a trainer.
+     * Moves the ball without changing its velocity and spin, as a trainer does.
      *
      * @param position position in the world frame in metres, limited to 1 km per axis
      */
@@ -59,7 +59,7 @@ public final class Ball {
     }
 
     /**
-     * Sets the velocity and removes the spin, like a trainer.
+     * Sets the velocity and removes the spin, as a trainer does.
      *
      * @param metresPerSecond velocity in the world frame, limited to 1000 m/s per axis
      */
@@ -70,7 +70,7 @@ public final class Ball {
     }
 
     /**
-     * Places the ball at rest, like the referee.
+     * Places the ball at rest, as the referee does.
      *
      * @param position position in the world frame in metres
      */
@@ -91,7 +91,7 @@ public final class Ball {
         body.setAngularVelocity(motion.radiansPerSecond());
     }
 
-    /** Returns a ball that has left the world limits to the centre spot. */
+    /** Moves a ball that has left the world limits back to the centre spot. */
     void finishStep() {
         if (!WorldLimits.isWithin(body)) {
             body.setRotation(RotationMatrix.IDENTITY);

@@ -10,7 +10,7 @@ import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 import org.robonewbie.simulator.physics.Contact;
 
-/** Evaluation of a step's contacts for the referee and the foot sensors. */
+/** Evaluates the contacts of a step for the referee and the foot sensors. */
 final class ContactReport {
 
     private final List<RobotPart> ballTouches = new ArrayList<>();

@@ -74,7 +74,10 @@ final class Pitch {
         addWall(parts, goal, new Vector3(0, 0, (height + thick) / 2), new Vector3(depth, width + 2 * thick, thick));
     }
 
-    /** The trigger is smaller than the goal by a ball radius on every side, so that only a ball that is inside touches it. */
+    /**
+     * Adds the trigger inside a goal. Its sides are a ball radius inside those of the goal, so that a ball touches it
+     * only when its centre is inside the goal.
+     */
     private void addTrigger(Assembly parts, BodyPose goal, TeamSide side) {
         Vector3 size =
                 new Vector3(field.goalDepth() - 2 * ballRadius, field.goalWidth() - 2 * ballRadius, field.goalHeight());

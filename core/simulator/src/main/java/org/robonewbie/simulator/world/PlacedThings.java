@@ -11,7 +11,7 @@ import org.robonewbie.simulator.physics.BodyPose;
 import org.robonewbie.simulator.physics.MassDistribution;
 import org.robonewbie.simulator.physics.RigidBody;
 
-/** Things of a landscape in the physical world: static colliders and movable bodies. */
+/** The objects of a landscape in the physical world: static colliders and movable bodies. */
 public final class PlacedThings {
 
     private final Landscape landscape;
@@ -39,7 +39,7 @@ public final class PlacedThings {
         return landscape;
     }
 
-    /** {@return the things in their current poses, in the order of the landscape} */
+    /** {@return the objects in their current poses, in the order of the landscape} */
     public List<Thing> now() {
         List<Thing> things = new ArrayList<>();
         for (int i = 0; i < bodies.size(); i++) {
@@ -49,7 +49,7 @@ public final class PlacedThings {
         return things;
     }
 
-    /** Returns all things to their initial poses. */
+    /** Moves all objects back to their initial poses. */
     public void reset() {
         for (int i = 0; i < bodies.size(); i++) {
             reset(i);
@@ -62,7 +62,7 @@ public final class PlacedThings {
     }
 
     /**
-     * Sets pose and velocity of a thing. Does nothing for a static one.
+     * Sets the pose and velocity of an object. Does nothing for a static one.
      *
      * @param index index in the landscape
      * @param motion new pose and velocity
@@ -77,7 +77,7 @@ public final class PlacedThings {
         });
     }
 
-    /** Returns things that have left the world limits to their initial poses. */
+    /** Moves objects that have left the world limits back to their initial poses. */
     void finishStep() {
         for (int i = 0; i < bodies.size(); i++) {
             if (bodies.get(i).filter(body -> !WorldLimits.isWithin(body)).isPresent()) {

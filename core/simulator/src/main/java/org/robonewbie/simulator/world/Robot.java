@@ -70,8 +70,8 @@ public final class Robot {
     }
 
     /**
-     * Sets the target speed of a motor like SimSpark. The speed is limited to the motor's maximum, ignored while the joint is at
-     * or beyond a stop, and kept until the next command. A speed other than 0 wakes a sleeping limb.
+     * Sets the target speed of a motor, as in SimSpark. The speed is limited to the motor's maximum, ignored while the
+     * joint is at or beyond a stop, and kept until the next command. A speed other than 0 wakes a sleeping limb.
      *
      * @param hingeIndex index of the hinge
      * @param radiansPerSecond target speed; 0 holds the joint; NaN is ignored
@@ -179,16 +179,16 @@ public final class Robot {
     }
 
     /**
-     * {@return the accelerometer reading: proper acceleration along the torso's axes in metres per second squared, (0, 0, 9.81)
-     * at rest; as in SimSpark one step older than the gyroscope reading}
+     * {@return the accelerometer reading: proper acceleration along the torso's axes in metres per second squared, (0, 0,
+     * 9.81) at rest; as in SimSpark, one step older than the gyroscope reading}
      */
     public Vector3 acceleration() {
         return accelerometer.reading();
     }
 
     /**
-     * {@return the readings of the foot force sensors, in the frame of their links; empty for a sensor without contact in the
-     * last step}
+     * {@return the readings of the foot force sensors, in the frames of their links; empty for a sensor that had no
+     * contact in the last step}
      */
     public FootForces footForces() {
         return new FootForces(reading(0), reading(1), reading(2), reading(3));
@@ -237,7 +237,7 @@ public final class Robot {
     }
 
     /**
-     * Places the robot upright without changing its joints and stops all motion. Does not wake it.
+     * Places the robot upright at a position without changing its joints, and stops all motion. Does not wake it.
      *
      * @param position new position of the torso in the world frame, metres
      * @param yawDegrees rotation about the vertical axis: 0 faces along the world's y axis, -90 along its x axis
@@ -295,7 +295,7 @@ public final class Robot {
         return box;
     }
 
-    /** {@return whether the robot is asleep and skipped in the step} */
+    /** {@return whether the robot is asleep, so that steps skip it} */
     public boolean isAsleep() {
         return bodies.get(0).isAsleep();
     }
@@ -328,7 +328,7 @@ public final class Robot {
         }
     }
 
-    /** Resets a robot whose links have been torn apart to the initial pose. */
+    /** Resets the robot to its initial pose, because its links have been torn apart. */
     private void rebuild() {
         for (int i = 0; i < bodies.size(); i++) {
             bodies.get(i).setRotation(RotationMatrix.IDENTITY);

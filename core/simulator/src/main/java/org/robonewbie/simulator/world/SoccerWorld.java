@@ -17,10 +17,10 @@ import org.robonewbie.simulator.physics.sparse.SparsePhysicsWorld;
 import org.robonewbie.simulator.state.WorldState;
 
 /**
- * Physical world of SimSpark's soccer simulation: ground, walls, goals, ball, robots and the things of a landscape.
+ * Physical world of SimSpark's soccer simulation: ground, walls, goals, ball, robots and the objects of a landscape.
  *
- * <p>It has no rules, clock or randomness: the same calls in the same order give bit-identical worlds. Not thread-safe. A world
- * needs no closing.
+ * <p>It has no rules, clock or randomness: the same calls in the same order produce bit-identical worlds. Not
+ * thread-safe. A world need not be closed.
  *
  * <pre>{@code
  * SoccerWorld world = new SoccerWorld(SoccerField.LEAGUE);
@@ -54,7 +54,7 @@ public final class SoccerWorld implements Restorable {
      * @param field dimensions of the pitch
      * @param ballProperties radius and mass of the ball
      * @param engine an empty physics world
-     * @param landscape the things on the pitch
+     * @param landscape the objects on the pitch
      */
     public SoccerWorld(SoccerField field, BallProperties ballProperties, PhysicsWorld engine, Landscape landscape) {
         this.field = field;
@@ -74,7 +74,7 @@ public final class SoccerWorld implements Restorable {
         return ball;
     }
 
-    /** {@return the things on the pitch} */
+    /** {@return the objects on the pitch} */
     public PlacedThings things() {
         return things;
     }
@@ -111,7 +111,7 @@ public final class SoccerWorld implements Restorable {
     /**
      * Scales the grip of all surfaces. Not part of a saved state.
      *
-     * @param factor above 0; 1 as in SimSpark, and at 0.5 surfaces slip twice as fast under the same force
+     * @param factor above 0; 1 is SimSpark's grip, and at 0.5 surfaces slip twice as fast under the same force
      */
     public void setGrip(double factor) {
         engine.setGrip(factor);
@@ -139,7 +139,7 @@ public final class SoccerWorld implements Restorable {
     }
 
     /**
-     * {@return the robot parts that touched the ball in the last step: the first one of each robot, in the order of the
+     * {@return the links that touched the ball in the last step, only the first one of each robot, in the order of the
      * contacts}
      */
     public List<RobotPart> ballTouches() {
@@ -174,11 +174,11 @@ public final class SoccerWorld implements Restorable {
     }
 
     /**
-     * Restores a saved state. Leading robots whose types match those of the state stay the same objects. The others are removed
-     * and missing ones are added.
+     * Restores a saved state. Robots at the start of the list remain the same objects for as long as their types match
+     * those in the state; the rest are removed, and missing ones are added.
      *
      * @param state the state of a world with the same settings
-     * @throws IllegalArgumentException if the settings differ; the message contains the difference
+     * @throws IllegalArgumentException if the settings differ; the message describes the difference
      */
     public void restore(WorldState state) {
         state.restore(settings(), this);

@@ -6,8 +6,8 @@ import org.robonewbie.simulator.physics.Material;
 import org.robonewbie.simulator.physics.Material.Bounce;
 
 /**
- * Surface materials with the effective values of rcssserver3d 0.7.3, where some lines of the scene files fail silently. Only the
- * material of things is not SimSpark's.
+ * Surface materials with the effective values of rcssserver3d 0.7.3, where some lines of the scene files fail silently.
+ * Only the material of movable objects is not SimSpark's.
  */
 final class SurfaceMaterials {
 
@@ -23,11 +23,11 @@ final class SurfaceMaterials {
     static final Material BALL = new Material(
             Optional.of(new Bounce(0.8, 0.8)), OptionalDouble.of(0.5), OptionalDouble.of(0.05), OptionalDouble.of(0.6));
 
-    /** Movable things: like the ground, but with more slip, so that they yield to a push and stop when it ends. */
+    /** Movable objects: like the ground, but with more slip, so that they yield to a push and stop when it ends. */
     static final Material THING =
             new Material(Optional.empty(), OptionalDouble.of(0.2), OptionalDouble.empty(), OptionalDouble.of(0.1));
 
-    /** All parts of the robot. */
+    /** All links of a robot. */
     static final Material ROBOT =
             new Material(Optional.empty(), OptionalDouble.of(0.6), OptionalDouble.of(1e-4), OptionalDouble.of(5e-3));
 

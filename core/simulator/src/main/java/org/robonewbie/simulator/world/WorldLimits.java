@@ -5,7 +5,8 @@ import org.robonewbie.nao.Vector3;
 import org.robonewbie.simulator.physics.RigidBody;
 
 /**
- * Limits that keep bodies within the range of the physics engine. Collision detection fails beyond some kilometres and for NaN.
+ * Limits that keep bodies within the range of the physics engine. Collision detection fails for NaN and for coordinates
+ * beyond a few kilometres.
  */
 final class WorldLimits {
 

@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 class ProgramPlaceTest {
 
     private static final StackTraceElement STUDENT = call("WalkToBall", 31);
-    private static final StackTraceElement JUDGE = call("org.robonewbie.exercises.GradedTrial", 50);
+    private static final StackTraceElement JUDGE = call("org.robonewbie.exercises.Grader", 50);
 
     @Test
     void lineOfTheStudentIsFoundBelowTheFramework() {

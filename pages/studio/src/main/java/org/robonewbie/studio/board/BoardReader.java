@@ -40,7 +40,7 @@ public final class BoardReader extends Session.Listener.AbstractAutoDemanding {
         board.remove(this);
     }
 
-    /** Sends an update unless the previous one is still in flight. Called by the locked bus only. */
+    /** Sends an update unless the previous one is still in flight. Called only by the bus, which holds its lock. */
     synchronized void offer(String json) {
         missed |= busy;
         if (!busy) {

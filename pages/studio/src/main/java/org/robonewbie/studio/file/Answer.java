@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  * @param status the HTTP status
  * @param type the media type
  * @param content the body
- * @param version version of the file that was read or written; else empty
+ * @param version version of the file that was read or written; empty for other responses
  */
 @SuppressWarnings("ArrayRecordComponent")
 public record Answer(int status, String type, byte[] content, String version) {

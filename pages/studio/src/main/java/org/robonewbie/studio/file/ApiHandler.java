@@ -12,7 +12,7 @@ import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.nao.file.UnwritableFileException;
 import org.robonewbie.simulator.recording.DamagedRecordingException;
 
-/** HTTP endpoint of a part of the studio's API, which turns exceptions into refusals. */
+/** HTTP endpoint for part of the studio's API. Converts exceptions to error responses. */
 public abstract class ApiHandler extends Handler.Abstract {
 
     /** Creates the endpoint. */
@@ -75,7 +75,7 @@ public abstract class ApiHandler extends Handler.Abstract {
     }
 
     /**
-     * Returns the version that the page has read.
+     * Returns the version of the file that the page has read.
      *
      * @param request the request
      * @return the version; empty for a new file
@@ -85,11 +85,11 @@ public abstract class ApiHandler extends Handler.Abstract {
     }
 
     /**
-     * Reads the body.
+     * Reads the body of a request.
      *
      * @param request the request
      * @param maxBytes maximum size
-     * @param what the content for the refusal, such as {@code A program}
+     * @param what subject of the error message for a body that is too large, such as {@code A program}
      * @return the content
      * @throws IOException if the connection fails
      */

@@ -13,8 +13,8 @@ import org.robonewbie.nao.file.UnreadableFileException;
 import org.robonewbie.nao.file.UnwritableFileException;
 
 /**
- * A folder with files of one kind that pages may read and write; they reach no other file. Writes are atomic, so that no reader sees a
- * partial file.
+ * A folder with files of one kind that pages may read and write; they cannot access files outside it. Writes are
+ * atomic, so that no reader sees a partial file.
  */
 public abstract class PageFolder {
 
@@ -25,7 +25,7 @@ public abstract class PageFolder {
      * Creates access to a folder, which need not exist yet.
      *
      * @param folder the folder
-     * @param maxBytes maximum size of a file that is read
+     * @param maxBytes maximum size of a file to read
      */
     protected PageFolder(Path folder, int maxBytes) {
         this.maxBytes = maxBytes;
@@ -46,7 +46,7 @@ public abstract class PageFolder {
     }
 
     /**
-     * Resolves the path that a page uses. Links out of the folder are refused.
+     * Resolves the path that a page uses. Symbolic links that lead out of the folder are refused.
      *
      * @param path path as used by pages
      * @return the file, which need not exist
@@ -163,7 +163,7 @@ public abstract class PageFolder {
     }
 
     /**
-     * Deletes a file if it has a certain version.
+     * Deletes a file if it has the given version.
      *
      * @param path path as used by pages
      * @param version the version; a file with another version is kept

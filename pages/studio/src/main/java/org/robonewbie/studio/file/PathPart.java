@@ -3,7 +3,7 @@ package org.robonewbie.studio.file;
 import java.net.URLDecoder;
 import java.nio.charset.StandardCharsets;
 
-/** Path segments of request addresses. */
+/** Decoder for path segments of request addresses. */
 public final class PathPart {
 
     private PathPart() {}

@@ -1,6 +1,6 @@
 package org.robonewbie.studio.file;
 
-/** A page's request is refused; the message is shown to the user. */
+/** Thrown when a page's request is refused; the message is shown to the user. */
 public final class RefusedException extends RuntimeException {
 
     private static final long serialVersionUID = 1L;

@@ -22,7 +22,7 @@ final class Blend {
      *
      * @param from the earlier state
      * @param to the later state
-     * @param part 0 for the earlier, 1 for the later state
+     * @param part interpolation parameter: 0 for the earlier, 1 for the later state
      */
     static WorldSnapshot of(WorldSnapshot from, WorldSnapshot to, double part) {
         return new WorldSnapshot(
@@ -98,7 +98,10 @@ final class Blend {
         return new Pose(from.position().plus(way.times(step)), blended(from.rotation(), to.rotation(), step));
     }
 
-    /** Normalised linear interpolation of quaternions; the signs are aligned first, so that it takes the short way. */
+    /**
+     * Normalised linear interpolation of quaternions; the signs are aligned first, so that the rotation takes the
+     * shorter path.
+     */
     private static Rotation blended(Rotation from, Rotation to, double part) {
         double dot = from.w() * to.w() + from.x() * to.x() + from.y() * to.y() + from.z() * to.z();
         double sign = dot < 0 ? -1 : 1;

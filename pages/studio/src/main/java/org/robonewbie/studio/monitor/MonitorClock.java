@@ -6,8 +6,8 @@ import org.robonewbie.nao.PlayMode;
 import org.robonewbie.protocol.monitor.MonitoredGame;
 
 /**
- * Estimates the cycle number of a server that sends only the game time. The game time stands still before each kick-off; there each
- * message counts as two cycles, the usual interval between messages.
+ * Estimates the cycle number of a server that sends only the game time. The game time stands still before each kick-off
+ * and after the game; each message then counts as two cycles, the usual interval between messages.
  */
 final class MonitorClock {
 
@@ -65,7 +65,7 @@ final class MonitorClock {
         return realTimeFactor;
     }
 
-    /** Returns whether messages arrive without progress of time, as from a paused server. */
+    /** Returns whether messages arrive while the game time stands still unexpectedly, as from a paused server. */
     boolean isStandingStill() {
         return messagesWithoutTime > MESSAGES_UNTIL_STANDSTILL;
     }

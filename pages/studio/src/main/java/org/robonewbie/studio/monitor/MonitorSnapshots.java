@@ -22,7 +22,7 @@ import org.robonewbie.simulator.physics.RotationMatrix;
 
 /**
  * Converts the scene graph of a monitor to world snapshots. The scene graph contains the pose of each limb but no joint angles; these
- * are computed from the relative rotation of the two limbs of a hinge.
+ * are computed from the relative rotation of the two limbs that a hinge connects.
  */
 final class MonitorSnapshots {
 
@@ -50,7 +50,7 @@ final class MonitorSnapshots {
                 realTimeFactor);
     }
 
-    /** Returns the dimensions of the pitch; values that the server does not send are those of the league. */
+    /** Returns the dimensions of the pitch; values that the server does not send default to those of the league. */
     static SoccerField field(Environment environment) {
         SoccerField league = SoccerField.LEAGUE;
         double goalWidth = environment.measure("GoalWidth").orElse(league.goalWidth());

@@ -71,7 +71,7 @@ public final class MonitoredSimulation implements SimulationControl, AutoCloseab
                     take(link.world());
                 }
             } catch (IOException lost) {
-                // The server has ended; reconnect below.
+                // The server has stopped; reconnect below.
             }
             link.close();
             seekAgain();

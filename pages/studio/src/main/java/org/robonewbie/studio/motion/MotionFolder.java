@@ -13,7 +13,7 @@ import org.robonewbie.studio.file.PageFolder;
 import org.robonewbie.studio.file.PlainFile;
 import org.robonewbie.studio.file.RefusedException;
 
-/** Folder of motion files, which pages name without folder and extension, as agents do. */
+/** Folder of motion files. Like agents, pages refer to a motion by its file name without the extension. */
 final class MotionFolder extends PageFolder {
 
     private final MotionFiles files;

@@ -26,9 +26,9 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 
 /**
- * Result of playing a motion on a simulated body: poses in every second cycle, and whether the robot fell.
+ * Result of playing a motion on a simulated body: the pose in every second cycle, and whether the robot fell.
  *
- * @param frames each the torso's pose as seven numbers, then the angle of each hinge in degrees
+ * @param frames one array per pose: the torso's pose as seven numbers, then the angle of each hinge in degrees
  * @param fallSeconds time since the start of the motion at which the torso was tilted by more than 60°; empty without a fall, or if
  *     the robot did not start upright
  */
@@ -62,7 +62,7 @@ public record PhysicalTrial(List<float[]> frames, OptionalDouble fallSeconds) {
      * @param text content of the file
      * @param start the name of a {@link Start} in lower case
      * @return the result as JSON
-     * @throws RefusedException if the text is not a motion or too long, or the start is unknown
+     * @throws RefusedException if the text is not a valid motion or is too long, or if the start is unknown
      */
     public static String json(String text, String start) {
         Start from = Arrays.stream(Start.values())

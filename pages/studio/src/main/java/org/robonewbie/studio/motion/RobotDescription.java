@@ -9,7 +9,7 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.model.Shape;
 import org.robonewbie.nao.motion.Mirror;
 
-/** Description of the robot for the motion editor: joints in the order of the files, masses, and collision shapes. */
+/** Description of the robot for the motion editor: joints in the order of motion files, masses, and collision shapes. */
 public final class RobotDescription {
 
     private RobotDescription() {}

@@ -26,7 +26,7 @@ public interface Arena {
     interface Moment {
 
         /**
-         * Waits until as many robots play as in the saved state, then restores it.
+         * Waits until a robot of the new program has joined, then restores the state. Gives up after a timeout.
          *
          * @param isWanted polled while waiting; false cancels
          */

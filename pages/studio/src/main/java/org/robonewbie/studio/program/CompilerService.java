@@ -27,7 +27,7 @@ public interface CompilerService {
     /**
      * Returns the source of a new program.
      *
-     * @param file the future file, which determines class and package
+     * @param file the file to be created, which determines the class and package names
      * @param text the template, such as an example; empty for the shortest program that moves a robot
      * @return its text
      */

@@ -16,7 +16,7 @@ import org.robonewbie.studio.file.PathPart;
 import org.robonewbie.studio.file.RefusedException;
 
 /**
- * HTTP endpoint for the program editor. A PATH leads from the studio's folder to a Java file.
+ * HTTP endpoint for the program editor. PATH is the path of a Java file, relative to the studio's folder.
  *
  * <pre>
  * GET              /api/programs                    the files, drafts of unsaved changes, and the examples

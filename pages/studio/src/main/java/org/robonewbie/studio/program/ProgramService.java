@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.robonewbie.studio.program.ProgramRun.State;
 
-/** Runs one program at a time. Hot swap: a new version takes over from the saved state of the world. */
+/** Runs one program at a time. When another program replaces it, the world can continue from its current state. */
 final class ProgramService implements AutoCloseable {
 
     private final CompilerService compiler;
@@ -50,7 +50,7 @@ final class ProgramService implements AutoCloseable {
         return state();
     }
 
-    /** Handling of the world's state while one program replaces another. */
+    /** Keeps or resets the world's state while one program replaces another. */
     private final class Change {
 
         private final boolean fromTheStart;

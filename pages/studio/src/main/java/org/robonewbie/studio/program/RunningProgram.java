@@ -7,7 +7,7 @@ import org.robonewbie.programs.process.ChildProcess;
  * A student's program in its own process. Thread-safe.
  *
  * @param process the process
- * @param classes its compiled classes, deleted after its end
+ * @param classes its compiled classes, deleted after the process has exited
  */
 public record RunningProgram(ChildProcess process, TemporaryFolder classes) implements AutoCloseable {
 
@@ -26,7 +26,7 @@ public record RunningProgram(ChildProcess process, TemporaryFolder classes) impl
         return process.exitCode().orElse(0);
     }
 
-    /** Ends the process; its output remains readable. */
+    /** Terminates the process; its output remains readable. */
     @Override
     public void close() {
         process.close();

@@ -11,7 +11,7 @@ final class GzipHeader {
 
     private GzipHeader() {}
 
-    /** Returns the length of the header; 0 if the bytes are too few. */
+    /** Returns the length of the header; 0 if it is incomplete. */
     static int length(byte[] bytes, int count) {
         if (count < FIXED_BYTES) {
             return 0;

@@ -22,8 +22,8 @@ public final class NoteLines {
     private int drawnCharacters;
 
     /**
-     * Converts a message. A run keeps at most 2,000 log entries. It keeps at most ten drawings per second of each robot and four million
-     * characters of them.
+     * Converts a telemetry message to a line. Keeps at most 2,000 log entries per run, ten drawings per second for each
+     * robot, and four million characters of drawings per run.
      *
      * @param message telemetry of a robot
      * @return the line; empty if the message is not kept

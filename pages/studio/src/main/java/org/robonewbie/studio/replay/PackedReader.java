@@ -35,7 +35,7 @@ final class PackedReader {
     private int lastFour = -1;
 
     /**
-     * Continues to read.
+     * Continues reading.
      *
      * @param file the recording
      * @param untilNanos deadline in terms of {@link System#nanoTime}

@@ -22,7 +22,7 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.simulator.file.RecordingGroup;
 
 /**
- * Index of a recording, by which a page can start to read at any cycle. Built once by reading the whole recording, and stored as
+ * Index of a recording, which lets a page start reading at any cycle. Built once by reading the whole recording, and stored as
  * {@code NAME.index} beside large ones. The index of a running recording grows with it. The recording itself is never changed.
  */
 final class RecordingIndex {
@@ -102,7 +102,7 @@ final class RecordingIndex {
      * Reads the part of the recording between two entry points.
      *
      * @param recording the recording
-     * @param piece number of the first entry point
+     * @param piece index of the first entry point
      * @param skipped number of bytes of the part to skip
      * @return records of the recording, preceded by records that describe the state at the entry point; empty at the end
      */

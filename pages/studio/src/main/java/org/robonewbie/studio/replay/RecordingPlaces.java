@@ -17,8 +17,8 @@ import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.studio.file.PlainFile;
 
 /**
- * All places in which the studio finds recordings: the user's repository, the project, and a file opened by name. Pages can reach only
- * the recordings found here, so that no path leads out of these folders.
+ * All locations where the studio looks for recordings: the user's repository, the project, and a file opened by name.
+ * Pages can access only the recordings found here, so that no path leads out of these folders.
  *
  * @param repository automatically recorded runs; empty if nothing is recorded
  * @param projects folders of the project
@@ -28,7 +28,10 @@ record RecordingPlaces(Optional<RecordingRepository> repository, List<Path> proj
 
     private static final long STILL_RUNNING_MILLIS = 4000;
 
-    /** {@return all recordings by the names that pages use; the newest of the repository come first} */
+    /**
+     * {@return all recordings by the names that pages use: the one opened by name first, then the repository, then the
+     * project}
+     */
     Map<String, Path> all() throws IOException {
         Map<String, Path> all = new LinkedHashMap<>();
         for (Path file : files()) {

@@ -19,8 +19,8 @@ import org.robonewbie.simulator.file.RecordingGroup;
 import org.robonewbie.simulator.file.RecordingRepository;
 
 /**
- * Renames, stars, bookmarks, deletes and restores recordings. A deleted recording stays for an hour in the folder {@code .removed}
- * beside the others.
+ * Renames, stars, bookmarks, deletes and restores recordings. A deleted recording stays for an hour in the folder
+ * {@code .removed} beside the other recordings.
  */
 final class RecordingService {
 

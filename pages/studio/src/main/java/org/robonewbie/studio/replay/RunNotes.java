@@ -16,8 +16,8 @@ import org.robonewbie.simulator.file.RecordingRepository;
 import org.robonewbie.studio.file.PlainFile;
 
 /**
- * Stores the robots' log entries and drawings as JSON lines beside the recording of the run. They are not part of the recording, so
- * that the recording depends on the seed only, not on the watched robots.
+ * Stores the robots' log entries and drawings as JSON lines beside the recording of the run. They are not part of the
+ * recording, so that the recording depends only on the seed, not on which robots are watched.
  */
 public final class RunNotes {
 
@@ -27,7 +27,7 @@ public final class RunNotes {
     private boolean diskFull;
 
     /**
-     * Creates the notes of the run that is being recorded.
+     * Creates the notes for the run that is being recorded.
      *
      * @param repository the recordings; empty if nothing is recorded
      */

@@ -12,7 +12,7 @@ import java.util.Map;
  * @param left name of the left team, empty if there was none
  * @param right name of the right team, empty if there was none
  * @param score final score of the left and the right team
- * @param robots maximum number of robots at the same time
+ * @param robots maximum number of simultaneous robots
  * @param pitch length and width of the field in metres
  * @param ball trail of the ball
  * @param ways trails of the robots
@@ -38,7 +38,7 @@ record RunSummary(
      * Trail of a robot.
      *
      * @param side 0 without a team, 1 for the left team, 2 for the right team
-     * @param places x and y in metres, sampled evenly over its presence
+     * @param places x and y in metres, sampled at equal intervals while the robot is present
      */
     record Way(int side, List<List<Double>> places) {}
 
@@ -55,7 +55,7 @@ record RunSummary(
      * Line-up of robots.
      *
      * @param robots the robots in the order of the recording
-     * @param cycles number of cycles
+     * @param cycles number of cycles with this line-up
      */
     record Roster(List<Member> robots, int cycles) {}
 
@@ -76,7 +76,7 @@ record RunSummary(
         return new Gson().fromJson(json, RunSummary.class);
     }
 
-    /** {@return the part for the preview card, as JSON} */
+    /** {@return the data for the preview card, as JSON} */
     String card() {
         return new Gson()
                 .toJson(new RunSummary(

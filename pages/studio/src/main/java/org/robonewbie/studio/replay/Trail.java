@@ -3,7 +3,7 @@ package org.robonewbie.studio.replay;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Trail over the pitch with at most 256 points; the sampling interval doubles whenever the limit is reached. */
+/** Trail across the pitch with at most 256 points; the sampling interval doubles whenever the limit is reached. */
 final class Trail {
 
     private static final int MAX_PLACES = 256;
@@ -35,7 +35,7 @@ final class Trail {
         return Math.round(metres * HUNDREDTHS) / HUNDREDTHS;
     }
 
-    /** {@return points with x and y in metres, sampled evenly over the run} */
+    /** {@return points with x and y in metres, sampled at equal intervals} */
     List<List<Double>> places() {
         return List.copyOf(places);
     }

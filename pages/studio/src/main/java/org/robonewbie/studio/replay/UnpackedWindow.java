@@ -1,6 +1,6 @@
 package org.robonewbie.studio.replay;
 
-/** Sliding window of DEFLATE: the last 32 KiB of the uncompressed stream, to which following bytes may refer. */
+/** Sliding window of DEFLATE: the last 32 KiB of the uncompressed stream, to which later bytes may refer. */
 final class UnpackedWindow {
 
     private static final int BYTES = 1 << 15;

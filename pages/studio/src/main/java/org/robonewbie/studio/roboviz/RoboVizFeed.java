@@ -12,7 +12,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 
 /**
- * Drawings of teams in RoboViz's model: sets of shapes with double buffering. Shapes go to the back buffer and appear at the next swap of
+ * Teams' drawings in RoboViz's model: double-buffered sets of shapes. Shapes go to the back buffer and appear at the next swap of
  * their set. A swap clears the new back buffer, so that a swap without shapes erases the set. Thread-safe.
  */
 public final class RoboVizFeed {

@@ -41,7 +41,7 @@ public final class SceneApi extends ApiHandler {
      *
      * @param folder folder of the saved scenes; it need not exist
      * @param world the running simulation
-     * @param done receives changes of files for the undo stack
+     * @param done receives file changes for the undo stack
      * @param recordings finds recordings by name
      */
     public SceneApi(

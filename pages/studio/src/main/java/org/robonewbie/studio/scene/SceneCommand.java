@@ -32,7 +32,7 @@ final class SceneCommand {
         };
     }
 
-    /** Returns the command for a renaming that has been done. */
+    /** Returns the command that can undo and redo the renaming of a scene. */
     static UndoableCommand renamed(SceneStore store, String from, String to) {
         return new UndoableCommand() {
             @Override

@@ -136,7 +136,7 @@ record SceneFolder(Path folder) implements SceneStore {
         return scene.resolveSibling(scene.getFileName() + StateFile.ENDING);
     }
 
-    /** Returns an unused file name, since several scenes of one name can be deleted one after the other. */
+    /** Returns an unused file name, because several scenes with the same name can be deleted in succession. */
     private Path removed(String name) {
         Path first = file(name).resolveSibling(name + REMOVED);
         Path kept = first;

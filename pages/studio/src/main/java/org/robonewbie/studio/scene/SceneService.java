@@ -10,7 +10,7 @@ import org.robonewbie.simulator.recording.RecordingReader;
 /** Saves and restores scenes. Answers are JSON objects for the page. */
 public final class SceneService {
 
-    /** End of the message about a complete recording that lacks a cycle. */
+    /** End of the error message for a finished recording that does not contain the requested cycle. */
     public static final String ENDS_BEFORE = ": it ends before, or is damaged there. Choose an earlier one.";
 
     private static final String DONE = "{}";
@@ -24,9 +24,9 @@ public final class SceneService {
      * Creates the service.
      *
      * @param store the saved scenes
-     * @param place description of the store for the user
+     * @param place location of the store, shown to the user
      * @param world the running simulation
-     * @param done receives changes of scenes for the undo stack
+     * @param done receives scene changes for the undo stack
      */
     public SceneService(SceneStore store, String place, RestorableSimulation world, Consumer<UndoableCommand> done) {
         this.store = store;
@@ -71,11 +71,11 @@ public final class SceneService {
     }
 
     /**
-     * Continues from a cycle of a recording.
+     * Continues the simulation from a cycle of a recording.
      *
      * @param recording the recording, positioned before its first cycle
      * @param moment index of the cycle, from 0
-     * @param why end of the message if there is no such cycle
+     * @param why end of the error message if there is no such cycle
      * @return what was restored, as one JSON object
      * @throws IOException if the recording cannot be read
      * @throws IllegalArgumentException if there is no such cycle

@@ -10,7 +10,7 @@ import java.util.Optional;
  */
 public final class UndoStack {
 
-    /** Capacity; the state of a world with 22 robots takes some hundred kilobytes. */
+    /** Maximum number of changes. Each may hold a state of the world, several hundred kilobytes with 22 robots. */
     static final int CAPACITY = 50;
 
     private final Deque<UndoableCommand> done = new ArrayDeque<>();

@@ -2,7 +2,7 @@ package org.robonewbie.studio.scene;
 
 import java.io.IOException;
 
-/** A change of the world or of a file that can be undone. */
+/** A change to the world or to a file that can be undone. */
 public interface UndoableCommand {
 
     /** {@return description such as "ball moved"} */

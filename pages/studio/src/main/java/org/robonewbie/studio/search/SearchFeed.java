@@ -16,7 +16,7 @@ public final class SearchFeed extends EventBus {
     /**
      * Creates a feed without rounds.
      *
-     * @param task the task of the search
+     * @param task what is optimised, and how
      */
     public SearchFeed(SearchTask task) {
         super("search", "optimise.html");
@@ -28,7 +28,7 @@ public final class SearchFeed extends EventBus {
     /**
      * Publishes the objective value of the initial parameters.
      *
-     * @param value in the unit of the objective
+     * @param value the value, in the unit of the objective
      */
     public synchronized void begins(double value) {
         known.addProperty("before", value);

@@ -14,7 +14,7 @@ import org.robonewbie.simulator.SimulationControl;
 import org.robonewbie.simulator.SimulationObserver;
 import org.robonewbie.simulator.WorldSnapshot;
 
-/** Top view of a running trial for a {@link TrialWall}, several times a second. */
+/** Top view of a running trial for a {@link TrialWall}, updated several times per second. */
 final class TrialPicture implements SimulationObserver {
 
     private static final long INTERVAL_NANOS = TimeUnit.MILLISECONDS.toNanos(TrialWall.PICTURE_MILLIS / 2);

@@ -20,7 +20,7 @@ import org.robonewbie.studio.board.EventBus;
  */
 public final class TrialWall extends EventBus implements AutoCloseable {
 
-    /** Interval between two pictures of the trials. */
+    /** Interval between two updates of the tiles. */
     static final long PICTURE_MILLIS = 80;
 
     private final Gson gson = new Gson();
@@ -53,7 +53,7 @@ public final class TrialWall extends EventBus implements AutoCloseable {
     }
 
     /**
-     * Publishes the table.
+     * Publishes the table of results.
      *
      * @param table the current table
      */

@@ -34,7 +34,7 @@ public final class CompilerInPage {
     /**
      * Loads the class libraries.
      *
-     * @param library concatenated files, each with its name, the number of its bytes, and its content
+     * @param library concatenated files, each as its name, its size in bytes, and its content
      * @throws IOException never
      */
     @JSExport
@@ -65,7 +65,7 @@ public final class CompilerInPage {
     }
 
     /**
-     * Compiles the added files and removes them.
+     * Compiles the added source files, then removes them.
      *
      * @return the number of diagnostics
      */
@@ -123,8 +123,9 @@ public final class CompilerInPage {
     }
 
     /**
-     * Returns a proposal as tab-separated fields: label, detail, kind, inserted text, and documentation. Without documentation in the
-     * program itself, an empty field, the class name and the key of the documentation follow instead.
+     * Returns a proposal as tab-separated fields: label, detail, kind, inserted text, and documentation. If the
+     * program's own source contains no documentation, that field is empty and two more follow: the class name and the
+     * key of the documentation.
      *
      * @param index from 0
      * @return the proposal
@@ -141,7 +142,7 @@ public final class CompilerInPage {
                 proposal.documentation());
     }
 
-    /** {@return the names of the compiled class files, separated by blanks} */
+    /** {@return the names of the compiled class files, separated by spaces} */
     @JSExport
     public static String classFiles() {
         return String.join(" ", FILES.made().stream().map(MemoryFile::path).toList());

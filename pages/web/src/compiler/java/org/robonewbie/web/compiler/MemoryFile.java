@@ -48,7 +48,7 @@ final class MemoryFile implements JavaFileObject {
         return end < 0 ? "" : path.substring(0, end).replace('/', '.');
     }
 
-    /** {@return the qualified name of the class in it} */
+    /** {@return the qualified name of its class} */
     String className() {
         return path.substring(0, path.length() - kind.extension.length()).replace('/', '.');
     }
@@ -67,7 +67,10 @@ final class MemoryFile implements JavaFileObject {
         return kind;
     }
 
-    /** A source file may contain a public class of any name, since pasted text need not match the file name. */
+    /**
+     * A source file may contain a public class of any name, because the class name in pasted text may differ from the
+     * file name.
+     */
     @Override
     public boolean isNameCompatible(String simpleName, Kind wanted) {
         String file = simpleName + wanted.extension;

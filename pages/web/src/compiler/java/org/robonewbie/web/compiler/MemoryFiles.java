@@ -37,7 +37,7 @@ final class MemoryFiles implements JavaFileManager {
     private final List<MemoryFile> made = new ArrayList<>();
 
     /**
-     * Adds a class of a library.
+     * Adds a library class.
      *
      * @param path its path with extension
      * @param content the class file

@@ -13,7 +13,7 @@ import javax.lang.model.element.TypeElement;
 import javax.lang.model.util.Elements;
 import org.robonewbie.programs.hint.FrameworkNames;
 
-/** Collects candidates for misspelt names from RoboNewbie's classes. */
+/** Collects names from RoboNewbie's classes to suggest them for misspelt names. */
 final class NamesOfTheLibrary {
 
     private final Elements elements;
@@ -28,7 +28,7 @@ final class NamesOfTheLibrary {
     /**
      * Reads the names.
      *
-     * @param elements the compiler's classes and members
+     * @param elements gives access to the classes that the compiler knows
      * @return the names
      */
     static FrameworkNames read(Elements elements) {

@@ -11,7 +11,10 @@ public final class ProgramsCall extends SimpleReflectionPolicy {
     /** Set while the module without students' programs is being compiled. */
     private static final boolean WITHOUT_PROGRAMS = Boolean.getBoolean("robonewbie.withoutPrograms");
 
-    /** Methods that start a simulator, which the page replaces, and those by which threads wait for each other. */
+    /**
+     * Excluded methods: those that connect to a simulator, which the page replaces, and those that let threads wait for
+     * each other.
+     */
     private static final Set<String> OTHERWISE =
             Set.of("Nao.connect", "Agent.run", "Agent.runTogether", "Object.wait", "Object.notify", "Object.notifyAll");
 

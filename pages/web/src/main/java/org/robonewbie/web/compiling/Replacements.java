@@ -5,7 +5,7 @@ import org.teavm.extension.spi.substitution.SimpleSubstitutionPolicy;
 import org.teavm.extension.spi.substitution.SubstitutionSink;
 
 /**
- * TeaVM policy that replaces classes by those of this module where TeaVM's library lacks them or has bugs: {@code java.util.HexFormat}
+ * TeaVM policy that replaces classes with those of this module where TeaVM's library lacks them or has bugs: {@code java.util.HexFormat}
  * becomes {@code org.robonewbie.web.library.java.util.HexFormat}, and {@code StudentCode} becomes {@code PageStudentCode}.
  */
 public final class Replacements extends SimpleSubstitutionPolicy {

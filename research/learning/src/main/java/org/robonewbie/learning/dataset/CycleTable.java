@@ -15,8 +15,8 @@ import org.robonewbie.simulator.RobotSnapshot;
 import org.robonewbie.simulator.WorldSnapshot;
 
 /**
- * Format of the table with a row for each robot and cycle: its sensor readings, its commands, and the true state. Columns and rows are
- * built side by side in the same order.
+ * Format of the table with a row for each robot and cycle: its sensor readings, its commands, and the true state. The
+ * definitions of the columns and the cells of a row are built by adjacent methods, in the same order.
  */
 final class CycleTable {
 
@@ -25,7 +25,7 @@ final class CycleTable {
 
     private final boolean withMessages;
 
-    /** Creates the format, optionally with the texts of the messages. */
+    /** Creates the format, optionally with the raw text of the messages. */
     CycleTable(boolean withMessages) {
         this.withMessages = withMessages;
     }
@@ -143,7 +143,7 @@ final class CycleTable {
         row.addAll(List.of(vector.x(), vector.y(), vector.z()));
     }
 
-    /** Rounds to hundredths, the resolution of times, to remove errors of floating-point arithmetic. */
+    /** Rounds to hundredths, the resolution of times, to remove floating-point errors. */
     private static double rounded(double seconds) {
         return Math.round(seconds * 100) / 100.0;
     }

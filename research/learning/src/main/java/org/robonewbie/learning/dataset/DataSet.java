@@ -19,8 +19,8 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.trial.batch.Journal;
 
 /**
- * Folder of tables of many runs: {@code cycles/run-00001.csv}, {@code events/run-00001.csv} and so on, {@code runs.csv}, and {@code
- * dataset.json} with their description. Files are written atomically.
+ * Folder with the tables of many runs: {@code cycles/run-00001.csv}, {@code events/run-00001.csv} and so on, the table of
+ * runs {@code runs.csv}, and a description of the tables, {@code dataset.json}. Files are written atomically.
  *
  * <pre>{@code
  * DataSet set = DataSet.create(folder, false, facts);
@@ -37,7 +37,7 @@ public final class DataSet {
     private static final String EVENTS = "events";
     private static final String DESCRIPTION = "dataset.json";
 
-    /** Journal with a line for each complete run, until the table of runs is written. */
+    /** Journal with a line for each complete run; it is replaced by the table of runs at the end. */
     private static final String JOURNAL = "runs.txt";
 
     private static final Gson GSON = new GsonBuilder().setPrettyPrinting().create();
@@ -62,11 +62,12 @@ public final class DataSet {
      * Creates a data set, or resumes an interrupted one and keeps its complete runs.
      *
      * @param folder the folder, which is created if it is missing
-     * @param withMessages whether to record the messages of robots and agents as text
-     * @param facts properties of the description, such as versions and settings
+     * @param withMessages whether to record the messages between robots and agents as text
+     * @param facts additional properties for the description, such as versions and settings
      * @return the data set
      * @throws IOException if the folder cannot be written
-     * @throws IllegalArgumentException if the folder has a complete data set, or an incomplete one with other settings
+     * @throws IllegalArgumentException if the folder contains a complete data set, or an incomplete one with other
+     *     settings
      */
     public static DataSet create(Path folder, boolean withMessages, Map<String, String> facts) throws IOException {
         DataSet set = new DataSet(folder, withMessages, facts);
@@ -97,7 +98,7 @@ public final class DataSet {
         }
     }
 
-    /** Removes the number of runs and the texts that explain columns. */
+    /** Removes the properties in which the descriptions of an interrupted and a resumed data set may differ. */
     private static void removeVariableParts(JsonObject description) {
         description.remove("runs");
         for (JsonElement table : description.getAsJsonObject("tables").asMap().values()) {
@@ -196,7 +197,7 @@ public final class DataSet {
     /**
      * Completes the data set with the table of runs.
      *
-     * @param runsPerFile the number of runs whose tables are joined into one file, at least 1
+     * @param runsPerFile the number of consecutive runs whose tables are joined into one file, at least 1
      * @throws IOException if a file cannot be written
      */
     public synchronized void finish(int runsPerFile) throws IOException {
@@ -216,7 +217,7 @@ public final class DataSet {
     }
 
     /**
-     * Closes the data set before all runs are done. Its description marks it as incomplete.
+     * Closes the data set before all runs are complete. Its description marks it as incomplete.
      *
      * @throws IOException if a file cannot be written
      */

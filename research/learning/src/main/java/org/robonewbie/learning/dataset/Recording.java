@@ -26,7 +26,7 @@ import org.robonewbie.trial.batch.ThreadRunner;
  * @param runs the number of runs
  * @param robots the number of robots that the program connects
  * @param seconds simulated length of each run
- * @param firstSeed seed of the first run; each run has the next one
+ * @param firstSeed seed of the first run; each following run has the next higher one
  */
 public record Recording(DataSet set, int runs, int robots, double seconds, long firstSeed) {
 
@@ -37,19 +37,20 @@ public record Recording(DataSet set, int runs, int robots, double seconds, long 
     public interface Program {
 
         /**
-         * Connects the robots to a simulator and controls them to the end of the run.
+         * Connects the robots to a simulator and controls them until the end of the run.
          *
          * @param port TCP port of the simulator on this computer
-         * @return why the program failed, as a sentence, or an empty string after success; empty if the user ended it
+         * @return why the program failed, as a sentence, or an empty string if it succeeded; an empty {@code Optional} if
+         *     the user stopped it
          * @throws IOException if it cannot be started
          */
         Optional<String> run(int port) throws IOException;
     }
 
     /**
-     * Records the missing runs. A program that fails is reported in the table of runs, and the other runs continue.
+     * Records the missing runs. If the program fails in a run, the table of runs reports it, and the other runs continue.
      *
-     * @param threads the number of runs at the same time, at least 1
+     * @param threads the number of parallel runs, at least 1
      * @param program the program
      * @param lines receives a line for each run
      * @throws IOException if the tables cannot be written
@@ -77,7 +78,7 @@ public record Recording(DataSet set, int runs, int robots, double seconds, long 
         }
     }
 
-    /** Frees the disk space of unfinished tables. */
+    /** Deletes unfinished tables. */
     private void discardIncomplete() throws IOException {
         for (int run = 1; run <= runs; run++) {
             if (!set.has(run)) {
@@ -115,7 +116,10 @@ public record Recording(DataSet set, int runs, int robots, double seconds, long 
         }
     }
 
-    /** The simulator waits for all robots. If some do not connect in time, it is closed, which ends the program. */
+    /**
+     * Runs the program. The simulator waits for all robots; if some do not connect in time, it is closed, which stops the
+     * program.
+     */
     private static Optional<String> play(Simulator simulator, Program program) throws IOException {
         CompletableFuture<Void> end = new CompletableFuture<>();
         CompletableFuture<Void> deadline = end.orTimeout(MAX_START_SECONDS, TimeUnit.SECONDS)

@@ -11,7 +11,7 @@ import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
 import org.robonewbie.simulator.AgentMessages;
 
-/** Last messages between a robot and its agent, and the commands in effect. */
+/** The latest messages between a robot and its agent, and the commands in effect. */
 final class RobotMessages {
 
     private final PerceptorMessageReader perceptorReader = new PerceptorMessageReader();

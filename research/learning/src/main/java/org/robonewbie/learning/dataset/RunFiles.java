@@ -36,19 +36,19 @@ record RunFiles(Path folder) {
         return folder.resolve(String.format(Locale.ROOT, "run-%05d-to-%05d.csv", first, last));
     }
 
-    /** The numbers of all runs that have tables. */
+    /** Returns the numbers of all runs that have tables. */
     Set<Integer> present() throws IOException {
         return spans().stream()
                 .flatMap(span -> IntStream.rangeClosed(span.first, span.last).boxed())
                 .collect(Collectors.toCollection(TreeSet::new));
     }
 
-    /** Deletes the unfinished file of an interrupted program. */
+    /** Deletes the unfinished file of a run that was interrupted. */
     void discard(int run) throws IOException {
         Files.deleteIfExists(AtomicFile.part(of(run)));
     }
 
-    /** Joins the tables of consecutive runs into one file. An interrupted join can be repeated. */
+    /** Joins the tables of consecutive runs into one file. An interrupted call can be repeated. */
     void join(int first, int last, List<Column> columns) throws IOException {
         List<Span> parts = spans().stream()
                 .filter(span -> span.first >= first && span.last <= last)
@@ -77,7 +77,10 @@ record RunFiles(Path folder) {
         }
     }
 
-    /** The files in the order of their first runs, longer ones first. */
+    /**
+     * Returns the files in the order of their first runs; of several with the same first run, those with the most runs
+     * come first.
+     */
     private List<Span> spans() throws IOException {
         try (Stream<Path> files = Files.list(folder)) {
             return files.map(this::span)

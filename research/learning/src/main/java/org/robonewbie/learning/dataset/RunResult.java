@@ -13,11 +13,11 @@ import java.util.stream.Stream;
  *
  * @param run the number of the run, from 1
  * @param seed the seed of the run
- * @param cycles the length of the run; 0 if it failed and has no tables
+ * @param cycles the length of the run in cycles; 0 if it failed and has no tables
  * @param rows the number of rows in its table of cycles
  * @param scoreLeft the goals of the left team
  * @param scoreRight the goals of the right team
- * @param failure why the agent failed, in a sentence; empty if it did not fail
+ * @param failure why the agent failed, as a sentence; empty if it did not fail
  */
 public record RunResult(int run, long seed, long cycles, long rows, int scoreLeft, int scoreRight, String failure) {
 
@@ -25,7 +25,7 @@ public record RunResult(int run, long seed, long cycles, long rows, int scoreLef
     private static final Pattern LINE = Pattern.compile(
             "(\\d{1,9}) (-?\\d{1,19}) (\\d{1,18}) (\\d{1,18}) (\\d{1,9}) (\\d{1,9}) " + COMPLETE + "(?: (.*))?");
 
-    /** Normalises the white space of the sentence. */
+    /** Normalises the white space in the failure sentence. */
     public RunResult {
         failure = failure.replaceAll("\\s+", " ").strip();
     }
@@ -43,7 +43,7 @@ public record RunResult(int run, long seed, long cycles, long rows, int scoreLef
     }
 
     /**
-     * Returns the result of a run with tables whose agent failed.
+     * Returns a copy for a run that has tables although its agent failed.
      *
      * @param newFailure the reason, as a sentence
      * @return the result

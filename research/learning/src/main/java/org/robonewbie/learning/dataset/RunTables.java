@@ -13,8 +13,8 @@ import org.robonewbie.simulator.WorldSnapshot;
 import org.robonewbie.simulator.soccer.MatchEvent;
 
 /**
- * Tables of one run, written while it observes the simulation. Call {@link #finish} when the simulation has ended; otherwise {@link #close}
- * discards the tables.
+ * Tables of one run, written by observing the simulation. Call {@link #finish} when the simulation has ended; otherwise,
+ * {@link #close} discards the tables.
  */
 public final class RunTables implements SimulationObserver, AutoCloseable {
 

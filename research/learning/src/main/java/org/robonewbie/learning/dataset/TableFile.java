@@ -14,7 +14,8 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.text.Csv;
 
 /**
- * Writer of a CSV table (RFC 4180, UTF-8, lines end with a line feed). The file appears under its name only when it is complete.
+ * Writer of a CSV table (RFC 4180, UTF-8, lines end with a line feed). The file gets its final name only when it is
+ * complete.
  */
 public final class TableFile implements AutoCloseable {
 
@@ -29,7 +30,7 @@ public final class TableFile implements AutoCloseable {
      * Begins a table.
      *
      * @param file the file that {@link #finish} creates
-     * @param columns the columns; their names are the first line
+     * @param columns the columns; their names form the first line
      * @throws IOException if the file cannot be written
      */
     TableFile(Path file, List<Column> columns) throws IOException {

@@ -89,7 +89,7 @@ public final class DomainRandomization {
         }
     }
 
-    /** Bounds of a uniform distribution. */
+    /** Bounds of a uniform distribution; equal for a fixed value. */
     record Range(double low, double high) {
 
         static Range of(Name name, String text) {
@@ -151,7 +151,7 @@ public final class DomainRandomization {
         return Optional.ofNullable(ranges.get(name));
     }
 
-    /** The value of an option that takes a single number. */
+    /** Returns the value of an option that takes a single number. */
     double of(Name name, double defaultValue) {
         return range(name).map(Range::low).orElse(defaultValue);
     }

@@ -11,9 +11,9 @@ import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Follow velocities beyond the limits of the walk engine by correcting it: 0.6 to 1 m/s forward while turning at up to 30°/s,
- * drawn again every 3 s. Without corrections the robot falls within a few seconds. Reward: 1 per metre along the commanded
- * heading; −3 for a fall.
+ * Follow velocities beyond the limits of the walk engine by correcting its output: 0.6 to 1 m/s forward while turning at
+ * up to 30°/s, redrawn every 3 s. Without corrections, the robot falls within a few seconds. Reward: 1 per metre along
+ * the commanded heading; −3 for a fall.
  */
 class EngineFollowTraining extends CommandedTraining {
 
@@ -53,7 +53,7 @@ class EngineFollowTraining extends CommandedTraining {
         before = Optional.of(now.place());
     }
 
-    /** The distance along the commanded path. */
+    /** Returns the distance covered along the commanded path. */
     double metres() {
         return metres;
     }

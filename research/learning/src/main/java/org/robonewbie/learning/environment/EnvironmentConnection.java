@@ -19,7 +19,7 @@ import org.robonewbie.agent.policy.Policy;
 import org.robonewbie.agent.policy.Quantity;
 import org.robonewbie.simulator.embedded.Viewer;
 
-/** Connection to one client: creates its environments and steps them; see docs/gym-protocol.md. */
+/** Connection to one client. It creates the client's environments and steps them; see docs/gym-protocol.md. */
 final class EnvironmentConnection {
 
     private static final Gson GSON = new Gson();
@@ -47,7 +47,7 @@ final class EnvironmentConnection {
         this.viewer = viewer;
     }
 
-    /** Answers requests until the connection ends. */
+    /** Answers requests until the connection is closed. */
     void serve() throws IOException {
         try {
             while (true) {

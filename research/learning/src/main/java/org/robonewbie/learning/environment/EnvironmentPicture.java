@@ -11,7 +11,7 @@ import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
 import org.robonewbie.trial.WorldState;
 
-/** Drawing data of an environment: a box for each colliding link, and the ball. */
+/** Drawing data for an environment: a box for each colliding link, and the ball. */
 final class EnvironmentPicture {
 
     private EnvironmentPicture() {}

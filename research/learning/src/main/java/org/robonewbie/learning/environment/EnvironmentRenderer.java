@@ -24,8 +24,8 @@ final class EnvironmentRenderer implements AutoCloseable {
     }
 
     /**
-     * Returns two lines: the one-time address of the page, and the address of a file that redirects to the page without showing the
-     * access code on a command line.
+     * Returns two lines: the one-time address of the page, and the address of a file that redirects to the page, so that
+     * the access code does not appear on a command line.
      */
     String addresses() throws IOException {
         URI file = RedirectPage.write(view.oneTimeAddress()).toUri();

@@ -46,7 +46,10 @@ public record EnvironmentSpec(String task, List<String> options) {
         options = List.copyOf(options);
     }
 
-    /** The name of the measure that replaces the task's own reward, such as {@code energy}; empty if none does. */
+    /**
+     * Returns the name of the measure that replaces the task's own reward, such as {@code energy}; empty to keep the
+     * task's reward.
+     */
     String reward() {
         return options.stream()
                 .filter(option -> option.startsWith(REWARD))
@@ -54,7 +57,7 @@ public record EnvironmentSpec(String task, List<String> options) {
     }
 
     /**
-     * Parses the options except the reward.
+     * Parses all options except the reward.
      *
      * @return the options
      * @throws IllegalArgumentException if an option does not exist or its value is invalid

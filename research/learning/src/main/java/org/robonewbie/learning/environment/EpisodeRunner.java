@@ -21,7 +21,7 @@ import org.robonewbie.trial.Measure;
 import org.robonewbie.trial.SensorReadings;
 import org.robonewbie.trial.WorldState;
 
-/** One learning robot in one episode: applies actions, observes, and accumulates the reward. */
+/** Runs one episode for one learning robot: applies its actions, updates its observation and accumulates its reward. */
 final class EpisodeRunner implements Controller {
 
     private static final List<Joint> ALL_JOINTS = List.of(Joint.values());
@@ -50,7 +50,10 @@ final class EpisodeRunner implements Controller {
     private double value;
     private double reward;
 
-    /** Rewards increases of a measure, which may be the task itself, or decreases if smaller values are better. */
+    /**
+     * Creates a runner that rewards increases of a measure, or decreases if smaller values are better. The measure may be
+     * the task itself.
+     */
     EpisodeRunner(TrainingTask task, Measure measure) {
         this.task = task;
         this.measure = measure;
@@ -74,7 +77,7 @@ final class EpisodeRunner implements Controller {
                 .toList();
     }
 
-    /** Captures the initial posture, relative to which actions are defined. */
+    /** Stores the initial posture, which actions are relative to. */
     void captureFirstPosture(WorldState first) {
         firstPosture = first.robots().get(task.robot()).joints();
         guide = task.motion().map(motion -> new MotionGuide(motion, firstPosture));
@@ -98,12 +101,12 @@ final class EpisodeRunner implements Controller {
         action = delayed.remove();
     }
 
-    /** Resets the reward before an action. */
+    /** Sets the reward to 0 before an action. */
     void beginReward() {
         reward = 0;
     }
 
-    /** Adds the reward of a cycle, and observes. */
+    /** Adds the reward for a cycle and updates the observation. */
     void see(WorldState now, SensorReadings readings) {
         double before = value;
         task.see(now);

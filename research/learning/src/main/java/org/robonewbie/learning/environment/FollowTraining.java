@@ -10,8 +10,9 @@ import org.robonewbie.trial.RandomSource;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Follow a commanded velocity, drawn again every 3 s. Reward per second: 1 minus the velocity error over the last 0.4 s (0.3 m/s or 90°/s
- * count as 1, at most 1.5 in total); −5 for a fall, so that diving forward does not pay off.
+ * Follow a commanded velocity, which is redrawn every 3 s. Reward per second: 1 minus the velocity error over the last
+ * 0.4 s, in which 0.3 m/s or 90°/s counts as 1 and the sum is limited to 1.5; −5 for a fall, so that diving forward does
+ * not pay off.
  */
 class FollowTraining extends CommandedTraining {
 
@@ -32,7 +33,7 @@ class FollowTraining extends CommandedTraining {
         this(DEFAULT_METRES_PER_SECOND);
     }
 
-    /** Creates a task with the velocity error at which the reward is 0. */
+    /** Creates a task whose reward is 0 at a given velocity error. */
     FollowTraining(double toleratedMetresPerSecond) {
         this.toleratedMetresPerSecond = toleratedMetresPerSecond;
     }

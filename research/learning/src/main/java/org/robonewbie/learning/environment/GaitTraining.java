@@ -21,9 +21,10 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.Pushes;
 
 /**
- * Follow velocities that change every 3 s, with a learned gait and learned corrections of the walk engine, while the robot is pushed
- * once per second. Reward for each window of 0.4 s: 1 minus the velocity error (the tolerance or 30°/s count as 1, at most 1.5 in total)
- * minus a small penalty for the tilt of the torso. A fall costs 4, plus 1 for each remaining window.
+ * Follow velocities that change every 3 s, with a learned gait and learned corrections to the output of the walk engine,
+ * while the robot is pushed once per second. Reward for each window of 0.4 s: 1 minus the velocity error, in which the
+ * option {@code tolerance} (in m/s) or 30°/s counts as 1 and the sum is limited to 1.5, minus a small penalty for the
+ * tilt of the torso. A fall costs 4, plus 1 for each remaining window.
  */
 final class GaitTraining extends CommandedTraining {
 
@@ -78,20 +79,26 @@ final class GaitTraining extends CommandedTraining {
         this.maxDeceleration = maxDeceleration;
     }
 
-    /** Walks in any direction, forward at up to 0.8 m/s. */
+    /** Creates the task of walking in any direction, forward at up to 0.8 m/s. */
     static GaitTraining walking() {
         WalkVelocity max = new WalkVelocity(0.8, 0.2, 90);
         return new GaitTraining(
                 GaitTraining::drawAnyDirection, max, 0.3, 200, 0, 0.3, LEAN_PENALTY, Double.POSITIVE_INFINITY);
     }
 
-    /** Jogs forward at 0.66 to 1.1 m/s, straight or in curves, and sometimes slows down or stops. Turns reduce the speed only a little. */
+    /**
+     * Creates the task of jogging forward at 0.66 to 1.1 m/s, straight or in curves, sometimes slowing down or stopping.
+     * Turning reduces the speed only slightly.
+     */
     static GaitTraining jogging() {
         WalkVelocity max = new WalkVelocity(1.1, 0.2, 300);
         return new GaitTraining(GaitTraining::drawCurve, max, 0.6, 140, 0.3, 0.5, 0.1, Double.POSITIVE_INFINITY);
     }
 
-    /** Runs forward at 0.9 to 1.3 m/s in slight curves, and sometimes slows down or stops with limited deceleration. */
+    /**
+     * Creates the task of running forward at 0.9 to 1.3 m/s in slight curves, sometimes slowing down or stopping with
+     * limited deceleration.
+     */
     static GaitTraining running() {
         WalkVelocity max = new WalkVelocity(1.3, 0.2, 60);
         return new GaitTraining(GaitTraining::drawSlightCurve, max, 0.7, 140, 0.3, 0.9, LEAN_PENALTY, 0.6);
@@ -178,7 +185,7 @@ final class GaitTraining extends CommandedTraining {
         return isConstant ? previous : drawNext();
     }
 
-    /** Draws a stop, a slow velocity, or one from the distribution of the first command. */
+    /** Draws the next command: a stop, a slow velocity, or one from the distribution of the first command. */
     private WalkVelocity drawNext() {
         double slow = slowShare > 0 ? draws.nextDouble() : 1;
         if (slow < slowShare / 2) {

@@ -18,8 +18,8 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Get up from lying on the front, and keep standing. Reward per second: uprightness of the torso times its height, 1 for a standing robot.
- * The episode is never terminated, so getting up early has the largest return.
+ * Get up from lying on the front, and keep standing. Reward per second: uprightness of the torso times its height, 1 for
+ * a standing robot. The episode is never terminated, so getting up early yields the largest return.
  */
 class GetUpTraining extends TrainingTask {
 
@@ -39,7 +39,7 @@ class GetUpTraining extends TrainingTask {
     private double totalReward;
     private boolean up;
 
-    /** Creates the scene of a robot that leans forward until it falls; an operator modifies its postures. */
+    /** Creates a scene in which the robot leans forward until it falls; a function may modify its postures. */
     static Scene lying(UnaryOperator<Posture> change) {
         Posture leaning = change.apply(LEANING);
         Posture resting = change.apply(Stance.POSTURE);

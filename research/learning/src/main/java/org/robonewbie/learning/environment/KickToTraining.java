@@ -12,9 +12,10 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.KickDistance;
 
 /**
- * Kick the ball to a target distance by correcting the motion {@code kick-right}. Each episode draws the distance unless the option {@code
- * distance} sets it. Return: 1 minus the distance of the ball's resting place from the target, relative to the target distance (at most
- * 2); −1 for a fall. Only the end of the episode counts.
+ * Kick the ball to a target distance by correcting the motion {@code kick-right}. Each episode draws the distance unless
+ * the option {@code distance} sets it. Return: 1 minus the distance between the target and the position at which the ball
+ * comes to rest, divided by the target distance (at most 2); −1 for a fall. Only the state at the end of the episode
+ * counts.
  */
 final class KickToTraining extends TrainingTask {
 

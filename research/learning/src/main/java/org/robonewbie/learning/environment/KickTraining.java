@@ -8,8 +8,8 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.KickDistance;
 
 /**
- * Kick the ball in front of the right foot forward. Reward: 1 per metre of forward motion of the ball, including its predicted roll; −1 for a
- * fall.
+ * Kick the ball forward; it lies in front of the right foot. Reward: 1 per metre of forward motion of the ball, including
+ * its predicted roll; −1 for a fall.
  */
 final class KickTraining extends TrainingTask {
 

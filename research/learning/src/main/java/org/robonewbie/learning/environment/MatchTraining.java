@@ -15,9 +15,9 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Self-play of two teams until the first goal. Reward of a team: 10 for a goal and 1 per metre of forward motion of the ball, and the
- * negative for the other team. Additional reward of each robot: 0.2 per metre of approach to the ball, −1 for a fall. A ball that leaves
- * the pitch beside the goal is put back.
+ * Self-play of two teams until the first goal. Reward for a team: 10 for a goal and 1 per metre of forward motion of the
+ * ball; the other team gets the negative of it. Additional reward for each robot: 0.2 per metre by which it approaches
+ * the ball, −1 for a fall. A ball that leaves the pitch beside the goal is put back.
  */
 final class MatchTraining extends TrainingTask {
 
@@ -45,7 +45,7 @@ final class MatchTraining extends TrainingTask {
                 .count();
     }
 
-    /** Two teams of equal size. */
+    /** Creates a match between two teams with the given number of robots each. */
     static MatchTraining of(int robots) {
         List<RobotStart> all = new ArrayList<>();
         for (String team : TEAMS) {
@@ -56,7 +56,7 @@ final class MatchTraining extends TrainingTask {
         return new MatchTraining(Scene.of(all.toArray(RobotStart[]::new)));
     }
 
-    /** An attacker in front of the goal that the goalkeeper of the other team defends. */
+    /** Creates a match between an attacker near the goal and the other team's goalkeeper, which defends it. */
     static MatchTraining keeperAgainstAttacker() {
         double goalLine = FIELD.length() / 2;
         return new MatchTraining(Scene.of(
@@ -65,7 +65,10 @@ final class MatchTraining extends TrainingTask {
                 .withBall(goalLine - 2.5, 0));
     }
 
-    /** The first robot of a team stands near the ball, the others behind it in rows of three. */
+    /**
+     * Returns the start pose of a robot by its index. The first robot of a team stands near the ball, the others behind
+     * it in rows of three.
+     */
     private static Pose2d place(int index) {
         int row = (index + 2) / 3;
         int column = (index + 2) % 3;
@@ -125,7 +128,7 @@ final class MatchTraining extends TrainingTask {
         return Math.abs(ball.x()) > FIELD.length() / 2 && Math.abs(ball.y()) < FIELD.goalWidth() / 2;
     }
 
-    /** 1 for the team that attacks the right goal, −1 for the other. */
+    /** Returns 1 for the team that attacks the right goal, −1 for the other. */
     private int side() {
         return robot() < left ? 1 : -1;
     }

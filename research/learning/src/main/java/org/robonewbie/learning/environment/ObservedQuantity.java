@@ -31,7 +31,7 @@ public record ObservedQuantity(String name, String unit, double least, double gr
         return new ObservedQuantity(name, unit, -max, max);
     }
 
-    /** Extends the range at both ends by a share of its length. */
+    /** Returns a copy whose range is extended at both ends by a fraction of its length. */
     ObservedQuantity widened(double share) {
         double margin = share * (greatest - least);
         return new ObservedQuantity(name, unit, least - margin, greatest + margin);

@@ -14,8 +14,8 @@ import org.robonewbie.protocol.perceptor.PolarPosition;
 import org.robonewbie.trial.SensorReadings;
 
 /**
- * Observation vector of a robot's perceptors, with the resolution of messages (hundredths). Axes are those of an agent: forward, left, up.
- * The last camera picture holds until the next one, 60 ms later.
+ * Converts a robot's sensor readings to an observation vector, with the resolution of perceptor messages (hundredths).
+ * Axes are those of an agent: forward, left, up. The last camera image holds until the next one, 60 ms later.
  *
  * <pre>{@code
  * Perception perception = new Perception(false);
@@ -38,7 +38,7 @@ public final class Perception {
     private final double[] ball;
 
     /**
-     * Creates a perception without readings.
+     * Creates a perception that has received no readings yet.
      *
      * @param camera whether to observe the ball with the camera
      */

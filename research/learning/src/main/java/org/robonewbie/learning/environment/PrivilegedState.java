@@ -6,10 +6,10 @@ import org.robonewbie.nao.geometry.Pose2d;
 import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.trial.WorldState;
 
-/** True state of an episode in the world frame, without noise and delay, and whether the task has succeeded. */
+/** Ground-truth state of an episode in the world frame, without noise or delay, and whether the task has succeeded. */
 final class PrivilegedState {
 
-    /** Names of the components, in metres, degrees, metres per second, and 1 or 0. */
+    /** Names of the components. Their units are metres, degrees and metres per second; boolean values are 1 or 0. */
     static final List<String> NAMES = List.of(
             "x",
             "y",
@@ -27,7 +27,7 @@ final class PrivilegedState {
 
     private PrivilegedState() {}
 
-    /** Returns the state of the robot of a task, in the order of the names. */
+    /** Returns the state of a task's robot, in the order of {@link #NAMES}. */
     static double[] of(WorldState now, Vector3 velocity, TrainingTask task) {
         Pose2d place = now.place(task.robot());
         BodyState body = now.robots().get(task.robot());

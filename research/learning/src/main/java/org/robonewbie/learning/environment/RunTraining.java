@@ -4,8 +4,8 @@ import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.trial.RandomSource;
 
 /**
- * Run straight ahead at a commanded speed of 0.9 to 1.3 m/s, constant in an episode, with the reward of {@link FollowTraining} and a
- * tolerance of 0.6 m/s.
+ * Run straight ahead at a commanded speed of 0.9 to 1.3 m/s, constant within an episode. The reward is that of {@link
+ * FollowTraining}, but with 0.6 m/s instead of 0.3 m/s.
  */
 final class RunTraining extends FollowTraining {
 

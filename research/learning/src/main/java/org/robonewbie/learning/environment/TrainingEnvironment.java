@@ -14,7 +14,8 @@ import org.robonewbie.trial.TrialListener;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Environment of reinforcement learning: a world in which robots, in most tasks one, play episodes of a task.
+ * Environment for reinforcement learning: a world in which one robot, or several in some tasks, performs episodes of a
+ * task.
  *
  * <pre>{@code
  * environment.reset(1, Optional.empty());
@@ -37,7 +38,7 @@ public final class TrainingEnvironment implements AutoCloseable {
     private Trial trial;
     private WorldState now;
 
-    /** Begins the episode with seed 0. */
+    /** Creates an environment and begins the episode with seed 0. */
     TrainingEnvironment(Supplier<List<EpisodeRunner>> episodes, DomainRandomization options) {
         this.options = options;
         this.episodes = episodes;
@@ -63,7 +64,7 @@ public final class TrainingEnvironment implements AutoCloseable {
         return quantities;
     }
 
-    /** {@return the task of the current episode, that of the first robot if there are several} */
+    /** {@return the task of the current episode; that of the first robot if several robots learn} */
     public TrainingTask task() {
         return runners.get(0).task();
     }
@@ -144,7 +145,10 @@ public final class TrainingEnvironment implements AutoCloseable {
         listener.cycleEnded(trial);
     }
 
-    /** The learning robots, and others that hold still. */
+    /**
+     * Returns the controllers of all robots: those of the learning robots, and for the others controllers that hold
+     * still.
+     */
     private Controller[] controllers() {
         Controller[] controllers = new Controller[scene.robots().size()];
         Arrays.setAll(controllers, i -> i < robots() ? runners.get(i) : Controller.ofSpeeds());
@@ -152,7 +156,8 @@ public final class TrainingEnvironment implements AutoCloseable {
     }
 
     /**
-     * Applies an action of the only robot for the number of cycles per action, or until the episode is terminated.
+     * Applies an action of the only learning robot for the number of cycles per action, or until the episode is
+     * terminated.
      *
      * @param action values from -1 to 1; see {@link TrainingTask}
      */

@@ -28,11 +28,12 @@ import org.robonewbie.trial.measure.MeasureFromStart;
 import org.robonewbie.trial.measure.Pushes;
 
 /**
- * Task of one robot in one episode of reinforcement learning. Its value as a measure is the return so far, so the reward of a step is
- * the increase of the value. A fall terminates the episode.
+ * Task of one robot in one episode of reinforcement learning. Its value as a measure is the return so far, so the reward
+ * for a step is the increase in the value. A fall terminates the episode.
  *
- * <p>An action has a component between -1 and 1 for each of the task's {@link #joints}: the target angle relative to the initial posture, in
- * units of {@link #rangeDegrees}. Subclasses override what differs from the defaults; a custom task needs a public no-arg constructor.
+ * <p>An action has a component between -1 and 1 for each of the task's {@link #joints}: the target angle relative to the
+ * initial posture, in units of {@link #rangeDegrees}. Subclasses override what differs from the defaults; a custom task
+ * must have a public no-arg constructor.
  *
  * <pre>{@code
  * public final class Squat extends TrainingTask {
@@ -60,7 +61,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
     /** Creates a task for one episode. */
     protected TrainingTask() {}
 
-    /** Creates a scene with a robot in the stance that faces the right goal. */
+    /** Creates a scene with a robot that is in the stance and faces the right goal. */
     static Scene scene(double x) {
         return Scene.of(RobotStart.at(x, 0).after(TO_THE_STANCE));
     }
@@ -74,8 +75,8 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
     /**
      * {@inheritDoc}
      *
-     * <p>By default the robot stands 3 m in front of the goal with the ball 1 m ahead. A reset is fast if the scene equals that of the
-     * previous episode, so apply small variations in {@link #begin} instead.
+     * <p>By default, the robot stands 3 m in front of the goal with the ball 1 m ahead. A reset is fast if the scene
+     * equals that of the previous episode, so apply small variations in {@link #begin}, not here.
      */
     @Override
     public Scene scene(RandomSource episodeRandom) {
@@ -104,12 +105,15 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
         trial.robot(0).push(direction.point(random.between(0, MAX_PUSH_NEWTONS), 0, 0));
     }
 
-    /** {@return the number of learning robots, by default 1: the first robots of the scene, each with a separate task object} */
+    /**
+     * {@return the number of learning robots, by default 1; they are the first robots of the scene, and each has its own
+     * task object}
+     */
     public int learners() {
         return 1;
     }
 
-    /** {@return the index of the task's robot in the scene} */
+    /** {@return the index of this task's robot in the scene} */
     protected final int robot() {
         return robot;
     }
@@ -124,21 +128,22 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
     }
 
     /**
-     * {@return the motion whose postures an action corrects while it plays, moving all joints; by default none, so that an action is
-     * relative to the initial posture}
+     * {@return the motion, moving all joints, whose postures an action corrects while it plays; by default none, so that
+     * an action is relative to the initial posture}
      */
     public Optional<Motion> motion() {
         return Optional.empty();
     }
 
     /**
-     * {@return the walk that an action corrects: the action takes the place of the output of this policy's network; by default none}
+     * {@return the walk that an action corrects: the action replaces the output of this policy's network; by default
+     * none}
      */
     public Optional<Policy> walk() {
         return Optional.empty();
     }
 
-    /** {@return the velocity that is currently commanded to the {@link #walk}} */
+    /** {@return the velocity currently commanded for the {@link #walk}} */
     protected WalkVelocity velocity() {
         return WalkVelocity.ZERO;
     }
@@ -166,7 +171,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
         return 500;
     }
 
-    /** {@return whether the robot observes the ball with its camera, by default not; a task without camera is faster} */
+    /** {@return whether the robot observes the ball with its camera; false by default, which is faster} */
     public boolean hasCamera() {
         return false;
     }
@@ -181,7 +186,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
         return new double[0];
     }
 
-    /** {@return whether the parameters of the {@link #walk} are learned together with the network, by default not} */
+    /** {@return whether the parameters of the {@link #walk} are learned together with the network; false by default} */
     public boolean learnsGait() {
         return false;
     }
@@ -191,7 +196,9 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
         return VelocityError.NONE;
     }
 
-    /** Sets the options of a gait before the scene is created. Tasks without a gait reject them. */
+    /**
+     * Sets the options that affect a gait. Called before the scene is created. Tasks without a gait reject these options.
+     */
     void configure(DomainRandomization options) {
         Stream.of(Name.SPEED, Name.STEP, Name.SLOW, Name.TOLERANCE, Name.CONSTANT, Name.TYPE, Name.SECONDS)
                 .filter(name -> options.range(name).isPresent())
@@ -202,7 +209,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
                 });
     }
 
-    /** Sets the policy that will act, before the scene is created. */
+    /** Sets the policy that will act in the episode. Called before the scene is created. */
     void setPolicy(Policy policy) {}
 
     /** Creates the pushes of an episode: one per second, each stronger than the last. */
@@ -211,7 +218,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
     }
 
     /**
-     * Sets a constant command of the episode, from the options {@code forward}, {@code left} and {@code turn}.
+     * Sets a constant command for the episode, taken from the options {@code forward}, {@code left} and {@code turn}.
      *
      * @param velocity the velocity
      * @throws IllegalArgumentException if the task has no commanded velocity, as by default
@@ -222,7 +229,7 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
     }
 
     /**
-     * Sets the target distance of the episode, from the option {@code distance}.
+     * Sets the target distance for the episode, taken from the option {@code distance}.
      *
      * @param metres the distance
      * @throws IllegalArgumentException if the task has no target distance, as by default
@@ -231,7 +238,10 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
         throw new IllegalArgumentException("This task has no target distance. Omit it, or choose the task KickTo.");
     }
 
-    /** {@return the increment of the force of pushes that occur once per second, in newtons; 0, the default, for none} */
+    /**
+     * {@return the force in newtons by which each push exceeds the previous one, once per second; 0, the default, for no
+     * pushes}
+     */
     public double pushNewtons() {
         return 0;
     }

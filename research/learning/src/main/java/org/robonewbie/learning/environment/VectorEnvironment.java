@@ -7,7 +7,10 @@ import java.util.List;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 
-/** Environments of one connection, stepped in parallel, with the binary format of their steps; see docs/gym-protocol.md. */
+/**
+ * Environments of one connection, which are stepped in parallel. Requests and answers are in the binary format of
+ * docs/gym-protocol.md.
+ */
 final class VectorEnvironment implements AutoCloseable {
 
     static final VectorEnvironment NONE = new VectorEnvironment(List.of());

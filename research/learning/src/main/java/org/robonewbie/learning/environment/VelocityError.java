@@ -9,8 +9,8 @@ import org.robonewbie.nao.math.PortableMath;
  * Accumulated difference between the commanded and the true velocity.
  *
  * @param windows the number of time windows
- * @param metresPerSecond the sum of the errors of the velocity
- * @param degreesPerSecond the sum of the errors of the turning speed
+ * @param metresPerSecond the sum of the errors of the linear velocity over all windows
+ * @param degreesPerSecond the sum of the errors of the turning speed over all windows
  */
 public record VelocityError(int windows, double metresPerSecond, double degreesPerSecond) {
 
@@ -19,7 +19,10 @@ public record VelocityError(int windows, double metresPerSecond, double degreesP
 
     private static final double MAX_COST = 1.5;
 
-    /** Compares a command with the motion between two poses, taken in the frame of their mean heading. */
+    /**
+     * Returns the difference between a command and the motion from one pose to another, in the frame of their mean
+     * heading.
+     */
     static VelocityError between(Pose2d before, Pose2d now, double seconds, WalkVelocity command) {
         double turned = Angles.wrap(now.degrees() - before.degrees());
         Pose2d middle = new Pose2d(before.x(), before.y(), before.degrees() + turned / 2);
@@ -29,7 +32,9 @@ public record VelocityError(int windows, double metresPerSecond, double degreesP
         return new VelocityError(1, error, Math.abs(turned / seconds - command.turn()));
     }
 
-    /** The cost of one window: each tolerance counts as 1, at most 1.5 in total. */
+    /**
+     * Returns the cost of one window: an error equal to one of the tolerances counts as 1, and the sum is limited to 1.5.
+     */
     double cost(double toleratedMetresPerSecond, double toleratedDegreesPerSecond) {
         return Math.min(
                 MAX_COST, metresPerSecond / toleratedMetresPerSecond + degreesPerSecond / toleratedDegreesPerSecond);

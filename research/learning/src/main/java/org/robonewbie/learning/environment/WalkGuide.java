@@ -18,7 +18,10 @@ import org.robonewbie.nao.motion.Motors;
 import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.nao.motion.PostureFollower;
 
-/** Walk engine under residual control: the engine plans each cycle, and an action takes the place of the output of a {@link ResidualPolicy}. */
+/**
+ * Walk engine with residual control: the engine plans each cycle, and an action replaces the output of a {@link
+ * ResidualPolicy}.
+ */
 final class WalkGuide {
 
     /** Components of the observation. */
@@ -40,7 +43,10 @@ final class WalkGuide {
     private boolean resting;
     private boolean walking;
 
-    /** Creates a standing robot, whose joints either hold their angles at rest, as those of an agent do, or follow the stance. */
+    /**
+     * Creates the guide of a standing robot. At rest, its joints either hold their current angles, as an agent's do, or
+     * return to the stance.
+     */
     WalkGuide(WalkStyle style, Motors motors, boolean holdsAtRest) {
         engine = new WalkEngine(style, this::observe);
         this.motors = motors;
@@ -72,7 +78,7 @@ final class WalkGuide {
         planned = engine.next();
     }
 
-    /** The observation before the next action, in the order of {@link #QUANTITIES}. */
+    /** Returns the observation for the next action, in the order of {@link #QUANTITIES}. */
     double[] inputs() {
         return ResidualPolicy.inputs(moment);
     }

@@ -8,7 +8,10 @@ import org.robonewbie.nao.motion.Posture;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.TrialHook;
 
-/** Random variation of trials: joint offsets of the initial posture, and a push of 0.1 s against the torso once per second. */
+/**
+ * Random variation of trials: joint offsets in the initial posture, and a push against the torso for 0.1 s once per
+ * second.
+ */
 final class Disturbance implements TrialHook {
 
     private static final int CYCLES_PER_PUSH = 50;
@@ -25,7 +28,7 @@ final class Disturbance implements TrialHook {
         random.nextLong();
     }
 
-    /** Adds normally distributed offsets to the joints of a posture. */
+    /** Returns a posture with normally distributed offsets added to its joint angles. */
     Posture near(Posture posture, double degrees) {
         double[] angles = posture.toArray();
         for (Joint joint : Joint.values()) {

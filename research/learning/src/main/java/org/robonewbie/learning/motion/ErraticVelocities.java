@@ -13,7 +13,7 @@ public final class ErraticVelocities implements Supplier<WalkVelocity> {
     private WalkVelocity current = WalkVelocity.ZERO;
 
     /**
-     * Creates commands that start with standing.
+     * Creates a sequence of commands that begins with standing.
      *
      * @param style the walk whose speed limits scale the velocities
      * @param seed the seed of the velocities

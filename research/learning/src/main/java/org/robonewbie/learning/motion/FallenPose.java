@@ -9,7 +9,7 @@ import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.nao.motion.Posture;
 
-/** Lying pose of a robot, and trials that begin in it. */
+/** Pose of a robot that lies on the ground, with trials that begin in this pose. */
 public enum FallenPose {
     /** Chest up. */
     ON_BACK("lying on back"),
@@ -43,7 +43,7 @@ public enum FallenPose {
      * Returns whether a robot is in this pose.
      *
      * @param body the robot's body
-     * @return whether it lies on this side
+     * @return whether it lies in this pose
      */
     public boolean isTrueOf(BodyState body) {
         double chestUp = body.torso().rotation().apply(FORWARD).z();
@@ -57,10 +57,11 @@ public enum FallenPose {
     }
 
     /**
-     * Pushes over robots with random postures until one of them comes to rest in this pose, while their motors hold the joints.
+     * Pushes over robots with random postures, while their motors hold the joints, until one of them comes to rest in
+     * this pose.
      *
      * @param type the robot type
-     * @param seed the seed of the falls
+     * @param seed the seed for the random postures and pushes
      * @return a trial of the robot in this pose
      * @throws IllegalStateException if no fall ends in this pose
      */

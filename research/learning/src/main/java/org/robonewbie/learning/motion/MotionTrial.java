@@ -33,8 +33,8 @@ import org.robonewbie.trial.measure.BalanceMetrics;
 import org.robonewbie.trial.measure.Turn;
 
 /**
- * Scripted trial in which a robot plays motions and walks, step by step. Positions are relative to the pose at the beginning of the
- * measurement. By default the trial ends with a fall: the following steps do nothing.
+ * Scripted trial in which a robot plays motions and walks, step by step. Positions are relative to the pose at the
+ * beginning of the measurement. By default, a fall ends the trial: all later steps do nothing.
  *
  * <pre>{@code
  * try (MotionTrial trial = MotionTrial.inStance(seed, 3)) {
@@ -79,7 +79,7 @@ public final class MotionTrial implements AutoCloseable {
         this.start = trial.now();
     }
 
-    /** Creates a trial of a robot that stands with all joints at 0, without noise and referee. */
+    /** Creates a trial of a robot that stands with all joints at 0, without noise or a referee. */
     static MotionTrial standing(RobotType type, WalkStyle style) {
         ScriptedMotors robot = new ScriptedMotors(new PolicyWalk(style, WalkReflex.NONE));
         Queue<Trial> idle = IDLE.computeIfAbsent(type, key -> new ConcurrentLinkedQueue<>());
@@ -131,7 +131,7 @@ public final class MotionTrial implements AutoCloseable {
     }
 
     /**
-     * Creates a trial in a complete simulator with noise and referee.
+     * Creates a trial in a complete simulator, with noise and a referee.
      *
      * @param scene the scene of the robot
      * @param seed the seed of the noise
@@ -145,7 +145,8 @@ public final class MotionTrial implements AutoCloseable {
     }
 
     /**
-     * Moves to the stance by way of a randomly disturbed posture, begins the measurement, and starts pushes once per second.
+     * Moves to the stance via a randomly disturbed posture, begins the measurement, and starts pushing the robot once per
+     * second.
      *
      * @param seed the seed of the disturbances
      * @param newtons force of the pushes
@@ -182,7 +183,7 @@ public final class MotionTrial implements AutoCloseable {
     }
 
     /**
-     * Adds a measure, which sees the current state and all following cycles.
+     * Adds a measure, which receives the current state and those of all following cycles.
      *
      * @param measure the measure
      */
@@ -209,7 +210,7 @@ public final class MotionTrial implements AutoCloseable {
     }
 
     /**
-     * Holds the joints, as between two motions.
+     * Holds the joints still, for example between two motions.
      *
      * @param seconds the duration
      * @return whether the trial continues, without a fall that ends it
@@ -257,7 +258,10 @@ public final class MotionTrial implements AutoCloseable {
         return endsWithFall && balance.hasFallen();
     }
 
-    /** {@return whether the trial continues for 0.6 s and the robot then is in the stance; see {@link #isInStance}} */
+    /**
+     * {@return whether the robot is in the stance after it has held its joints for 0.6 s without a fall that ends the
+     * trial; see {@link #isInStance}}
+     */
     public boolean endsInStance() {
         return hold(SETTLING_SECONDS) && isInStance();
     }

@@ -4,7 +4,7 @@ import org.robonewbie.agent.walk.WalkVelocity;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.trial.Controller;
 
-/** Robot that a {@link MotionTrial} controls. It holds its joints unless it moves or walks. */
+/** Robot that a {@link MotionTrial} controls. It holds its joints still unless it plays a motion or walks. */
 public interface ScriptedRobot {
 
     /** {@return the controller of the robot in a trial} */

@@ -16,7 +16,7 @@ import org.robonewbie.agent.TunableNumber;
 import org.robonewbie.agent.TunableNumbers;
 import org.robonewbie.nao.file.AtomicFile;
 
-/** Parameters of an agent: the numbers that its program declares by {@code number(...)}. */
+/** Parameters of an agent: the numbers that its program declares with {@code number(...)}. */
 public final class AgentParametrization implements Parametrization {
 
     private static final int DIGITS_OF_RANGE = 3;
@@ -32,7 +32,7 @@ public final class AgentParametrization implements Parametrization {
      * Creates the parametrization of an agent.
      *
      * @param name the name of the agent on the command line
-     * @param factory creates an agent; thread-safe
+     * @param factory creates an agent; must be thread-safe
      * @param objective the objective
      * @param scene the scene of the trials
      * @throws IllegalArgumentException if the agent declares no number
@@ -41,7 +41,7 @@ public final class AgentParametrization implements Parametrization {
         this(name, factory, objective, scene, new AgentDriver(factory.get()).numbers());
     }
 
-    /** Creates the parametrization with given numbers, regardless of a file of numbers in the current folder. */
+    /** Creates the parametrization with the given numbers, ignoring any file of numbers in the current folder. */
     AgentParametrization(
             String name, Supplier<Agent> factory, Objective objective, AgentScene scene, List<TunableNumber> numbers) {
         this.name = name;
@@ -158,7 +158,10 @@ public final class AgentParametrization implements Parametrization {
         return values;
     }
 
-    /** The value for a coordinate: the current one for 0, else clamped to the range and rounded to three digits of it. */
+    /**
+     * Returns the value for a coordinate: the current value for 0, otherwise clamped to the range and rounded to three
+     * digits relative to the range.
+     */
     private double value(int index, double coordinate) {
         TunableNumber number = numbers.get(index);
         if (coordinate == 0) {
@@ -172,7 +175,7 @@ public final class AgentParametrization implements Parametrization {
         return clamp(number, rounded);
     }
 
-    /** The distance of a coordinate from the range of its number, in coordinates. */
+    /** Returns by how much a coordinate is outside the range of its number; 0 if it is inside. */
     private double beyond(int index, double coordinate) {
         TunableNumber number = numbers.get(index);
         double value = unclamped(number, coordinate);
@@ -187,7 +190,10 @@ public final class AgentParametrization implements Parametrization {
         return number.value() + coordinate * size(number);
     }
 
-    /** The change of the value per coordinate: a quarter of the range, which is noticeable. */
+    /**
+     * Returns the change of the value per unit of its coordinate: a quarter of the range, large enough to have a
+     * noticeable effect.
+     */
     private static double size(TunableNumber number) {
         return (number.most() - number.least()) / 4;
     }

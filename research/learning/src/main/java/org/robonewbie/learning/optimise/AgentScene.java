@@ -14,7 +14,8 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.measure.Standing;
 
 /**
- * Scene of the trials of an agent. Each seed varies the positions of robot and ball, the heading and the noise.
+ * Scene for the trials of an agent. The seed of a trial varies the positions of robot and ball, the heading and the
+ * noise.
  *
  * @param place the robot's position, in metres from the centre of the field
  * @param degrees the robot's heading; 0 is towards the opponents' goal, positive is left
@@ -37,7 +38,7 @@ public record AgentScene(Vector3 place, double degrees, Vector3 ball, double spr
         }
     }
 
-    /** The options of {@code robonewbie optimise} for this scene. */
+    /** Returns the options of {@code robonewbie optimise} for this scene. */
     String commandLine() {
         return String.format(
                 Locale.ROOT,
@@ -52,7 +53,8 @@ public record AgentScene(Vector3 place, double degrees, Vector3 ball, double spr
     }
 
     /**
-     * Runs a trial. It succeeds if the objective is a time and its event occurs, such as a goal, or, for other objectives, if the robot never falls.
+     * Runs a trial. If the objective is the time until an event, such as a goal, the trial succeeds if the event occurs;
+     * for other objectives, it succeeds if the robot never falls.
      *
      * @param agent a new agent
      * @param objective the objective

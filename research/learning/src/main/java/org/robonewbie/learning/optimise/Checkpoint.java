@@ -15,9 +15,9 @@ import org.robonewbie.learning.optimise.Generation.Score;
 import org.robonewbie.trial.batch.Journal;
 
 /**
- * Journal of an optimisation. Each line holds the costs of the candidates of a generation, the score of the generation for display, and a
- * CRC-32 of the file up to that point, separated by bars; the checksum is optional. Costs determine the next candidates, so a search
- * resumes exactly.
+ * Journal of an optimisation. Each line holds the costs of the candidates of a generation, the score of the generation
+ * for display, and a CRC-32 of the file up to that point, separated by bars; the checksum is optional. The costs
+ * determine the next candidates, so a search resumes exactly where it was interrupted.
  */
 final class Checkpoint implements AutoCloseable {
 
@@ -77,7 +77,7 @@ final class Checkpoint implements AutoCloseable {
         sum.update(text.getBytes(StandardCharsets.UTF_8));
     }
 
-    /** The generations of earlier runs. */
+    /** Returns the generations recorded before the interruption. */
     List<Line> generations() {
         return List.copyOf(generations);
     }

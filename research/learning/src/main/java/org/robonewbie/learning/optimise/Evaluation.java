@@ -8,8 +8,8 @@ import java.util.List;
  * Result of a candidate in one trial, or its mean over several.
  *
  * @param value the value of the objective, in its unit
- * @param success the share of successful trials, 0 to 1
- * @param flaws penalty for other flaws, relative to the scale of the value; 0 for none
+ * @param success the fraction of trials that succeeded, 0 to 1
+ * @param flaws penalty for other flaws, such as a swaying torso, relative to the scale of the value; 0 for none
  */
 public record Evaluation(double value, double success, double flaws) implements Serializable {
 
@@ -34,7 +34,7 @@ public record Evaluation(double value, double success, double flaws) implements 
                 evaluations.stream().mapToDouble(Evaluation::flaws).average().orElse(0));
     }
 
-    /** Risk-averse cost of several trials: a weighted mean of their mean and their worst cost. */
+    /** Returns the risk-averse cost of several trials: a weighted mean of their mean cost and their worst cost. */
     static double cost(List<Evaluation> evaluations, double sign, double scale) {
         double[] costs =
                 evaluations.stream().mapToDouble(one -> one.cost(sign, scale)).toArray();

@@ -11,9 +11,9 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * Search space of the changes to a motion: the duration of each keyframe and the angles of its joints, except those of the head. Symmetry
- * is preserved: of a posture that is its own mirror image, and of a walk whose second half mirrors its first. In all other motions the
- * last keyframe is fixed, since the next motion begins there.
+ * Search space of changes to a motion: to the duration of each keyframe and to its joint angles, except those of the
+ * head. A posture that is its own mirror image stays symmetric, and so does a walk whose second half mirrors its first.
+ * In all other motions, the last keyframe is fixed, because the next motion begins there.
  */
 final class KeyframeSpace {
 
@@ -45,7 +45,7 @@ final class KeyframeSpace {
         return joints.size() + joints.stream().mapToInt(List::size).sum();
     }
 
-    /** The motion at a point of the space; the origin is the original motion. */
+    /** Returns the motion at a point of the space; the origin is the original motion. */
     Motion motion(double[] coordinates) {
         List<Keyframe> keyframes = new ArrayList<>(motion.keyframes());
         int at = 0;
@@ -72,7 +72,7 @@ final class KeyframeSpace {
         return new Motion(motion.name(), keyframes);
     }
 
-    /** The parameters of the motion at a point of the space. */
+    /** Returns the parameters of the motion at a point of the space. */
     List<Parameter> numbers(double[] coordinates) {
         List<Keyframe> keyframes = motion(coordinates).keyframes();
         List<Parameter> numbers = new ArrayList<>();

@@ -1,7 +1,7 @@
 package org.robonewbie.learning.optimise;
 
 /**
- * Effect of a motion on the position of robot and ball, which must be preserved when energy or sway are minimised.
+ * Effect of a motion on the positions of robot and ball, which must be preserved when energy or sway is minimised.
  *
  * @param forward forward motion of the robot, in metres
  * @param left motion of the robot to the left, in metres
@@ -10,7 +10,7 @@ package org.robonewbie.learning.optimise;
  */
 record MotionEffect(double forward, double left, double turnedDegrees, double ballForward) {
 
-    /** The difference from another effect; values about 1 indicate a different motion. */
+    /** Returns the difference from another effect; values around 1 or more indicate a different motion. */
     double difference(MotionEffect other) {
         return part(forward, other.forward, 0.2)
                 + part(left, other.left, 0.2)

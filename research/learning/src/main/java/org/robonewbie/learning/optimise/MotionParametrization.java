@@ -26,7 +26,7 @@ public final class MotionParametrization implements Parametrization {
      * Creates the parametrization of a motion.
      *
      * @param name the name of the motion on the command line
-     * @param file the motion and the properties of its file, from which {@link MotionScene} derives the trial
+     * @param file the motion and the properties in its file, from which {@link MotionScene} derives the trial
      * @param objective the objective
      * @throws IllegalArgumentException if the motion has no parameters or does not suit the objective
      */
@@ -95,7 +95,7 @@ public final class MotionParametrization implements Parametrization {
         MotionFiles.save(changed, target);
     }
 
-    /** The file without properties that are valid for the original motion only. */
+    /** Returns the file without the properties that are valid only for the original motion. */
     private MotionFile withoutMeasurements() {
         String text = file.text()
                 .lines()

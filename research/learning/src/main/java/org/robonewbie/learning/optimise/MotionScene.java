@@ -20,10 +20,10 @@ import org.robonewbie.trial.measure.BalanceMetrics;
 import org.robonewbie.trial.measure.KickDistance;
 
 /**
- * Trial of a motion, as the properties of its file define: {@code // start: stance} or {@code // start: lying on back} is the initial pose,
- * {@code // end: stance} or {@code // end: lying on front} the required final pose, {@code // ball: 0.190 m ahead, -0.055 m to the
- * left} the position of the ball. A motion that starts and ends in {@code walking} is played in a loop. By default a motion starts in the
- * stance and must end without a fall.
+ * Trial of a motion, as defined by the properties in its file: {@code // start: stance} or {@code // start: lying on
+ * back} is the initial pose, {@code // end: stance} or {@code // end: lying on front} the required final pose, {@code //
+ * ball: 0.190 m ahead, -0.055 m to the left} the position of the ball. A motion that starts and ends in {@code walking}
+ * is played in a loop. By default, a motion starts in the stance and must end without a fall.
  */
 final class MotionScene {
 
@@ -128,12 +128,15 @@ final class MotionScene {
         }
     }
 
-    /** Penalty for a swaying torso and for joints at their limits, independent of the objective. */
+    /** Returns the penalty for a swaying torso and for joints at their limits, regardless of the objective. */
     private static double roughness(BalanceMetrics balance) {
         return 0.001 * balance.value() + 0.03 * balance.meanJointsAtLimit();
     }
 
-    /** Sum of the degrees by which the steps of a looped motion exceed the speed limits of the motors. */
+    /**
+     * Returns how far a looped motion exceeds the speed limits of the motors: the sum, over all keyframes and joints, of
+     * the degrees that a motor cannot cover in time.
+     */
     private static double beyondMotors(Motion motion) {
         double sum = 0;
         List<Keyframe> keyframes = motion.keyframes();

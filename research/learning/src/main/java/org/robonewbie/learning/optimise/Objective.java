@@ -27,7 +27,7 @@ public record Objective(String label, Supplier<Measure> measure) {
      * @param label the name of a measure or of a class, as for {@link Measures#named}
      * @param classes the class loader of custom measures
      * @return the objective
-     * @throws IllegalArgumentException if there is no such measure; the message lists all
+     * @throws IllegalArgumentException if there is no such measure; the message lists all measures
      */
     public static Objective named(String label, ClassLoader classes) {
         return new Objective(label, Measures.named(label, classes));
@@ -48,7 +48,7 @@ public record Objective(String label, Supplier<Measure> measure) {
         return measure.get().isLargerBetter();
     }
 
-    /** Whether a motion that does less has a better value, so that the effect of the motion must be preserved. */
+    /** Whether a motion that moves less gets a better value, so that the effect of the motion must be preserved. */
     boolean rewardsInaction() {
         Measure one = measure.get();
         return one instanceof Energy || one instanceof Upright;
@@ -62,7 +62,10 @@ public record Objective(String label, Supplier<Measure> measure) {
         return measure.get() instanceof TimeToScore;
     }
 
-    /** Whether the measure is the time until an event. A trial then succeeds with the event, otherwise without a fall. */
+    /**
+     * Whether the measure is the time until an event. If so, a trial succeeds if the event occurs; otherwise, it succeeds
+     * if there is no fall.
+     */
     boolean isTimeToEvent() {
         return measure.get() instanceof SustainedCondition || isTimeToScore();
     }

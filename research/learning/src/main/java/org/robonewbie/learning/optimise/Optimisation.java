@@ -18,8 +18,8 @@ import org.robonewbie.trial.batch.Job;
 import org.robonewbie.trial.batch.ThreadRunner;
 
 /**
- * Optimisation of a parametrization for an objective by CMA-ES. Each candidate is evaluated with several seeds. At the end the start and
- * the result are compared with seeds that the search has not used.
+ * Optimisation of a parametrization for an objective by CMA-ES. Each candidate is evaluated with several seeds. At the
+ * end, the start and the result are compared in trials with seeds that the search has not used.
  *
  * <pre>{@code
  * Objective distance = Objective.named("kick-distance", classes);
@@ -133,7 +133,10 @@ public final class Optimisation {
         return output.resolveSibling(output.getFileName() + ".checkpoint");
     }
 
-    /** {@return the file of the current mean of the search, beside the output; it exists from the first generation to the end} */
+    /**
+     * {@return the file with the current mean of the search, beside the output; it exists from the first generation until
+     * the end}
+     */
     public Path fileSoFar() {
         String name = String.valueOf(output.getFileName());
         int dot = name.lastIndexOf('.');
@@ -203,7 +206,7 @@ public final class Optimisation {
         return plan.seed() * SEEDS_PER_RUN + generation / GENERATIONS_PER_SEEDS * 1000L;
     }
 
-    /** Everything that determines the course of the search, except its length. */
+    /** Returns the settings that identify the search: all that determine its course, except the number of generations. */
     private String question() {
         return "optimise " + subject.commandLine() + " " + subject.fingerprint() + " --objective " + objective.label()
                 + " " + plan.options(false);

@@ -1,6 +1,6 @@
 package org.robonewbie.learning.optimise;
 
-/** Listener for the progress of an optimisation. Calls do not overlap. */
+/** Listener for the progress of an optimisation. It is never called concurrently. */
 @FunctionalInterface
 public interface OptimisationListener {
 
@@ -19,7 +19,7 @@ public interface OptimisationListener {
     void reached(Generation generation);
 
     /**
-     * Called at the end, when the result has been written if it is better than the start.
+     * Called at the end. If the result is better than the start, it has been written.
      *
      * @param result the comparison of start and result
      */

@@ -8,7 +8,7 @@ import org.robonewbie.learning.search.RestartingSearch;
 /**
  * Settings of an optimisation.
  *
- * @param seed the seed of candidates and trials; the same seed gives the same result
+ * @param seed the seed for candidates and trials; the same seed produces the same result
  * @param generations the number of generations, at least 1
  * @param population the number of candidates per generation, at least 4
  * @param trials the number of trials per candidate, at least 1
@@ -30,7 +30,7 @@ public record OptimisationPlan(
         require("threads", threads, 1);
     }
 
-    /** Creates a search that starts at the origin. */
+    /** Creates a search that starts at the origin of the coordinates. */
     AskAndTell search(int dimension) {
         double[] start = new double[dimension];
         return plain
@@ -38,7 +38,7 @@ public record OptimisationPlan(
                 : new RestartingSearch(start, step, population, seed);
     }
 
-    /** The options of {@code robonewbie optimise} for these settings. */
+    /** Returns the options of {@code robonewbie optimise} for these settings. */
     String options(boolean withGenerations) {
         return String.format(
                 Locale.ROOT,

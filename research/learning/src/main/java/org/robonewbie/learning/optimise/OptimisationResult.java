@@ -9,7 +9,7 @@ import java.util.Locale;
  * @param before the evaluation of the start
  * @param after the evaluation of the result
  * @param trials the number of trials of each evaluation
- * @param advice how to use the result other than by its file; may be empty
+ * @param advice how to use the result other than through its file; may be empty
  */
 public record OptimisationResult(Objective objective, Evaluation before, Evaluation after, int trials, String advice) {
 

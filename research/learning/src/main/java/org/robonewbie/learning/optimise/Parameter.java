@@ -1,7 +1,7 @@
 package org.robonewbie.learning.optimise;
 
 /**
- * One parameter of a candidate, for display.
+ * One parameter of a candidate, as shown to the user.
  *
  * @param name a name such as {@code keyframe 3, left knee pitch}
  * @param unit a unit such as {@code degrees}; empty if there is none

@@ -7,8 +7,9 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Mapping of the parameters of a motion, the walk engine or an agent to the coordinates of a search. A coordinate is the difference from the
- * current value in small but noticeable steps, so the search starts at the origin. Implementations are thread-safe.
+ * Mapping of the parameters of a motion, the walk engine or an agent to the coordinates of a search. A coordinate is the
+ * difference from the current value, in units that have a small but noticeable effect; the search starts at the origin.
+ * Implementations are thread-safe.
  */
 public interface Parametrization {
 
@@ -31,14 +32,14 @@ public interface Parametrization {
      */
     List<Parameter> numbers(double[] coordinates);
 
-    /** {@return a hash of the current values, so that a search is not resumed with other values} */
+    /** {@return a hash of the current values, used to refuse to resume a search with other values} */
     String fingerprint();
 
     /**
      * Evaluates a candidate.
      *
      * @param coordinates the coordinates of the candidate
-     * @param seed the seed of the trial; the same seed gives the same result
+     * @param seed the seed of the trial; the same seed produces the same result
      * @return the result
      */
     Evaluation evaluate(double[] coordinates, long seed);
@@ -61,14 +62,14 @@ public interface Parametrization {
      * Returns a factory that creates this parametrization on another computer.
      *
      * @return the factory
-     * @throws IllegalArgumentException if candidates can be evaluated in this process only
+     * @throws IllegalArgumentException if candidates can be evaluated only in this process
      */
     default Recipe recipe() {
         throw new IllegalArgumentException(name() + " can be evaluated in this process only. Use --engine local.");
     }
 
     /**
-     * Describes how to use a candidate other than by its file.
+     * Describes how to use a candidate other than through its file.
      *
      * @param coordinates the coordinates of the candidate
      * @return lines of text; empty, the default, for none

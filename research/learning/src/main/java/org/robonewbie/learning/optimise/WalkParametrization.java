@@ -17,7 +17,10 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.trial.Measure;
 
-/** Parameters of the walk engine. A trial is a straight walk at full speed; it succeeds if a walk with erratic commands does not end in a fall either. */
+/**
+ * Parameters of the walk engine. A trial consists of a straight walk at full speed, which is measured, and a walk with
+ * erratic commands. It succeeds if the robot falls in neither.
+ */
 public final class WalkParametrization implements Parametrization {
 
     /** Name of the walk engine on the command line. */

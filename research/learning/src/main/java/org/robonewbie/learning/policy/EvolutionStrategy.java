@@ -10,16 +10,16 @@ import java.util.stream.IntStream;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * Evolution strategy for hundreds of parameters (Salimans et al., Evolution Strategies as a Scalable Alternative to Reinforcement
- * Learning, 2017), with antithetic sampling, rank-based fitness shaping and the Adam optimiser (Kingma and Ba, 2015). The state determines the
- * next generation, so an interrupted search resumes with the same result.
+ * Evolution strategy for hundreds of parameters (Salimans et al., Evolution Strategies as a Scalable Alternative to
+ * Reinforcement Learning, 2017), with antithetic sampling, rank-based fitness shaping and the Adam optimiser (Kingma and
+ * Ba, 2015). The state determines the next generation, so an interrupted search resumes with the same result.
  *
  * <pre>{@code
  * List<double[]> candidates = strategy.ask(state);
  * state = strategy.tell(state, scores);
  * }</pre>
  *
- * @param seed the seed of the candidates
+ * @param seed the seed for drawing candidates
  * @param antitheticPairs the number of pairs of candidates in a generation, at least 1
  * @param sigma standard deviation of the candidates relative to the scale of each parameter, greater than 0
  * @param learningRate step size of Adam relative to the scale of each parameter, greater than 0
@@ -37,7 +37,7 @@ public record EvolutionStrategy(long seed, int antitheticPairs, double sigma, do
         }
     }
 
-    /** The options of {@code robonewbie learn} that create this strategy. */
+    /** Returns the options of {@code robonewbie learn} that create this strategy. */
     String commandLine() {
         return String.format(
                 Locale.ROOT,
@@ -76,7 +76,7 @@ public record EvolutionStrategy(long seed, int antitheticPairs, double sigma, do
      * Draws the candidates of the next generation.
      *
      * @param state the state of the search
-     * @return the candidates, both of a pair one after the other
+     * @return the candidates; the two of a pair are adjacent
      */
     public List<double[]> ask(State state) {
         List<double[]> candidates = new ArrayList<>();
@@ -134,7 +134,7 @@ public record EvolutionStrategy(long seed, int antitheticPairs, double sigma, do
         return gradient;
     }
 
-    /** Centred ranks, from -0.5 for the worst score to 0.5 for the best. */
+    /** Returns the centred ranks of scores, from -0.5 for the worst to 0.5 for the best. */
     private static double[] ranks(double... scores) {
         List<Integer> order = IntStream.range(0, scores.length)
                 .boxed()

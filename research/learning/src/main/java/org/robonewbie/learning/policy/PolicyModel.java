@@ -34,7 +34,10 @@ public final class PolicyModel {
     /** Regular expression of all observed quantities except joint angles. */
     public static final String DEFAULT_INPUTS = "(?!joint\\.).*";
 
-    /** Scale of an output's bias behind a hidden layer; it shifts the whole posture. */
+    /**
+     * Scale of the bias of an output that follows a hidden layer. It is larger than that of a weight, because the bias
+     * shifts the whole posture.
+     */
     private static final double BIAS_SCALE = 4;
 
     private static final double GAIT_SCALE = 3;
@@ -95,7 +98,7 @@ public final class PolicyModel {
         return spec.task();
     }
 
-    /** The options of {@code robonewbie learn} that create this model. */
+    /** Returns the options of {@code robonewbie learn} that create this model. */
     String commandLine() {
         StringBuilder line = new StringBuilder();
         if (!inputPattern.equals(DEFAULT_INPUTS)) {
@@ -112,7 +115,7 @@ public final class PolicyModel {
         return spec.create(classes);
     }
 
-    /** Configures an environment for a policy, whose actions last as long as in its training. */
+    /** Configures an environment for a policy, so that each action lasts as many cycles as in the policy's training. */
     void prepare(TrainingEnvironment environment, Policy policy) {
         environment.setOptions(spec.randomization().withDefaultCycles(policy.cyclesPerAction()));
     }
@@ -120,7 +123,7 @@ public final class PolicyModel {
     /**
      * Draws the parameters of an untrained policy. The last layer is zero, so all outputs are zero.
      *
-     * @param seed the seed of the weights of the hidden layer
+     * @param seed the seed for the weights of the hidden layer
      * @return the parameters
      */
     public double[] initial(long seed) {
@@ -193,7 +196,7 @@ public final class PolicyModel {
     /**
      * Creates a policy.
      *
-     * @param about how it was learned, as comments of its file
+     * @param about how it was learned, as comments for its file
      * @param parameters its parameters
      * @return the policy
      */

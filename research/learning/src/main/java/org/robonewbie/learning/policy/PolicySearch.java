@@ -28,13 +28,13 @@ import org.robonewbie.trial.batch.Journal;
  * Policy learned = search.run(500, Optional.empty(), System.out::println);
  * }</pre>
  *
- * @param model the policies that are searched
+ * @param model the policies to search
  * @param strategy the search method
- * @param output file of the policy; curve and checkpoint are written beside it
+ * @param output file of the policy; the learning curve and the checkpoint are written beside it
  */
 public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path output) {
 
-    /** {@return the file of the learning curve, CSV beside the policy} */
+    /** {@return the file of the learning curve, a CSV file beside the policy} */
     public Path curve() {
         return beside(".csv");
     }
@@ -49,7 +49,7 @@ public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path o
     }
 
     /**
-     * Evaluates a policy in episodes whose seeds no search uses.
+     * Evaluates a policy in episodes with seeds that no search uses.
      *
      * @param model the task
      * @param episodes the number of episodes
@@ -65,7 +65,8 @@ public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path o
     }
 
     /**
-     * Searches up to a number of generations, from the checkpoint if there is one, and shows the progress on the standard error output.
+     * Searches until a number of generations is complete, starting from the checkpoint if there is one, and shows the
+     * progress on standard error.
      *
      * @param generations the number of generations, including those before an interruption
      * @param start the policy from which a new search starts; empty for an untrained one
@@ -107,7 +108,10 @@ public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path o
         return EvolutionStrategy.State.begin(mean, model.scale());
     }
 
-    /** The history of an interrupted search's start: that of its policy but the last line, which the search itself has added. */
+    /**
+     * Returns the history of the policy from which an interrupted search started: the history in the output file without
+     * its last line, which the search itself has added.
+     */
     private List<String> history() {
         if (!Files.exists(output)) {
             return List.of();
@@ -124,7 +128,10 @@ public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path o
                 i -> strategy.seedOfTrial(state, i));
     }
 
-    /** Keeps the rows of the checkpoint's generations; an interrupted search may have written one more. */
+    /**
+     * Removes from the learning curve any row that is newer than the checkpoint; an interrupted search may have written
+     * one.
+     */
     private void beginCurve(int generations) throws IOException {
         Stream<String> lines = generations == 0 ? Stream.empty() : Files.readAllLines(curve()).stream();
         AtomicFile.write(
@@ -147,12 +154,15 @@ public record PolicySearch(PolicyModel model, EvolutionStrategy strategy, Path o
         return model.policy(Stream.concat(history.stream(), Stream.of(last)).toList(), state.mean());
     }
 
-    /** Everything that determines the result, except the number of generations. */
+    /** Returns the settings that identify the search: all that determine its result, except the number of generations. */
     private String question() {
         return model.task() + " " + strategy.commandLine() + model.commandLine();
     }
 
-    /** Replays a checkpoint, whose first line is the initial mean and whose other lines are the returns of the generations. */
+    /**
+     * Restores the state by replaying a checkpoint. Its first line is the initial mean; each other line contains the
+     * returns of one generation.
+     */
     private EvolutionStrategy.State replayed(List<String> lines) {
         try {
             EvolutionStrategy.State state = EvolutionStrategy.State.begin(numbers(lines.get(0)), model.scale());

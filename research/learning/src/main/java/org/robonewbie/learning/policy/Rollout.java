@@ -14,7 +14,7 @@ import org.robonewbie.learning.environment.VelocityError;
  * @param cycles the length of the episode
  * @param reward the undiscounted return
  * @param fallen whether the robot fell
- * @param success whether the goal of the task was achieved at the end
+ * @param success whether the task was achieved at the end of the episode
  * @param velocityError the error of a commanded velocity; none in most tasks
  */
 record Rollout(int cycles, double reward, boolean fallen, boolean success, VelocityError velocityError) {

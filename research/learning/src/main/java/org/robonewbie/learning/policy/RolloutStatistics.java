@@ -13,7 +13,7 @@ import org.robonewbie.nao.Cycle;
  */
 public record RolloutStatistics(List<Rollout> rollouts) {
 
-    /** Header of a CSV table of statistics, without line end. */
+    /** Header of a CSV table of statistics, without line terminator. */
     static final String COLUMNS = "episodes,cycles,reward,falls,speedError,turnError,successes";
 
     /** Copies the list. */
@@ -58,7 +58,7 @@ public record RolloutStatistics(List<Rollout> rollouts) {
                         sum.degreesPerSecond() / sum.windows());
     }
 
-    /** A row of the table; cells that do not apply are empty. */
+    /** Returns a row of the table; cells that do not apply are empty. */
     String row() {
         String errors = velocityError("%.4f,%.3f", ",");
         return String.format(

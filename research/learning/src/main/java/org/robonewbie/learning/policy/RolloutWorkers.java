@@ -12,7 +12,7 @@ import org.robonewbie.learning.environment.TrainingEnvironment;
 import org.robonewbie.trial.batch.BatchRunner;
 import org.robonewbie.trial.batch.ThreadRunner;
 
-/** Pool of environments that play episodes in parallel. The result does not depend on its size. */
+/** Pool of environments that play episodes in parallel. Results do not depend on the number of environments. */
 final class RolloutWorkers implements AutoCloseable {
 
     private final PolicyModel model;
@@ -23,7 +23,7 @@ final class RolloutWorkers implements AutoCloseable {
         this.model = model;
     }
 
-    /** Plays episodes, each with a policy and a seed. */
+    /** Plays a number of episodes; two functions supply the policy and the seed of each by its index. */
     RolloutStatistics play(int count, IntFunction<Policy> policies, IntToLongFunction seeds) throws IOException {
         return new RolloutStatistics(runner.run(
                 IntStream.range(0, count).boxed().toList(), i -> play(policies.apply(i), seeds.applyAsLong(i))));

@@ -19,7 +19,7 @@ public interface AskAndTell {
      */
     void tell(double[] costs);
 
-    /** {@return a copy of the current estimate of the optimum; the start before the first {@link #tell}} */
+    /** {@return a copy of the current estimate of the optimum; the start point before the first {@link #tell}} */
     double[] mean();
 
     /** {@return the distribution of the next candidates} */

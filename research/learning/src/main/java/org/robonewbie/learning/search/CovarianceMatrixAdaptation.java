@@ -9,11 +9,11 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
 /**
- * Covariance matrix adaptation evolution strategy (CMA-ES): minimises a cost function without derivatives, also a noisy and multimodal
- * one such as the distance that a robot walks.
+ * Covariance matrix adaptation evolution strategy (CMA-ES): minimises a cost function without derivatives, even if it is
+ * noisy and multimodal, such as the distance that a robot walks.
  *
- * <p>By default negative recombination weights also learn from the worse half of a generation (active CMA-ES), which saves a fifth to a
- * third of the evaluations on ill-conditioned problems. {@link #plain} omits them.
+ * <p>By default, the search also learns from the worse half of a generation by negative recombination weights (active
+ * CMA-ES), which saves a fifth to a third of the evaluations on ill-conditioned problems. {@link #plain} omits them.
  *
  * <p>Source: N. Hansen, The CMA Evolution Strategy: A Tutorial (2016), with its default constants and equation numbers.
  *
@@ -27,7 +27,7 @@ import java.util.stream.IntStream;
  */
 public final class CovarianceMatrixAdaptation implements AskAndTell {
 
-    /** Keeps the rank-mu learning rate (equation 58) positive for a population of 4. */
+    /** Offset in the rank-mu learning rate (equation 58) that keeps it positive for a population of 4. */
     private static final double ACTIVE_OFFSET = 0.25;
 
     private final int dimension;
@@ -53,12 +53,12 @@ public final class CovarianceMatrixAdaptation implements AskAndTell {
     private final List<double[]> candidates = new ArrayList<>();
 
     /**
-     * Creates a search by active CMA-ES.
+     * Creates a search with active CMA-ES.
      *
      * @param start the initial mean; all coordinates should have similar scales
      * @param step the initial step size (sigma), greater than 0
-     * @param population the number of candidates of a generation, at least 4
-     * @param seed the seed of the candidates
+     * @param population the number of candidates in a generation, at least 4
+     * @param seed the seed for drawing candidates
      */
     public CovarianceMatrixAdaptation(double[] start, double step, int population, long seed) {
         this(start, step, population, seed, true);
@@ -69,8 +69,8 @@ public final class CovarianceMatrixAdaptation implements AskAndTell {
      *
      * @param start the initial mean; all coordinates should have similar scales
      * @param step the initial step size (sigma), greater than 0
-     * @param population the number of candidates of a generation, at least 4
-     * @param seed the seed of the candidates
+     * @param population the number of candidates in a generation, at least 4
+     * @param seed the seed for drawing candidates
      * @return the search
      */
     public static CovarianceMatrixAdaptation plain(double[] start, double step, int population, long seed) {
@@ -195,7 +195,9 @@ public final class CovarianceMatrixAdaptation implements AskAndTell {
         return Arrays.stream(raw).map(w -> w / sum).toArray();
     }
 
-    /** The weights of the worse half, scaled so that the covariance stays positive definite (equations 49 to 53). */
+    /**
+     * Returns the weights of the worse half, scaled so that the covariance stays positive definite (equations 49 to 53).
+     */
     private double[] negativeWeights() {
         double[] raw = IntStream.rangeClosed(weights.length + 1, population)
                 .mapToDouble(i -> Math.log(weights.length + 0.5) - Math.log(i))

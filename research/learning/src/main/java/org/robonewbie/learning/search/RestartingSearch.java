@@ -6,9 +6,9 @@ import java.util.Optional;
 import java.util.Random;
 
 /**
- * BIPOP-CMA-ES: restarts {@link CovarianceMatrixAdaptation} when a run has converged, since it may have found a local optimum. A
- * restart has either twice the largest population so far, which smooths over local optima, or a small population and step size. Both
- * regimes get equal numbers of evaluations.
+ * BIPOP-CMA-ES: restarts {@link CovarianceMatrixAdaptation} when a run has converged, because it may have found only a
+ * local optimum. A restart has either twice the largest population so far, which smooths over local optima, or a small
+ * population and step size. Both kinds of restart get about the same number of evaluations.
  *
  * <p>Source: N. Hansen, Benchmarking a BI-Population CMA-ES on the BBOB-2009 Function Testbed (2009).
  */
@@ -38,8 +38,8 @@ public final class RestartingSearch implements AskAndTell {
      *
      * @param start the initial mean; all coordinates should have similar scales
      * @param step the initial step size (sigma), greater than 0
-     * @param population the number of candidates of a generation in the first run, at least 4
-     * @param seed the seed of the candidates
+     * @param population the number of candidates in a generation of the first run, at least 4
+     * @param seed the seed for drawing candidates
      */
     public RestartingSearch(double[] start, double step, int population, long seed) {
         this.start = start.clone();
@@ -73,7 +73,10 @@ public final class RestartingSearch implements AskAndTell {
         }
     }
 
-    /** Whether the runs with small populations have had more trials than those with large ones. */
+    /**
+     * Whether a run with a small population must stop, because such runs have used more evaluations than those with large
+     * populations.
+     */
     private boolean isBudgetSpent() {
         return !isLarge && trialsOfSmall + trialsOfRun > trialsOfLarge;
     }

@@ -37,7 +37,7 @@ final class StoppingCriterion {
     }
 
     /**
-     * Whether the run has converged or stagnates.
+     * Returns whether the run has converged or stagnates.
      *
      * @param spread the largest standard deviation of a coordinate, relative to that of the first generation
      * @param condition the condition number of the covariance matrix
@@ -57,7 +57,7 @@ final class StoppingCriterion {
         return Collections.max(last) - Collections.min(last) < MIN_DIFFERENCE;
     }
 
-    /** Whether the newest costs of the history are no smaller than its oldest ones. */
+    /** Whether the median of the newest costs in the recent history is no smaller than that of the oldest ones. */
     private boolean stagnates(List<Double> history) {
         int length = Math.min(MAX_HISTORY, Math.max(minHistory, (int) (SHARE_OF_HISTORY * history.size())));
         if (history.size() < length) {

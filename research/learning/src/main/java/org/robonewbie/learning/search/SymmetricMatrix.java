@@ -3,8 +3,8 @@ package org.robonewbie.learning.search;
 /**
  * Eigendecomposition of a symmetric matrix: V · diag(values) · Vᵀ.
  *
- * <p>Source: the cyclic Jacobi method (Golub and Van Loan, Matrix Computations, section 8.5), which is accurate and simple, and fast
- * enough for some dozens of rows.
+ * <p>Source: the cyclic Jacobi method (Golub and Van Loan, Matrix Computations, section 8.5), which is simple, accurate,
+ * and fast enough for a few dozen rows.
  */
 final class SymmetricMatrix {
 
@@ -33,12 +33,12 @@ final class SymmetricMatrix {
         return result;
     }
 
-    /** The eigenvalue of a column of V. */
+    /** Returns the eigenvalue for a column of V. */
     double value(int column) {
         return matrix[column][column];
     }
 
-    /** A component of the unit eigenvector in a column of V. */
+    /** Returns a component of the unit eigenvector in a column of V. */
     double axis(int row, int column) {
         return axes[row][column];
     }

@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Experiment whose trials form a series. An implementation needs a public no-arg constructor. Trials run in parallel, on other computers,
- * and again after a failure, so the result must depend on parameters and seed only.
+ * Experiment whose trials form a series. An implementation must have a public no-arg constructor. Trials may run in
+ * parallel, on other computers, and again after a failure, so the result must depend only on the parameters and the seed.
  *
  * <pre>{@code
  * public class Nod implements Experiment {
@@ -37,18 +37,19 @@ public interface Experiment {
      * @param parameters the parameters of the trial
      * @param seed the seed of the trial
      * @return a value for each of the {@link #columns}
-     * @throws Exception if the trial failed; it is run up to three times
+     * @throws Exception if the trial failed; a failed trial is attempted up to three times
      */
     double[] run(Map<String, Double> parameters, long seed) throws Exception;
 
     /**
-     * Runs one trial of a plan with text parameters, such as the name of an agent. By default texts are rejected.
+     * Runs one trial of a plan with text parameters, such as the name of an agent. By default, text parameters are
+     * rejected.
      *
      * @param numbers the numeric parameters of the trial
      * @param texts the text parameters of the trial
      * @param seed the seed of the trial
      * @return a value for each of the {@link #columns}
-     * @throws Exception if the trial failed; it is run up to three times
+     * @throws Exception if the trial failed; a failed trial is attempted up to three times
      */
     default double[] run(Map<String, Double> numbers, Map<String, String> texts, long seed) throws Exception {
         if (!texts.isEmpty()) {
@@ -61,7 +62,7 @@ public interface Experiment {
     /**
      * Creates an experiment from the name of its class.
      *
-     * @param className full name of a class, which the context class loader of the thread loads
+     * @param className full name of a class that the context class loader of the thread can load
      * @return the experiment
      * @throws IllegalArgumentException if the class is not an experiment
      */

@@ -34,7 +34,7 @@ public record ExperimentPlan(
 
     private static final Pattern TEXT = Pattern.compile("\\s*\"([^\"]*)\"\\s*(,|$)");
 
-    /** The text before a comment; {@code #} within quotation marks does not start one. */
+    /** Matches the text before a comment; {@code #} within quotation marks does not start a comment. */
     private static final Pattern CONTENT = Pattern.compile("^(?:[^\"#]|\"[^\"]*(?:\"|$))*+");
 
     /** Names that are not parameters of the experiment. */
@@ -49,7 +49,7 @@ public record ExperimentPlan(
      * @param file the file
      * @return the plan
      * @throws IOException if the file cannot be read
-     * @throws IllegalArgumentException if a line is invalid; the message names it
+     * @throws IllegalArgumentException if a line is invalid; the message gives its number
      */
     public static ExperimentPlan read(Path file) throws IOException {
         String experiment = "";
@@ -165,7 +165,10 @@ public record ExperimentPlan(
         return all;
     }
 
-    /** Decodes the index of a combination (mixed radix) into a choice of each parameter, and returns the quotient. */
+    /**
+     * Decodes the index of a combination (mixed radix) by choosing a value for each parameter; returns the remaining
+     * quotient for further parameters.
+     */
     private static <T> int choose(Map<String, List<T>> parameters, int index, Map<String, T> chosen) {
         int quotient = index;
         for (Map.Entry<String, List<T>> parameter : parameters.entrySet()) {

@@ -52,7 +52,7 @@ public final class ExperimentRun implements AutoCloseable {
      * @param plan the plan
      * @return the run
      * @throws IOException if the file cannot be read or written
-     * @throws IllegalArgumentException if the journal belongs to another plan or to another version of its experiment
+     * @throws IllegalArgumentException if the journal belongs to another plan or to another version of the experiment
      */
     public static ExperimentRun open(Path file, ExperimentPlan plan) throws IOException {
         return new ExperimentRun(plan, Journal.open(file, "RoboNewbie trials " + fingerprint(plan)));
@@ -85,7 +85,7 @@ public final class ExperimentRun implements AutoCloseable {
      * Runs the missing trials.
      *
      * @param runner the runner
-     * @param progress the progress of the run
+     * @param progress receives the progress of the run
      * @throws IOException if the journal cannot be written
      */
     public void run(BatchRunner runner, BatchProgress progress) throws IOException {
@@ -136,7 +136,7 @@ public final class ExperimentRun implements AutoCloseable {
     }
 
     /**
-     * Deletes the journal. Call when the table has been written.
+     * Deletes the journal. Call after the table has been written.
      *
      * @throws IOException if that fails
      */
@@ -144,7 +144,7 @@ public final class ExperimentRun implements AutoCloseable {
         journal.delete();
     }
 
-    /** Hash of everything that determines the results: the plan and the class of the experiment. */
+    /** Returns a hash of everything that determines the results: the plan and the class of the experiment. */
     private static String fingerprint(ExperimentPlan plan) {
         try {
             MessageDigest digest = MessageDigest.getInstance("SHA-256");
@@ -164,7 +164,7 @@ public final class ExperimentRun implements AutoCloseable {
      * Outcome of a trial.
      *
      * @param numbers the measured values; none if it failed
-     * @param failure the reason as a sentence that names the trial; empty if it did not fail
+     * @param failure the reason for the failure, as a sentence that names the trial; empty if it did not fail
      */
     @SuppressWarnings("ArrayRecordComponent")
     record Outcome(double[] numbers, String failure) implements Serializable {}

@@ -24,14 +24,14 @@ public record PlannedTrial(
         texts = new LinkedHashMap<>(texts);
     }
 
-    /** All parameters in the order of the table. */
+    /** Returns all parameters in the order of the table. */
     LinkedHashMap<String, Object> all() {
         LinkedHashMap<String, Object> all = new LinkedHashMap<>(parameters);
         all.putAll(texts);
         return all;
     }
 
-    /** Runs the trial, and repeats it if it fails. */
+    /** Runs the trial, retrying if it fails. */
     ExperimentRun.Outcome run(Experiment experiment) {
         for (int attempt = 1; ; attempt++) {
             try {

@@ -13,8 +13,8 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 
 /**
- * Push recovery of a standing robot: a force acts on the torso for 0.1 s from a random side in a trial of 2 s. The parameter {@code newtons}
- * sets the force.
+ * Push recovery of a standing robot: in a trial of 2 s, a force acts on the torso from a random side for 0.1 s. The
+ * parameter {@code newtons} sets the force.
  */
 public final class PushExperiment implements Experiment {
 

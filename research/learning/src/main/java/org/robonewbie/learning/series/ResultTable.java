@@ -13,13 +13,13 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.text.Csv;
 
 /**
- * Results of a series: the number, seed, parameters and measured values of each trial. If trials have failed, another column has the
- * reasons.
+ * Results of a series: the number, seed, parameters and measured values of each trial. If any trials failed, an
+ * additional column contains the reasons.
  *
  * @param columns names of the measured values
  * @param trials the trials in order
  * @param measured the values of each trial, empty if it failed; not to be modified
- * @param failures reasons of failures by trial number
+ * @param failures reasons for failures by trial number
  */
 public record ResultTable(
         List<String> columns, List<PlannedTrial> trials, List<double[]> measured, Map<Integer, String> failures) {

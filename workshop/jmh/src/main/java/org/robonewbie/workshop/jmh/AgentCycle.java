@@ -22,12 +22,12 @@ import org.robonewbie.protocol.perceptor.PerceptorMessage;
 import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
 
 /**
- * What a robot's program pays for the framework in each cycle of 20 ms: it receives and parses a message that a real server sent
- * (two teams, every third with a picture of the camera), senses, acts and writes its answer. Nothing is sent and nothing thought.
+ * Cost of the framework per cycle of 20 ms for a robot program: receiving and parsing a recorded server message (two teams;
+ * every third message has camera data), sensing, acting and formatting the answer. Nothing is sent, and the program computes
+ * nothing.
  *
- * <p>{@link #perception} is the part that makes the immutable perception; what the others allocate beyond that is garbage of the
- * framework. The samples give the median of the time; they allocate themselves, so that what a cycle allocates is to be read from the
- * averages.
+ * <p>{@link #perception} measures the immutable perception alone; allocations of the other benchmarks beyond it are overhead.
+ * Sample mode yields median times but allocates itself, so read allocations from the averages.
  */
 @State(Scope.Thread)
 @BenchmarkMode({Mode.SampleTime, Mode.AverageTime})
@@ -46,7 +46,7 @@ public class AgentCycle {
     public AgentCycle() {}
 
     /**
-     * Measures, and prints the allocation too.
+     * Runs the benchmark with the allocation profiler.
      *
      * @param args none
      * @throws RunnerException if JMH cannot run
@@ -59,7 +59,7 @@ public class AgentCycle {
                 .run();
     }
 
-    /** Lets all joints be still at first. */
+    /** Stops all joints. */
     @Setup
     public void begin() {
         nao.sense();
@@ -77,7 +77,7 @@ public class AgentCycle {
         return reader.read(buffer);
     }
 
-    /** One whole cycle in which one joint is commanded. */
+    /** Runs one cycle with a command to one joint. */
     @Benchmark
     public void cycle() {
         nao.sense();
@@ -85,7 +85,7 @@ public class AgentCycle {
         nao.act();
     }
 
-    /** One whole cycle in which a motion moves all joints. */
+    /** Runs one cycle with a motion of all joints. */
     @Benchmark
     public void cycleWithMotion() {
         nao.sense();
@@ -95,7 +95,7 @@ public class AgentCycle {
         nao.act();
     }
 
-    /** One whole cycle in which the walk engine moves all joints. */
+    /** Runs one cycle with the walk engine. */
     @Benchmark
     public void cycleWithWalk() {
         nao.sense();

@@ -11,14 +11,14 @@ import java.util.zip.GZIPInputStream;
 import org.robonewbie.protocol.frame.AgentLink;
 import org.robonewbie.protocol.frame.MessageBuffer;
 
-/** A connection without a server: it repeats the messages of a recording and drops the answers. */
+/** Connection without a server: repeats the messages of a recording and discards the answers. */
 final class ReplayLink implements AgentLink {
 
     private static final String RECORDING =
             "/org/robonewbie/protocol/recorded/a_agent_two_teams_hear_playon_noise.txt.gz";
     private static final List<byte[]> MESSAGES = load();
 
-    /** A robot wants to know its number and side before it plays; a server says that only once. */
+    /** First message with number and side, which a server sends only once and a robot needs before it plays. */
     private static final byte[] WELCOME =
             "(time (now 0.02))(GS (unum 1) (team left) (t 0.00) (pm PlayOn))".getBytes(StandardCharsets.US_ASCII);
 
@@ -26,7 +26,7 @@ final class ReplayLink implements AgentLink {
 
     private int next = -WELCOMES;
 
-    /** Copies one message without making garbage. */
+    /** Copies one message without allocation. */
     @Override
     public boolean receive(MessageBuffer buffer) {
         byte[] message = next < 0 ? WELCOME : MESSAGES.get(next);

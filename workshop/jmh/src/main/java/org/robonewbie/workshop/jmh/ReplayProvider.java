@@ -6,7 +6,7 @@ import org.robonewbie.protocol.embedded.SimulatorProvider;
 import org.robonewbie.protocol.embedded.SimulatorRequest;
 import org.robonewbie.protocol.frame.AgentLink;
 
-/** Gives agents a world that costs nothing. */
+/** Provider of a simulator without cost. */
 public final class ReplayProvider implements SimulatorProvider {
 
     /** Creates the provider. */
@@ -17,7 +17,7 @@ public final class ReplayProvider implements SimulatorProvider {
         return new Replayed();
     }
 
-    /** A simulator without a simulation. */
+    /** Simulator without a simulation. */
     private static final class Replayed implements EmbeddedSimulator {
 
         @Override

@@ -18,7 +18,7 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.state.WorldState;
 import org.robonewbie.simulator.world.SoccerWorld;
 
-/** What it costs to bring a world back to robots that stand still: from a saved state, and by letting them settle again. */
+/** Cost of resetting a world to standing robots: from a saved state, and by settling. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
@@ -29,7 +29,7 @@ public class WorldReset {
 
     private static final int STEPS_TO_SETTLE = 50;
 
-    /** How many robots there are. */
+    /** Number of robots. */
     @Param({"1", "6", "22"})
     public int robots = 1;
 
@@ -39,7 +39,7 @@ public class WorldReset {
     /** Creates the state of one thread. */
     public WorldReset() {}
 
-    /** Puts the robots on the pitch. */
+    /** Creates the world. */
     @Setup
     public void begin() {
         for (int i = 0; i < robots; i++) {
@@ -49,7 +49,7 @@ public class WorldReset {
         settled = world.save();
     }
 
-    /** Places the robots and waits until they stand still. */
+    /** Places the robots and simulates until they rest. */
     @Benchmark
     public void settle() {
         for (int i = 0; i < robots; i++) {
@@ -61,23 +61,23 @@ public class WorldReset {
     }
 
     /**
-     * Saves the world.
+     * Saves the state of the world.
      *
-     * @return its state
+     * @return the state
      */
     @Benchmark
     public WorldState save() {
         return world.save();
     }
 
-    /** Goes back to the state in which the robots stand, after one step. */
+    /** Restores the saved state after one step. */
     @Benchmark
     public void stepAndRestore() {
         world.step();
         world.restore(settled);
     }
 
-    /** Goes back to the state in which the robots stand. */
+    /** Restores the saved state. */
     @Benchmark
     public void restore() {
         world.restore(settled);

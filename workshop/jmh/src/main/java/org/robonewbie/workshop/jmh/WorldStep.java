@@ -23,9 +23,7 @@ import org.robonewbie.nao.model.RobotType;
 import org.robonewbie.simulator.world.Robot;
 import org.robonewbie.simulator.world.SoccerWorld;
 
-/**
- * What one step of the world costs, without server, messages and agents: robots that thrash far from each other, or in a heap.
- */
+/** Cost of one step of the world without server, messages and agents: robots that move randomly, spread out or in a heap. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
@@ -37,11 +35,11 @@ public class WorldStep {
     private static final int STEPS_PER_TARGET = 25;
     private static final int STEPS_PER_THROW = 500;
 
-    /** How many robots there are. */
+    /** Number of robots. */
     @Param({"1", "6", "22"})
     public int robots = 1;
 
-    /** Whether they are thrown on one another every ten seconds. */
+    /** Whether the robots are thrown onto a heap every ten seconds. */
     @Param({"false", "true"})
     public boolean heap;
 
@@ -53,7 +51,7 @@ public class WorldStep {
     public WorldStep() {}
 
     /**
-     * Measures, and prints the allocation too.
+     * Runs the benchmark with the allocation profiler.
      *
      * @param args none
      * @throws RunnerException if JMH cannot run
@@ -66,7 +64,7 @@ public class WorldStep {
                 .run();
     }
 
-    /** Puts the robots on the pitch. */
+    /** Creates the world. */
     @Setup(Level.Trial)
     public void begin() {
         world = new SoccerWorld(SoccerField.LEAGUE);
@@ -75,7 +73,7 @@ public class WorldStep {
         }
     }
 
-    /** One step of 20 ms, with new commands every half a second. */
+    /** Runs one step of 20 ms, with new commands every half second. */
     @Benchmark
     public void step() {
         if (heap && step % STEPS_PER_THROW == 0) {

@@ -1,5 +1,5 @@
 /**
- * Measures what an agent's own cycle costs. Read {@link org.robonewbie.workshop.jmh.AgentCycle} first.
+ * JMH benchmarks of the agent cycle and the world. Start with {@link org.robonewbie.workshop.jmh.AgentCycle}.
  *
  * <p><strong>Internal</strong>: no part of the API, may change with every version.
  */

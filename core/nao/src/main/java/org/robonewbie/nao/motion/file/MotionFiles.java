@@ -83,8 +83,8 @@ public final class MotionFiles implements MotionSource {
     }
 
     /**
-     * Returns the path of a motion's file. Names are compared in Unicode normalization form C, since macOS decomposes letters such
-     * as {@code é} in file names.
+     * Returns the path of a motion's file. Names are compared in Unicode normalization form C, because macOS decomposes
+     * letters such as {@code é} in file names.
      *
      * @param name the motion's name without {@code .txt}
      * @return path of the file, which need not exist

@@ -22,7 +22,8 @@ import org.robonewbie.simulator.physics.Collider;
 /**
  * Collision detection by ode4j for a world with its own dynamics.
  *
- * <p>As in SimSpark each group of shapes has its own nested space, because that determines the order in which pairs are found.
+ * <p>As in SimSpark, each group of shapes has its own nested space, because the nesting determines the order in which
+ * pairs are found.
  */
 public final class OdeCollisions implements Restorable {
 
@@ -212,8 +213,8 @@ public final class OdeCollisions implements Restorable {
     }
 
     /**
-     * Saves the order of ODE's lists, which determines the order of pairs, and the shapes that have not taken part in a search
-     * yet, because moving those does not change their position in the lists.
+     * Saves the order of shapes in ODE's lists, which determines the order of pairs. Also saves which shapes have not yet
+     * taken part in a search, because moving such a shape does not change its position in the lists.
      */
     @Override
     public void save(StateWriter out) {
@@ -247,7 +248,7 @@ public final class OdeCollisions implements Restorable {
         }
     }
 
-    /** Restores the saved order of shapes and groups. Moving a geometry puts it at the front of its list. */
+    /** Restores the saved order of shapes and groups. Moving a geometry moves it to the front of its list. */
     @SuppressWarnings("deprecation") // the only way to access the members of a group
     private void arrange(List<DGeom> members, StateReader in) {
         DGeom[] order = new DGeom[members.size()];

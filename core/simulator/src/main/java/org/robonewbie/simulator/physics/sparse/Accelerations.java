@@ -6,9 +6,9 @@ import java.util.List;
 /**
  * Accelerations M⁻¹ Jᵀ λ that the constraint forces of an island cause, for the selected bodies.
  *
- * <p>The LCP solver needs them twice per iteration, so the data lies in contiguous arrays instead of in objects that are
- * scattered in memory. Contributions are summed in the order of the island's joints. Joints and bodies are identified by their
- * island index.
+ * <p>The LCP solver needs them twice per iteration, so the data is kept in contiguous arrays instead of in objects
+ * scattered in memory. Contributions are summed in the order of the island's joints. Joints and bodies are identified by
+ * their island index.
  */
 final class Accelerations {
 
@@ -97,7 +97,7 @@ final class Accelerations {
         select(joint);
     }
 
-    /** Sums the effects of the forces at limits; all other forces are still zero. */
+    /** Computes the accelerations due to forces at their limits; all other forces are still zero. */
     void sumPushing() {
         Arrays.fill(sums, 0, DIMENSIONS * bodies, 0);
         for (int i = 0; i < joints; i++) {
@@ -120,7 +120,7 @@ final class Accelerations {
         }
     }
 
-    /** Sums the effects of all forces on the selected bodies. */
+    /** Computes the accelerations of the selected bodies due to all forces. */
     void sumAll() {
         Arrays.fill(sums, 0, DIMENSIONS * bodies, 0);
         for (int i = 0; i < joints; i++) {
@@ -164,7 +164,7 @@ final class Accelerations {
         sums[to + 2] = z;
     }
 
-    /** Residual A λ - b of a row, from the accelerations that were summed last. */
+    /** Residual A λ - b of a row, from the accelerations computed last. */
     double residual(int joint, int row) {
         double motion = ConstraintRows.dot6(rows.firstJacobian, DIMENSIONS * row, sums, DIMENSIONS * first[joint]);
         if (second[joint] != CouplingGraph.FIXED) {

@@ -5,9 +5,9 @@ import java.util.Arrays;
 /**
  * Left-looking block Cholesky factorization A = L Lᵀ of an island's system matrix.
  *
- * <p>Only free rows take part: a row at its limit is replaced by a row of the identity matrix. Each column is computed from its
- * own blocks of A and the earlier columns that update it. When rows change their state, only the columns that depend on them are
- * recomputed.
+ * <p>Only free rows take part: a row at its limit is replaced by a row of the identity matrix. Each column is computed
+ * from its own blocks of A and the earlier columns that update it. When the state of a row changes, only the columns that
+ * depend on the row are recomputed.
  */
 final class BlockCholesky {
 
@@ -101,8 +101,8 @@ final class BlockCholesky {
     }
 
     /**
-     * Recomputes the invalid columns. A column depends on every earlier column that has a block in its row. Invalidating the
-     * first row below the diagonal is enough, since it is the parent in the elimination tree.
+     * Recomputes the invalid columns. A column depends on every earlier column that has a block in its row. It is enough
+     * to invalidate the column of the first block below the diagonal, because it is the parent in the elimination tree.
      */
     void factorise(byte[] state) {
         for (int k = 0; k < factorization.joints(); k++) {

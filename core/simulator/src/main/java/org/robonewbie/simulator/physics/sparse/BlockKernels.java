@@ -1,8 +1,9 @@
 package org.robonewbie.simulator.physics.sparse;
 
 /**
- * Dense kernels for small row-major matrices in a shared array. Heights and widths are multiples of three, as are the row counts
- * of all joints. Three rows are processed at a time, because their sums are independent of one another.
+ * Dense kernels for small row-major matrices in a shared array. Heights and widths are multiples of three, as are the row
+ * counts of all joints. Three rows are processed at a time, because their sums do not depend on one another and can be
+ * computed in parallel by the processor.
  */
 final class BlockKernels {
 
@@ -29,7 +30,10 @@ final class BlockKernels {
         }
     }
 
-    /** Replaces a row and column of a diagonal block, and the column in the blocks below, by those of the identity matrix. */
+    /**
+     * Replaces a row and column of a diagonal block, and the same column in the blocks below it, by those of the identity
+     * matrix.
+     */
     static void replaceByUnit(double[] m, int start, int width, int height, int index) {
         for (int c = 0; c < index; c++) {
             m[start + index * width + c] = 0;

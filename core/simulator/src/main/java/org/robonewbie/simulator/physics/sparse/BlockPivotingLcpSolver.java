@@ -7,10 +7,10 @@ import java.util.List;
  * Block principal pivoting solver for the linear complementarity problem (LCP) of the constraint forces: every row is either
  * satisfied or has its force at a limit.
  *
- * <p>The solver starts from an initial basis of free rows, solves for their forces and looks for infeasible rows: a free row
- * whose force exceeds a limit, or a row at its limit whose residual has the wrong sign. All infeasible rows are pivoted
- * together, which nearly always converges in one or two iterations. When their number stops decreasing, only the last one is
- * pivoted (Murty's rule). That converges because A is positive definite, but may take many iterations.
+ * <p>The solver starts from an initial basis of free rows, solves for their forces and looks for infeasible rows: a free
+ * row whose force exceeds a limit, or a row at its limit whose residual has the wrong sign. All infeasible rows are
+ * pivoted together, which nearly always converges in one or two iterations. When their number stops decreasing, only the
+ * last one is pivoted (Murty's rule). This rule converges because A is positive definite, but may take many iterations.
  *
  * <p>Source: Júdice and Pires, "A block principal pivoting algorithm for large-scale strictly monotone linear complementarity
  * problems" (1994).
@@ -112,13 +112,13 @@ final class BlockPivotingLcpSolver {
         }
     }
 
-    /** Bounds the time that a pile of interpenetrating robots can take, since its LCP converges badly. */
+    /** Bounds the time spent on a pile of interpenetrating robots, whose LCP converges slowly. */
     private int maxIterations() {
         int affordable = MAX_ITERATIONS_TIMES_ROWS / Math.max(1, rows.count);
         return Math.max(MIN_ITERATIONS, Math.min(MAX_ITERATIONS, affordable));
     }
 
-    /** Frees all rows except those whose limits leave no range. */
+    /** Frees all rows except those whose lower and upper limits coincide. */
     private void setInitialBasis() {
         Arrays.fill(rows.state, 0, rows.count, ConstraintRows.FREE);
         for (int i = 0; i < boundedCount; i++) {
@@ -169,7 +169,10 @@ final class BlockPivotingLcpSolver {
         }
     }
 
-    /** Right-hand side of a joint's rows after subtracting the forces at limits. Bodies without such forces skip the sums. */
+    /**
+     * Computes the right-hand side of a joint's rows after subtracting the effect of forces at their limits. Bodies
+     * without such forces are skipped.
+     */
     private void computeRightHandSide(int joint, int from, int to) {
         boolean pushed = accelerations.isSelected(joint);
         for (int row = from; row < to; row++) {
@@ -196,7 +199,7 @@ final class BlockPivotingLcpSolver {
         return pushed;
     }
 
-    /** Only bodies with a row at its limit need their accelerations here. */
+    /** Counts the infeasible rows. Only bodies that have a row at its limit need their accelerations here. */
     private int countInfeasible() {
         accelerations.selectAll(false);
         boolean any = false;
@@ -240,7 +243,9 @@ final class BlockPivotingLcpSolver {
         return rows.force[row] > rows.upper[row] + FORCE_TOLERANCE ? ConstraintRows.HIGH : ConstraintRows.FREE;
     }
 
-    /** Frees all infeasible rows at a limit, but moves a free row to its limit only if it is among the most infeasible. */
+    /**
+     * Frees all infeasible rows at a limit, but moves a free row to its limit only if its violation is among the largest.
+     */
     private void pivotMostInfeasible() {
         double most = 0;
         for (int i = 0; i < boundedCount; i++) {

@@ -29,21 +29,21 @@ final class Body implements RigidBody, Restorable {
     double inverseMass;
     /** Rotation from body to world axes, row-major. */
     final double[] rotation = Rotations.identity();
-    /** Inverse inertia tensor in world axes, row-major, of the present step. */
+    /** Inverse inertia tensor in world axes for the current step, row-major. */
     final double[] inverseInertia = new double[9];
 
     final double[] velocity = new double[6];
-    /** Accumulated force and torque of this step without constraints. */
+    /** Accumulated force and torque of this step, excluding constraint forces. */
     final double[] force = new double[6];
-    /** Unconstrained velocity after the step divided by the step: v/h + M⁻¹ f. */
+    /** Unconstrained velocity after the step, divided by the duration h of the step: v/h + M⁻¹ f. */
     final double[] unconstrained = new double[6];
-    /** Acceleration by the constraint forces: M⁻¹ Jᵀ λ. */
+    /** Acceleration due to the constraint forces: M⁻¹ Jᵀ λ. */
     final double[] acceleration = new double[6];
     /** Joints of this body: hinges first, then the contacts of this step. */
     final List<ConstraintJoint> joints = new ArrayList<>();
     /** Index of this body in its island, valid during the step. */
     int islandIndex;
-    /** Whether the body is already part of an island in this step. */
+    /** Whether the body has already been added to an island in this step. */
     boolean visited;
 
     private final MassDistribution nominal;
@@ -51,7 +51,7 @@ final class Body implements RigidBody, Restorable {
     private final double[] inertia = new double[3];
     private final boolean isotropic;
     private final double[] position = new double[3];
-    /** Result of the last call of {@link #position}, since it is read several times per step. */
+    /** Cached result of {@link #position}, which is called several times per step. */
     private Vector3 cachedPosition = Vector3.ZERO;
 
     private boolean positionChanged = true;
@@ -84,7 +84,7 @@ final class Body implements RigidBody, Restorable {
         return position;
     }
 
-    /** Transforms a point from the world frame to the body frame, written from an index on. */
+    /** Transforms a point from the world frame to the body frame and writes the result starting at an index. */
     void toLocal(double[] point, double[] to, int at) {
         Rotations.applyInverse(
                 rotation, point[0] - position[0], point[1] - position[1], point[2] - position[2], to, at);
@@ -129,7 +129,7 @@ final class Body implements RigidBody, Restorable {
         }
     }
 
-    /** Includes the body in the step because its island is awake. The count of steps at rest continues. */
+    /** Includes the body in the step because its island is awake. Does not reset the count of steps at rest. */
     void resume() {
         asleep = false;
     }
@@ -235,7 +235,7 @@ final class Body implements RigidBody, Restorable {
         return cachedVelocity;
     }
 
-    /** Compares bitwise, so that 0 and -0 differ. */
+    /** Returns whether a vector equals the velocity. Distinguishes 0 from -0. */
     private boolean isVelocity(Vector3 vector) {
         return Double.compare(vector.x(), velocity[0]) == 0
                 && Double.compare(vector.y(), velocity[1]) == 0

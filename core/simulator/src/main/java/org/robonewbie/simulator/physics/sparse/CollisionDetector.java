@@ -81,7 +81,10 @@ final class CollisionDetector {
         return false;
     }
 
-    /** Passes the moves since the last search to ODE in their original order, which determines ODE's order of pairs. */
+    /**
+     * Passes the moves since the last search to ODE in their original order, because it determines the order in which ODE
+     * finds pairs.
+     */
     private void updateOdeGeometries() {
         for (ShapeGroup group : groups) {
             for (CollisionShape shape : group.shapes()) {

@@ -9,8 +9,8 @@ import org.robonewbie.simulator.physics.ode.OdeCollisions;
 /**
  * Collision shape with a pose.
  *
- * <p>Contacts with the ground are computed here, since a robot has some in nearly every step. All other pairs use a geometry in
- * ODE's collision space, whose pose is updated only when bounding boxes overlap.
+ * <p>Contacts with the ground are computed here, because a robot touches the ground in nearly every step. All other pairs
+ * use a geometry in ODE's collision space, whose pose is updated only when bounding boxes overlap.
  */
 abstract class CollisionShape implements Restorable {
 
@@ -62,7 +62,10 @@ abstract class CollisionShape implements Restorable {
         }
     }
 
-    /** Number of the first move in the period of the last move; ODE lists the shape that moved last first. */
+    /**
+     * Sequence number of the first move in the period in which the shape last moved (see {@link UpdateSequence}). It
+     * determines the position in ODE's list, which starts with the most recently moved shape.
+     */
     int moveNumber() {
         return moveNumber;
     }

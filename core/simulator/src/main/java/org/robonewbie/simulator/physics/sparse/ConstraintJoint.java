@@ -11,12 +11,12 @@ abstract class ConstraintJoint {
     private static final int BOUNDED_ROW_OF_HINGE = 5;
 
     Body first;
-    /** Null if the first body is constrained against ground or walls. */
+    /** Null if the first body is constrained relative to the ground or a wall. */
     @Nullable
     Body second;
     /** Index of the joint's first row in the island, valid during the step. */
     int firstRow;
-    /** Whether the joint is already part of an island in this step. */
+    /** Whether the joint has already been added to an island in this step. */
     boolean visited;
     /** Whether the rows are those of a hinge: three that constrain a point along the world axes, and three that are angular. */
     final boolean hinge;
@@ -50,7 +50,7 @@ abstract class ConstraintJoint {
      */
     abstract void writeRows(ConstraintRows rows, double rate);
 
-    /** Sets the initial states of rows for which the previous step suggests something other than free. */
+    /** Sets the initial state of each row that is not expected to be free, judging by the previous step. */
     void setInitialBasis(ConstraintRows rows) {}
 
     /** Reads forces and states from the solved rows. */

@@ -5,12 +5,12 @@ import java.util.Arrays;
 /**
  * Constraint rows of an island in elimination order.
  *
- * <p>A Jacobian row has six elements per body: the speed of the constraint per unit of linear and angular velocity. A row is
- * <i>free</i> (basic) while its force is unknown; otherwise its force is at its lower or upper limit.
+ * <p>A Jacobian row has six elements per body: the speed of the constraint per unit of linear and angular velocity. A row
+ * is <i>free</i> (basic) if its force is to be solved for; otherwise its force is at its lower or upper limit.
  */
 final class ConstraintRows {
 
-    /** The force satisfies the row. */
+    /** The force is chosen such that the row is satisfied. */
     static final byte FREE = 0;
     /** The force is at its lower limit. */
     static final byte LOW = 1;
@@ -25,13 +25,16 @@ final class ConstraintRows {
 
     double[] firstJacobian = {};
     double[] secondJacobian = {};
-    /** M⁻¹ Jᵀ of the first body: its acceleration per newton of the row's force. */
+    /** M⁻¹ Jᵀ for the first body: its acceleration per newton of the row's force. */
     double[] firstResponse = {};
-    /** M⁻¹ Jᵀ of the second body. */
+    /** M⁻¹ Jᵀ for the second body. */
     double[] secondResponse = {};
     /** Target speed c; after {@link #prepare}, the right-hand side b. */
     double[] rightHandSide = {};
-    /** Constraint force mixing C in metres per second per newton (ODE: CFM); after {@link #prepare}, divided by the step. */
+    /**
+     * Constraint force mixing C in metres per second per newton (ODE: CFM); after {@link #prepare}, divided by the
+     * duration of the step.
+     */
     double[] softness = {};
 
     double[] lower = {};
@@ -39,12 +42,12 @@ final class ConstraintRows {
     double[] force = {};
     /** {@link #FREE}, {@link #LOW} or {@link #HIGH}. */
     byte[] state = {};
-    /** State that the last iteration suggests. */
+    /** State of each row that the last iteration suggests for the next one. */
     byte[] nextState = {};
     /** Right-hand side and solution of the linear system. */
     double[] solution = {};
 
-    /** Resets rows to unlimited forces, target speed 0 and a default softness. Jacobians keep their old content. */
+    /** Resets rows to unlimited forces, target speed 0 and a default softness. Jacobians keep their old values. */
     void reset(int rows, int joints, double defaultSoftness) {
         count = rows;
         if (hinge.length < joints) {
@@ -138,7 +141,10 @@ final class ConstraintRows {
         applyInverseInertia(body.inverseInertia, jacobian, response, 6 * from, 6 * to);
     }
 
-    /** Each of the first three rows of a hinge has a linear part along one world axis, the others have none. */
+    /**
+     * Applies the inverse mass to the rows of a hinge: each of the first three has a linear part along one world axis,
+     * the others have none.
+     */
     private static void applyInverseMassToHinge(Body body, double[] jacobian, double[] response, int row) {
         int at = 6 * row;
         double move = jacobian[at] * body.inverseMass;

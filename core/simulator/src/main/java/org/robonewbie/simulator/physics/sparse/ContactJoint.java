@@ -19,7 +19,7 @@ final class ContactJoint extends ConstraintJoint {
     private double sign;
     private ContactStateCache contactStates = new ContactStateCache();
 
-    /** Normal and two tangents of a point. */
+    /** Normal and two tangents at a contact point. */
     private final double[] directions = new double[9];
 
     ContactJoint() {

@@ -1,7 +1,7 @@
 package org.robonewbie.simulator.physics.sparse;
 
 /**
- * Limit on the contact points of an assembly per step.
+ * Limit on the number of contact points of an assembly per step.
  *
  * <p>Robots that are placed inside each other touch at thousands of points, and solving for all of them would take minutes and
  * exhaust the memory. A subset of the contacts is enough to separate them.

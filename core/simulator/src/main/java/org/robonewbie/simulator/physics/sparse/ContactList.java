@@ -8,7 +8,7 @@ import org.robonewbie.simulator.physics.Collider;
 import org.robonewbie.simulator.physics.Contact;
 import org.robonewbie.simulator.physics.ode.OdeCollisions;
 
-/** Contacts of a step: the points that are reported, and the joints that the solver uses. Both are pooled. */
+/** Contacts of a step: the points to report, and the joints for the solver. Both are pooled. */
 final class ContactList implements OdeCollisions.Listener {
 
     private static final int MAX_UNLIMITED_POINTS = 400;
@@ -77,7 +77,10 @@ final class ContactList implements OdeCollisions.Listener {
         }
     }
 
-    /** Above a total number of points, each of two robots must be below its own contact limit. */
+    /**
+     * Whether a contact is used. Once the total number of points between robots is large, both robots must be below their
+     * own limits.
+     */
     private boolean isWithinLimit(@Nullable ContactLimit one, @Nullable ContactLimit other, int count) {
         if (one == null || other == null) {
             return true;

@@ -5,7 +5,7 @@ import java.util.OptionalDouble;
 import org.robonewbie.simulator.physics.Material;
 
 /**
- * Contact parameters of a pair of materials, with the engine's default where neither material sets a value.
+ * Contact parameters of a pair of materials; the engine's default where neither material specifies a value.
  *
  * @param errorReduction fraction of a penetration that one step corrects (ODE: ERP)
  * @param softness constraint force mixing along the normal (ODE: CFM)
@@ -15,7 +15,7 @@ import org.robonewbie.simulator.physics.Material;
  */
 record ContactSurface(double errorReduction, double softness, double slip, double restitution, double minimumVelocity) {
 
-    /** Contact of two materials that set no value. */
+    /** Contact surface between two materials that specify no values of their own. */
     static final ContactSurface HARD = of(
             new Material(Optional.empty(), OptionalDouble.empty(), OptionalDouble.empty(), OptionalDouble.empty()), 1);
 
@@ -32,7 +32,7 @@ record ContactSurface(double errorReduction, double softness, double slip, doubl
         return restitution >= 0;
     }
 
-    /** Separation speed after an impact at an approach speed; 0 without a bounce. */
+    /** Returns the separation speed after an impact with the given approach speed; 0 if there is no bounce. */
     double reboundSpeed(double approach) {
         return bounces() && approach > minimumVelocity ? restitution * approach : 0;
     }

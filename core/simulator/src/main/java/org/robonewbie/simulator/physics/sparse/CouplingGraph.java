@@ -6,18 +6,18 @@ import java.util.Arrays;
  * Elimination graph of an island: two joints are neighbours if they share a body. It determines a minimum degree ordering for
  * the Cholesky factorization.
  *
- * <p>Eliminating a joint connects all its remaining neighbours (fill-in). The joint whose neighbours have the fewest rows goes
- * first; ties go to the smallest index. For a robot the order therefore runs from ground contacts, hands and feet to the torso,
- * and a tree causes no fill-in.
+ * <p>Eliminating a joint connects all its remaining neighbours (fill-in). The joint whose neighbours have the fewest rows
+ * is eliminated first; among equals, the one with the smallest index. For a robot, the order therefore runs from ground
+ * contacts, hands and feet to the torso, which causes no fill-in in a tree.
  *
- * <p>The arrays are reused for one island after the other, since a pile of robots needs a new graph in nearly every step.
+ * <p>The arrays are reused for successive islands, because a pile of robots needs a new graph in nearly every step.
  */
 final class CouplingGraph {
 
     /** Index of the static environment. */
     static final int FIXED = -1;
 
-    /** Length of a joint's description: first body, second body or {@link #FIXED}, row count. */
+    /** Number of integers that describe a joint: first body, second body or {@link #FIXED}, row count. */
     static final int INTS_PER_JOINT = 3;
 
     private int size;
@@ -26,7 +26,7 @@ final class CouplingGraph {
     private int words;
 
     private int[] rows = {};
-    /** Start of each body's entries in {@link #ends}, with a final entry for the total. */
+    /** Start of each body's entries in {@link #ends}, followed by the total number of entries. */
     private int[] endsStart = {};
 
     private int[] ends = {};
@@ -36,7 +36,7 @@ final class CouplingGraph {
     private int[] degree = {};
 
     private final IntegerList members = new IntegerList();
-    /** Indices of the words that contain the members. */
+    /** Indices of the bit set words that contain the {@link #members}. */
     private final IntegerList memberWords = new IntegerList();
 
     private final TournamentTree degrees = new TournamentTree();
@@ -86,17 +86,17 @@ final class CouplingGraph {
         return bodies;
     }
 
-    /** Index of the first joint end of a body for {@link #end}; the ends of the next body follow. */
+    /** Returns the index of the first joint end at a body, for {@link #end}. The ends at the next body follow. */
     int firstEnd(int body) {
         return endsStart[body];
     }
 
-    /** Twice the joint index, plus one for the joint's second body. */
+    /** Returns a joint end: twice the joint index, plus one if it is the end at the joint's second body. */
     int end(int index) {
         return ends[index];
     }
 
-    /** Counting sort of the joint ends by body. */
+    /** Sorts the joint ends by body (counting sort). */
     private void groupEndsByBody(int[] joints) {
         Arrays.fill(endsStart, 0, bodies + 2, 0);
         for (int joint = 0; joint < size; joint++) {
@@ -144,7 +144,8 @@ final class CouplingGraph {
      *
      * @param order receives the joints in elimination order
      * @param coupled receives, for each eliminated joint, its remaining neighbours
-     * @param coupledStart receives the start of each joint's neighbours in {@code coupled}, with a final entry for the total
+     * @param coupledStart receives the start of each joint's neighbours in {@code coupled}, followed by the total number
+     *     of entries
      */
     void eliminate(int[] order, IntegerList coupled, int[] coupledStart) {
         coupled.clear();

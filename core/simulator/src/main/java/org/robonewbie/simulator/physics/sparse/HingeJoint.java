@@ -26,7 +26,10 @@ final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable
     private final Body child;
     private final Body parent;
     private final HingeDefinition definition;
-    /** Anchors, axes and initial orientation in one array, since hundreds of robots share the processor's cache. */
+    /**
+     * Anchors, axes and initial orientation in one array, to use little of the processor's cache, which hundreds of
+     * robots may share.
+     */
     private final double[] fixed = new double[16];
 
     private double motorSpeed;
@@ -77,7 +80,7 @@ final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable
         return angle;
     }
 
-    /** Angle of the rotation from the initial to the current relative orientation. */
+    /** Returns the angle of the rotation from the initial to the current relative orientation. */
     private double measureAngle() {
         double[] a = child.orientation();
         double[] b = parent.orientation();
@@ -139,7 +142,7 @@ final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable
         rows.rightHandSide[firstRow + 2] = gain * (parentZ + parentCentre[2] - childZ - centre[2]);
     }
 
-    /** One row per world axis for the velocity v + w × (x, y, z) of a point on a body. */
+    /** Writes a row per world axis for the velocity v + w × (x, y, z) of a point on a body. */
     private void writePointRows(double[] jacobian, double sign, double x, double y, double z) {
         ConstraintRows.setLinear(jacobian, firstRow, sign, 0, 0);
         ConstraintRows.setAngular(jacobian, firstRow, 0, z, -y);
@@ -149,7 +152,10 @@ final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable
         ConstraintRows.setAngular(jacobian, firstRow + 2, y, -x, 0);
     }
 
-    /** The last row is about the axis of the child, the two before it are perpendicular to it. */
+    /**
+     * Writes the angular rows: the last one is about the axis of the child, the two before it about axes perpendicular to
+     * it.
+     */
     private void writeAxisRows(ConstraintRows rows, double rate) {
         double x = Rotations.dot(child.rotation, 0, fixed, AXIS_ON_CHILD);
         double y = Rotations.dot(child.rotation, 3, fixed, AXIS_ON_CHILD);
@@ -203,7 +209,10 @@ final class HingeJoint extends ConstraintJoint implements MotorHinge, Restorable
         rows.upper[row] = inwards > 0 ? Double.POSITIVE_INFINITY : 0;
     }
 
-    /** Applies the motor as an external torque, since the stop uses its row; reduced if it points away from the stop. */
+    /**
+     * Applies the motor as an external torque, because the stop uses its row. The torque is reduced if it points away
+     * from the stop.
+     */
     private void applyMotorTorque(double[] jacobian, int inwards) {
         boolean forwards = motorSpeed > 0 || (motorSpeed == 0 && inwards < 0);
         double torque = forwards ? definition.maxTorque() : -definition.maxTorque();

@@ -1,8 +1,8 @@
 package org.robonewbie.simulator.physics.sparse;
 
 /**
- * {@link BlockKernels} unrolled for hinges, which have six rows and are nearly all joints of a robot, so that a block stays in
- * registers. The order of the sums is the same.
+ * {@link BlockKernels} unrolled for hinges, which have six rows, so that a block stays in registers. Nearly all joints of
+ * a robot are hinges. Terms are summed in the same order.
  */
 final class HingeKernels {
 
@@ -97,8 +97,8 @@ final class HingeKernels {
     }
 
     /**
-     * Like {@link BlockKernels#factorise}. The rows below can start on the first three columns while the square roots and
-     * reciprocals of the other three are still being computed.
+     * Like {@link BlockKernels#factorise}, but the processor can compute the first three columns of the rows below while
+     * it still computes the square roots and reciprocals of the other three.
      */
     static void factorise(double[] m, int start, int end, double[] inverse, int at) {
         double a = Math.sqrt(m[start]);

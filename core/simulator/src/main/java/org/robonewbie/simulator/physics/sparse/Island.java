@@ -3,7 +3,7 @@ package org.robonewbie.simulator.physics.sparse;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Bodies that are connected by joints, directly or indirectly, and must be solved together. */
+/** Bodies that are connected by joints, directly or indirectly, and whose forces must be solved for together. */
 final class Island {
 
     private final List<Body> bodies = new ArrayList<>();
@@ -18,7 +18,7 @@ final class Island {
         return joints;
     }
 
-    /** Collects and wakes everything that is connected to a body, in ODE's order ({@code BuildIslands...}). */
+    /** Collects and wakes all bodies and joints connected to a body, in ODE's order ({@code BuildIslands...}). */
     void collect(Body start) {
         clear();
         start.visited = true;

@@ -2,7 +2,7 @@ package org.robonewbie.simulator.physics.sparse;
 
 import java.util.List;
 
-/** Solver of the constraint forces of one island at a time, with reusable arrays. */
+/** Solves for the constraint forces of one island at a time, reusing its arrays. */
 final class IslandSolver {
 
     private final ConstraintRows rows = new ConstraintRows();

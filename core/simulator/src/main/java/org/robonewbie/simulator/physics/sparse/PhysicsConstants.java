@@ -1,6 +1,6 @@
 package org.robonewbie.simulator.physics.sparse;
 
-/** ODE settings of SimSpark ({@code odeworld.cpp}, {@code spark.rb}); all others are ODE's defaults. */
+/** ODE settings that SimSpark changes ({@code odeworld.cpp}, {@code spark.rb}); all others are ODE's defaults. */
 final class PhysicsConstants {
 
     /** Fraction of a joint error that one step corrects (ODE: ERP). */

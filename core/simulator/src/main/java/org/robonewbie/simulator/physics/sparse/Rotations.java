@@ -22,7 +22,7 @@ final class Rotations {
         return x * b[at] + y * b[at + 1] + z * b[at + 2];
     }
 
-    /** {@code to = matrixᵀ · (x, y, z)}, written from an index on. */
+    /** {@code to = matrixᵀ · (x, y, z)}, written starting at an index. */
     static void applyInverse(double[] matrix, double x, double y, double z, double[] to, int at) {
         for (int axis = 0; axis < 3; axis++) {
             to[at + axis] = matrix[axis] * x + matrix[3 + axis] * y + matrix[6 + axis] * z;
@@ -61,8 +61,8 @@ final class Rotations {
     }
 
     /**
-     * Orthonormalises the rows of a matrix like ODE's {@code dOrthogonalizeR}. Without it, rounding errors accumulate when a
-     * rotation is multiplied repeatedly, for example for a sleeping robot that is beamed in every cycle.
+     * Orthonormalises the rows of a matrix like ODE's {@code dOrthogonalizeR}. Prevents rounding errors from accumulating
+     * when a rotation is multiplied repeatedly, for example when a sleeping robot is beamed in every cycle.
      */
     static void orthonormalise(double[] matrix) {
         if (Math.sqrt(dot(matrix, 0, matrix, 0)) != 1) {
@@ -156,7 +156,7 @@ final class Rotations {
         to[8] = from.zz();
     }
 
-    /** Completes a unit vector to an orthonormal basis like ODE's {@code dPlaneSpace}; arguments are array indices. */
+    /** Extends a unit vector to an orthonormal basis like ODE's {@code dPlaneSpace}; arguments are array indices. */
     static void orthonormalBasis(double[] vectors, int normal, int one, int two) {
         double x = vectors[normal];
         double y = vectors[normal + 1];

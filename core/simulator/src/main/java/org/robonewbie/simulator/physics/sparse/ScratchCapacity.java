@@ -1,8 +1,8 @@
 package org.robonewbie.simulator.physics.sparse;
 
 /**
- * Growth policy of a scratch array that is reused for islands of all sizes: it grows immediately, and shrinks after it has been
- * oversized for many islands in a row.
+ * Growth policy of a scratch array that is reused for islands of all sizes: it grows immediately, but shrinks only after
+ * it has been oversized for many consecutive islands.
  */
 final class ScratchCapacity {
 

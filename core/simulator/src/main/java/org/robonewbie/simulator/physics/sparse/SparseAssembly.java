@@ -73,7 +73,10 @@ final class SparseAssembly implements Assembly, Restorable {
         return place(pose, shape, new SparseCollider(null, SparseCollider.NO_MATERIAL, owner, null));
     }
 
-    /** The parts of a robot form one group, since they do not collide with each other; each part of the scenery is its own group. */
+    /**
+     * Returns the group for a new shape. The shapes of a robot form one group, because they do not collide with each
+     * other; each shape of the scenery is its own group.
+     */
     private ShapeGroup currentGroup() {
         if (groups.isEmpty() || !removable) {
             ShapeGroup group = new ShapeGroup();

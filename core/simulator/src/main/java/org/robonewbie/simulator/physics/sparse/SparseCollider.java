@@ -21,7 +21,7 @@ final class SparseCollider implements Collider {
      * @param body the body that carries it; null for ground, walls and triggers
      * @param material index of its material in {@link Surfaces}, or {@link #NO_MATERIAL}
      * @param owner the object it belongs to
-     * @param contactLimit limit of the robot; null for everything else
+     * @param contactLimit contact limit of the robot; null for everything else
      */
     SparseCollider(@Nullable Body body, int material, Object owner, @Nullable ContactLimit contactLimit) {
         this.body = body;

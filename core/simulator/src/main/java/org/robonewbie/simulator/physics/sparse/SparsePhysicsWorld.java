@@ -17,8 +17,8 @@ import org.robonewbie.simulator.physics.ode.OdeCollisions;
 /**
  * Physics world with a sparse LCP solver and ODE's collision detection.
  *
- * <p>Settings are those of SimSpark. So are the order in which islands are built and shapes are moved, because the order of
- * contacts depends on them.
+ * <p>Settings are those of SimSpark, and so are the orders in which islands are built and shapes are moved, because they
+ * determine the order of contacts.
  */
 public final class SparsePhysicsWorld implements PhysicsWorld {
 
@@ -131,7 +131,7 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
         return count;
     }
 
-    /** Islands are independent of each other. */
+    /** Solves one island. Islands do not depend on each other, so they can be solved in parallel. */
     private void solveIsland(int island) {
         SOLVER.get().solve(islands.get(island), stepSeconds);
     }
@@ -143,7 +143,7 @@ public final class SparsePhysicsWorld implements PhysicsWorld {
         detector.collisions().save(out);
     }
 
-    /** Restores the state. Cached factorizations and arrays do not belong to it, since results do not depend on them. */
+    /** Restores the state. Cached factorizations and arrays are not part of it, because results do not depend on them. */
     @Override
     public void restore(StateReader in) {
         contacts.begin();

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.robonewbie.simulator.physics.Material;
 
-/** Indexed materials of a world and the contact surface of each pair of them. */
+/** Indexed materials of a world, with the contact surface of each pair of materials. */
 final class Surfaces {
 
     private final List<Material> materials = new ArrayList<>();
@@ -22,7 +22,7 @@ final class Surfaces {
         }
     }
 
-    /** Returns the index of a material, which is added if necessary. */
+    /** Returns the index of a material, adding it if necessary. */
     int indexOf(Material material) {
         int index = materials.indexOf(material);
         if (index >= 0) {

@@ -6,41 +6,44 @@ import java.util.Arrays;
  * Symbolic block Cholesky factorization of an island: the elimination order, the sparsity pattern of the factor and the
  * storage offsets of its blocks.
  *
- * <p>Joints are numbered by elimination order. Column k of the factor has a diagonal block and, below it, one block for each
- * later joint that is coupled with k. The size of a block is given by the row counts of its two joints. The factorization
- * depends only on which joints connect which bodies, so it is valid as long as the contact pattern stays the same, and for every
- * robot of the same type.
+ * <p>Joints are numbered by elimination order. Column k of the factor has a diagonal block and, below it, one block for
+ * each later joint that is coupled with k. The row counts of its two joints determine the size of a block. The
+ * factorization depends only on which joints connect which bodies, so it is valid as long as the contact pattern stays
+ * the same, and for every robot of the same type.
  *
- * <p>A pile of robots needs a new factorization in nearly every step. An unused object can therefore be recomputed for another
- * island in the same arrays, which may be longer than their content.
+ * <p>A pile of robots needs a new factorization in nearly every step. An unused object can therefore be recomputed for
+ * another island, reusing its arrays, which may be longer than necessary.
  */
 final class SymbolicFactorization {
 
-    /** Length of an update's description: source column, left block, right block, target block, target rows. */
+    /** Number of integers that describe an update: source column, left block, right block, target block, target rows. */
     static final int INTS_PER_UPDATE = 5;
 
-    /** Length of an overlap's description: column, its side, row, its side, offset of the block. */
+    /** Number of integers that describe an overlap: column, its side, row, its side, offset of the block. */
     static final int INTS_PER_OVERLAP = 5;
 
     /** Island index of each joint in elimination order. */
     int[] order = {};
-    /** First row of each joint, with a final entry for the total. */
+    /** First row of each joint, followed by the total number of rows. */
     int[] firstRow = {0};
-    /** Start of each column in {@link #below}, with a final entry for the total. */
+    /** Start of each column in {@link #below}, followed by the total length. */
     int[] belowStart = {0};
     /** Row indices of the blocks below the diagonal, column by column, ascending within a column. */
     int[] below = {};
     /** Storage offset of each block in {@link #below}. */
     int[] belowOffset = {};
-    /** Storage offset of each diagonal block, which the column's other blocks follow, with a final entry for the total. */
+    /**
+     * Storage offset of each diagonal block, which the column's other blocks follow. The final entry is the total storage
+     * size.
+     */
     int[] diagonalOffset = {0};
-    /** Start of each column in {@link #updates}, with a final entry for the total. */
+    /** Start of each column in {@link #updates}, followed by the total length. */
     int[] updatesStart = {0};
     /** Products of earlier blocks that are subtracted from each column. */
     int[] updates = {};
     /** Pairs of joints that share a body; the side is 0 for a joint's first body and 1 for its second. */
     int[] overlaps = {};
-    /** Length of the content of {@link #overlaps}. */
+    /** Number of valid elements of {@link #overlaps}. */
     int overlapsEnd;
 
     private final IntegerList coupled = new IntegerList();
@@ -179,7 +182,10 @@ final class SymbolicFactorization {
         }
     }
 
-    /** Schedules the updates of the column of the right block by all blocks of the source column from there downwards. */
+    /**
+     * Schedules the updates of one column by the product of the right block of the source column with each block from the
+     * right one downwards.
+     */
     private void scheduleUpdates(int source, int right, int end) {
         int column = below[right];
         int at = updatesStart[column];

@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * LRU cache of symbolic factorizations, since the same few contact patterns occur again and again.
+ * LRU cache of symbolic factorizations, because the same few contact patterns recur.
  *
- * <p>The factorizations of piles of robots are large and are rarely reused unless the pile is at rest. Only the latest large
- * one is kept, and it is released when it has not been used for some time. All others share a memory limit.
+ * <p>The factorization of a pile of robots is large and rarely reused unless the pile is at rest. Only the most recent
+ * large one is kept, and it is released if it has not been used for some time. All others share a memory limit.
  */
 final class SymbolicFactorizationCache {
 

@@ -2,7 +2,9 @@ package org.robonewbie.simulator.physics.sparse;
 
 import java.util.Arrays;
 
-/** Tournament tree: the minimum of n keys with O(log n) updates; ties go to the smallest index. */
+/**
+ * Tournament tree: finds the minimum of n keys, with O(log n) updates; among equal keys, the one with the smallest index.
+ */
 final class TournamentTree {
 
     private static final long REMOVED = Long.MAX_VALUE;

@@ -10,7 +10,7 @@ final class UpdateSequence implements Restorable {
     private int period;
     private int moveNumber;
 
-    /** Counter of contact searches; a period lasts from one search to the next. */
+    /** Number of the current period, which lasts from one contact search to the next. */
     int period() {
         return period;
     }

@@ -40,7 +40,7 @@ export class BallTrail {
     this.#draw(this.isOn ? this.#path.trail.slice(-MAX_DOTS) : []);
   }
 
-  /** Keeps the dots the same size on the page at every quality. @param {number} pixelRatio */
+  /** Keeps the dots the same size on the page at every quality level. @param {number} pixelRatio */
   setPixelRatio(pixelRatio) {
     this.dots.material.size = Math.max(2, DOT_PIXELS * pixelRatio);
   }

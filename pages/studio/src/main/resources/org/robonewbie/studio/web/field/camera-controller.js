@@ -26,7 +26,7 @@ const CATCH_UP_PER_SECOND = 6;
 export class CameraController {
   /**
    * @param {import('three').PerspectiveCamera} camera
-   * @param {() => FreeView} free the part of the picture not covered by panels; the whole picture by default
+   * @param {() => FreeView} free the area not covered by panels; by default the whole view
    */
   constructor(camera, free = () => wholeView(camera)) {
     this.camera = camera;
@@ -103,7 +103,7 @@ export class CameraController {
     this.view = this.whole;
   }
 
-  /** Adapts the view after the uncovered part of the picture has changed. */
+  /** Adapts the view after the area not covered by panels has changed. */
   refit() {
     if (this.view === this.whole) {
       this.#showAll();
@@ -117,7 +117,7 @@ export class CameraController {
     this.isStill = false;
   }
 
-  /** Copies the view of another camera; an overview of the pitch is fitted to this picture. @param {CameraController} other */
+  /** Copies the view of another camera; an overview of the pitch is fitted to this camera's picture. @param {CameraController} other */
   lookAs({ mode, chosen, shown, view, whole }) {
     this.chosen = chosen;
     this.setMode(mode);
@@ -141,13 +141,13 @@ export class CameraController {
     this.view = turned(this.view, right, up);
   }
 
-  /** @param {number} factor below 1 zooms in @param {number[]} [point] fixed on the screen */
+  /** @param {number} factor below 1 zooms in @param {number[]} [point] stays fixed on the screen */
   zoom(factor, point) {
     this.isOpeningShot = false;
     this.view = point && !this.#followsSomething ? zoomedTo(this.view, factor, point) : zoomed(this.view, factor);
   }
 
-  /** @param {number} right fraction of the distance @param {number} up fraction of the distance */
+  /** @param {number} right fraction of the camera's distance @param {number} up fraction of the same distance */
   move(right, up) {
     this.#take();
     if (this.mode === 'follow' || this.mode === 'ball') {
@@ -221,7 +221,7 @@ export class CameraController {
     return true;
   }
 
-  /** @param {number} part fraction of the way that remains */
+  /** @param {number} part fraction of the remaining distance to cover */
   #glide(part) {
     const { view, shown } = this;
     const turn = shortestTurn(view.azimuthDegrees - shown.azimuthDegrees);

@@ -7,7 +7,7 @@ import { isDrawable, onGround, raised, trianglesOf } from '../state/drawing-shap
  * @typedef {{stand: Stand, drawing: import('../state/robot/telemetry.js').Drawing}} Placed
  */
 
-/** Metres above the ground: above pitch lines and soft shadows. */
+/** Height above the ground in metres: above pitch lines and soft shadows. */
 const HEIGHT = 0.012;
 
 /** Text height as a fraction of the picture's height. */
@@ -34,7 +34,7 @@ export class DrawingGroup {
     this.group.add(this.shapes, this.texts);
   }
 
-  /** @param {number[]} places x, y and z of each vertex @param {number[]} colours @param {3 | 4} channels of a colour */
+  /** @param {number[]} places x, y and z of each vertex @param {number[]} colours @param {3 | 4} channels number per colour */
   fill(places, colours, channels) {
     this.shapes.geometry.dispose();
     this.shapes.geometry = new THREE.BufferGeometry();
@@ -117,7 +117,7 @@ function knownColour(colour) {
   return name in THREE.Color.NAMES ? name : 'magenta';
 }
 
-/** A text with a dark outline, legible on grass and on lines. @param {string} text @param {string} colour */
+/** Material for a text with a dark outline, legible on both grass and lines. @param {string} text @param {string} colour */
 export function textLook(text, colour) {
   const canvas = document.createElement('canvas');
   const pen = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));

@@ -1,4 +1,4 @@
-/** The 3D pitch: picture, camera, pointer, drawings and name tags of the moment that the session shows. */
+/** The 3D view of the pitch: picture, camera, pointer, drawings and name tags at the moment shown by the session. */
 import { BoardController } from '../panels/board-controller.js';
 import { DrawingController } from '../panels/drawing-controller.js';
 import { byId, setText } from '../panels/elements.js';
@@ -78,7 +78,7 @@ export class FieldRoom {
     };
   }
 
-  /** Adapts the quality to the computer. @param {number} milliseconds duration of the last picture */
+  /** Adapts the quality to the computer. @param {number} milliseconds time taken to render the last picture */
   pictureTook(milliseconds) {
     if (this.chooser.pictureTook(milliseconds)) {
       this.view.setQuality(this.chooser.quality);

@@ -1,4 +1,4 @@
-/** The picture of the field: owns the three.js scene and renders it; its content is supplied by the caller. */
+/** 3D view of the field: owns the three.js scene and renders it; the caller supplies the content. */
 import * as THREE from 'three';
 import { ball, BALL_RADIUS, ballShape } from './ball.js';
 import { BallTrail } from './ball-trail.js';
@@ -61,7 +61,7 @@ export class FieldView {
     /** Whether the last picture was rendered at full resolution. */
     this.isFine = false;
     this.lastDrawn = Infinity;
-    /** Covered margins, in page pixels. */
+    /** Margins covered by panels, in page pixels. */
     this.covered = { left: 0, top: 0, right: 0, bottom: 0 };
     this.renderer = this.#newRenderer();
     this.setQuality(quality);
@@ -258,7 +258,7 @@ export class FieldView {
     this.stage.dataset.drawn = '';
   }
 
-  /** Number of draw calls of the last picture, including shadows. */
+  /** Number of draw calls for the last picture, including shadows. */
   get drawCalls() {
     return this.renderer.info.render.calls;
   }

@@ -1,4 +1,4 @@
-/** Robots and ball of a finished trial, transparent beside those of the current one. */
+/** Draws robots and ball of a finished trial as transparent ghosts beside those of the current one. */
 import * as THREE from 'three';
 import { BALL_RADIUS } from './ball.js';
 import { ghostMaterial } from './materials.js';

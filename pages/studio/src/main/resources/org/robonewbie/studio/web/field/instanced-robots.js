@@ -1,4 +1,4 @@
-/** All robots of the scene in three draw calls, independent of their number. */
+/** Draws all robots of the scene in three draw calls, however many there are. */
 import * as THREE from 'three';
 import { computeLinkPoses, POSE } from '../state/kinematics.js';
 import { limbFit } from '../state/limb-fit.js';

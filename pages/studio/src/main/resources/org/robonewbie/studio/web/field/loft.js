@@ -26,7 +26,7 @@ const RADIANS = Math.PI / 180;
  *
  * @param {Section[]} sections in ascending order
  * @param {LoftOptions} [options]
- * @returns {THREE.BufferGeometry} whose texture coordinates of a patch read correctly from outside
+ * @returns {THREE.BufferGeometry} whose texture coordinates make the texture of a patch read correctly from outside
  */
 export function loft(sections, options = {}) {
   const { segments = 20, rings = 12, around, along = [0, 1] } = options;

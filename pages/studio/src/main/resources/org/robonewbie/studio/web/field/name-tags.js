@@ -1,4 +1,4 @@
-/** Name tags above the robots. They are page elements rather than part of the picture, so they stay sharp at every quality. */
+/** Name tags above the robots. They are page elements and not rendered by WebGL, so they stay sharp at every quality level. */
 import * as THREE from 'three';
 import { element } from '../panels/elements.js';
 import { nameOf, shownTags } from '../state/name-tags.js';

@@ -1,5 +1,5 @@
 /**
- * The look of our NAO: white shells over dark joints, round eyes, parts in the team's colour. Each limb is designed in the frame of the
+ * Appearance of the NAO: white shells over dark joints, round eyes, parts in the team's colour. Each limb is designed in the frame of the
  * simulated robot's link: x to the robot's right, y forward, z up, in metres. Right limbs are designed, left ones are mirrored.
  */
 import { barrel, disc, ellipsoid, loft } from './loft.js';

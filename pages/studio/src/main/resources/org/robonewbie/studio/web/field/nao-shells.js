@@ -1,5 +1,5 @@
 /**
- * Cross-sections of our NAO's shells from one end of a limb to the other, in the frame of its link (z up, metres). `nao-design.js` builds
+ * Cross-sections of the NAO's shells from one end of a limb to the other, in the frame of its link (z up, metres). `nao-design.js` builds
  * the bodies from them.
  *
  * @typedef {import('./loft.js').Section} Section

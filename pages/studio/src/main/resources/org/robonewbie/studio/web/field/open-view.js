@@ -1,4 +1,4 @@
-/** Opens the picture of the pitch, or explains what to do if the browser does not support WebGL. */
+/** Opens the 3D view of the pitch, or explains what to do if the browser does not support WebGL. */
 import { byId } from '../panels/elements.js';
 import { showBanner } from '../panels/messages.js';
 import { QualityChooser, qualityRange } from '../state/quality.js';

@@ -76,7 +76,7 @@ function grass(field, colours, blades) {
   return mesh;
 }
 
-/** A deterministic texture of short blades in slightly different greys. */
+/** A deterministic texture of short blades of grass in slightly different greys. */
 function grain() {
   const size = 256;
   const canvas = document.createElement('canvas');

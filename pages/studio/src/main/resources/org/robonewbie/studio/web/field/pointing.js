@@ -15,7 +15,7 @@ const REACH = { ball: 2 * BALL_RADIUS, robot: 0.2 };
 const MIN_REACH_PER_METRE = 0.012;
 const BORDER_METRES = 1;
 
-/** Factor of the ring's radius at which the pointer leaves an object. */
+/** Distance at which the pointer leaves an object, as a multiple of the ring's radius. */
 const LEAVE = 1.7;
 
 export class Pointing {
@@ -71,7 +71,7 @@ export class Pointing {
 
   /**
    * @param {MouseEvent} event
-   * @returns {Thing | undefined} the nearest thing under the pointer
+   * @returns {Thing | undefined} the nearest object under the pointer
    */
   #thingAt(event) {
     const { frame } = this.now();

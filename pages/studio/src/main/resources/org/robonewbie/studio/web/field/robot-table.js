@@ -1,7 +1,7 @@
 /**
  * Pose table for the graphics card: a texture with one row per robot. In a row, each limb's matrix takes three texels (its upper rows), and
- * the last texel holds the team colour and the number. So all robots need one draw call; without a graphics card this is three times as
- * fast as one call per kind of limb.
+ * the last texel holds the team colour and the number. All robots therefore need only one draw call; without a graphics card this is three
+ * times as fast as one call per kind of limb.
  */
 import * as THREE from 'three';
 

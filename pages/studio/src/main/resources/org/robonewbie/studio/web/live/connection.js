@@ -85,7 +85,7 @@ export class Connection {
 
   /**
    * Closes a stalled connection, for example after the computer was suspended; a hidden page does not check. Call twice per second. Checks
-   * are counted rather than seconds, so a page that was blocked itself does not time out.
+   * are counted rather than seconds, so that a page that was itself blocked does not time out.
    */
   checkSilence() {
     this.missedChecks += 1;
@@ -106,7 +106,7 @@ export class Connection {
     }
   }
 
-  /** Asks by a plain request why the WebSocket was refused, which browsers do not report. */
+  /** Makes a plain HTTP request to learn why the WebSocket was refused, because browsers do not report the reason. */
   async #fetchRefusal() {
     try {
       const answer = await fetch(this.address.replace(/^ws/, 'http'), { method: 'POST' });
@@ -115,7 +115,7 @@ export class Connection {
         this.listener.refused(await answer.text());
       }
     } catch {
-      // The server is down; the next attempt follows soon.
+      // The server is down; another attempt follows soon.
     }
   }
 

@@ -1,4 +1,4 @@
-/** The page's view of the running simulation: messages and frames come in, the state to show goes out. Independent of the picture. */
+/** The page's view of the running simulation: takes messages and frames, and provides the state to show. Independent of rendering. */
 import { DrawingMemory } from '../state/robot/drawing-memory.js';
 import { Smoothing } from '../state/smoothing.js';
 import {
@@ -19,7 +19,7 @@ import { readFrame } from './state-frame.js';
  * @property {() => void} begun a simulation is connected, possibly a different one
  * @property {(news: any) => void} telemetry
  * @property {(event: string, teams: {left: string, right: string}) => void} happened
- * @property {(mistake: {team: string, number: number, level: string, text: string}) => void} diagnostic an error or warning of a robot's
+ * @property {(mistake: {team: string, number: number, level: string, text: string}) => void} diagnostic an error or warning from a robot's
  *     program
  * @property {(sets: Record<string, import('../state/board-shapes.js').BoardShape[]>) => void} drawn shapes for RoboViz
  * @property {(text: string) => void} note
@@ -83,7 +83,7 @@ export class Session {
     this.#set(withRefusal(this.state, reason));
   }
 
-  /** @param {any} news message of the simulator */
+  /** @param {any} news message from the simulator */
   messageArrived(news) {
     this.touch();
     if (news.kind === 'scene') {

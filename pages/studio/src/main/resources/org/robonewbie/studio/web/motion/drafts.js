@@ -12,7 +12,7 @@ const NAMELESS = 'new motion';
 
 export class Drafts {
   #timer = 0;
-  /** Serialises the writes: two concurrent ones would give one motion two names. @type {Promise<boolean>} */
+  /** Serialises the writes, because two concurrent writes would store one motion under two names. @type {Promise<boolean>} */
   #last = Promise.resolve(true);
 
   /**
@@ -20,7 +20,7 @@ export class Drafts {
    * @param {object} editor
    * @param {() => EditorState} editor.state
    * @param {() => MotionList} editor.list
-   * @param {(draft: string) => Promise<void>} editor.named an untitled motion was stored as this draft
+   * @param {(draft: string) => Promise<void>} editor.named called when an untitled motion has been stored as this draft
    * @param {(text: string) => void} editor.note
    */
   constructor(files, editor) {
@@ -56,7 +56,7 @@ export class Drafts {
     return this.#last;
   }
 
-  /** The first free number, so that a draft never replaces that of another motion or window. */
+  /** Chooses a name with the first free number, so that no draft of another motion or window is replaced. */
   async newName() {
     const { own, drafts } = await this.files.list();
     const taken = new Set([...own, ...drafts].map(({ name }) => name));
@@ -88,7 +88,7 @@ export class Drafts {
   }
 }
 
-/** @param {EditorState} state @returns {boolean} whether there are unsaved changes of the user */
+/** @param {EditorState} state @returns {boolean} whether there are unsaved changes made by the user */
 function isWork(state) {
   const isTouched = state.history.past.length > 0 || state.draft !== '';
   return isTouched && framesOf(state).length > 0 && isUnsaved(state);

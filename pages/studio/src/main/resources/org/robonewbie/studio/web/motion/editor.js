@@ -1,4 +1,4 @@
-/** Model of the motion editor: holds the state and connects it with files, drafts and trials. Independent of the picture. */
+/** Model of the motion editor: holds the state and connects it with files, drafts and trials. Independent of rendering. */
 import { keepText, recallText } from '../panels/memory.js';
 import { Drafts, namelessDrafts } from './drafts.js';
 import { judgeDisk } from '../state/motion/disk.js';
@@ -65,7 +65,7 @@ export class Editor {
     this.saving = false;
     /** @type {Promise<void>} */
     this.lastSave = Promise.resolve();
-    /** Number of requests to open a motion; a reply to an earlier request is ignored. */
+    /** Number of requests to open a motion; replies to all but the latest are ignored. */
     this.requests = 0;
     this.marksTimer = 0;
   }
@@ -214,7 +214,7 @@ export class Editor {
     }
   }
 
-  /** Creates a motion with one standing keyframe. */
+  /** Creates a motion with a single keyframe: the standing posture. */
   async create() {
     await this.#begin(withInserted(EMPTY_DOCUMENT, 0, { millis: 500, degrees: this.state.start }));
   }
@@ -224,7 +224,7 @@ export class Editor {
    *
    * @param {import('../state/motion/motion-text.js').MotionDocument} document
    * @param {string} name of the file
-   * @param {readonly string[]} notes remarks of the import
+   * @param {readonly string[]} notes remarks about the import
    */
   async take(document, name, notes) {
     await this.#begin(document, await this.drafts.newName());
@@ -240,7 +240,7 @@ export class Editor {
   }
 
   /**
-   * Whether a motion that falls when played today stays up under the rule of RoboNewbie 1.1.
+   * Whether a motion makes the robot fall under the current playback rule, but not under that of RoboNewbie 1.1.
    *
    * @param {import('../state/motion/motion-text.js').MotionDocument} document
    */
@@ -256,7 +256,7 @@ export class Editor {
     return then.fallSeconds === undefined && now.fallSeconds !== undefined;
   }
 
-  /** Chooses whether agents play the motion by the rule of RoboNewbie 1.1. @param {boolean} isOriginal */
+  /** Decides whether agents play the motion by the rule of RoboNewbie 1.1. @param {boolean} isOriginal */
   decideRule(isOriginal) {
     this.isOriginal = false;
     const document = asOriginal(documentOf(this.state));

@@ -1,11 +1,11 @@
-/** Lists in the picture what is wrong at the shown moment. */
+/** Lists, over the motion editor's 3D view, the faults at the shown moment. */
 import { element } from '../panels/elements.js';
 
 /** @typedef {import('../state/motion/faults.js').Fault} Fault */
 
 const MAX_ENTRIES = 5;
 
-/** @param {HTMLElement} place the picture @returns {(faults: readonly Fault[]) => void} */
+/** @param {HTMLElement} place container of the 3D view @returns {(faults: readonly Fault[]) => void} */
 export function faultList(place) {
   const list = element('ul', { class: 'fault-list' });
   place.append(list);

@@ -1,4 +1,4 @@
-/** Panel with the motions of the folder, those of the library, and template postures. */
+/** Panel that lists the motions in the user's folder, the motions in the library, and template postures. */
 import { button, element } from '../panels/elements.js';
 import { isUnsaved, postureNow, posed } from '../state/motion/editor-state.js';
 import { templatePostures } from '../state/motion/poses.js';
@@ -29,7 +29,7 @@ class FilesPanel {
   #library = element('ul', { class: 'list', id: 'library-motions' });
   #postures = element('div', { class: 'postures' });
   #folder = element('p', { class: 'faint folder' });
-  /** Files of the folder that are not playable, with the reason. */
+  /** Files in the folder that cannot be played, with the reasons. */
   #leftOut = element('ul', { class: 'faint folder', id: 'left-out-motions' });
 
   /** @param {Editor} editor @param {(work: Promise<unknown>) => void} run */

@@ -1,4 +1,4 @@
-/** Panel with slider and number for each joint; typed angles keep their decimals. */
+/** Panel with a slider and a number field for each joint; typed angles keep their decimals. */
 import { button, check, element } from '../panels/elements.js';
 import { postureNow } from '../state/motion/editor-state.js';
 import { JOINT_GROUPS, jointName, shortJointName } from '../state/motion/names.js';
@@ -23,7 +23,7 @@ import { numberField, showNumber, takeTyped } from './number-field.js';
  * @property {HTMLInputElement} number
  */
 
-/** Limit for typed angles; no joint turns further. */
+/** Limit for typed angles in degrees; no joint turns further. */
 const MAX_DEGREES = 360;
 
 /**

@@ -1,4 +1,4 @@
-/** Pointer controller of the motion editor's picture: drags limbs, turns and moves the view. */
+/** Pointer controller of the motion editor's 3D view: drags limbs, and turns and moves the camera. */
 import * as THREE from 'three';
 import { poseMatrix } from '../field/instanced-robots.js';
 import { rotated } from '../state/kinematics.js';

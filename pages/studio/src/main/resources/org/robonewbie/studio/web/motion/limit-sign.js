@@ -1,4 +1,4 @@
-/** Shows in the picture which joint limit stops a dragged limb. */
+/** Shows, over the motion editor's 3D view, which joint limit stops a dragged limb. */
 import { element, setText } from '../panels/elements.js';
 import { jointName } from '../state/motion/names.js';
 
@@ -8,7 +8,7 @@ const STUCK_METRES = 0.03;
 const AT_LIMIT_DEGREES = 0.1;
 
 /**
- * @param {HTMLElement} place the picture
+ * @param {HTMLElement} place container of the 3D view
  * @param {Body} body
  * @returns {(joint: number | undefined) => void} shows the joint at its limit, or hides the sign
  */

@@ -7,7 +7,7 @@ import { POSE } from '../state/kinematics.js';
  * @typedef {import('../state/motion/balance.js').Balance} Balance
  */
 
-/** Distinguishable with colour blindness. */
+/** Colours that colour-blind viewers can distinguish. */
 const STEADY = 0x1878d2;
 const TIPPING = 0xe0560c;
 const HIGHLIGHT = 0xffb000;

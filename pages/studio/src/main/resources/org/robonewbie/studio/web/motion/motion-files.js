@@ -12,7 +12,7 @@ import { pathPart } from '../state/path-part.js';
  * @property {Array<{name: string, version: string}>} own
  * @property {Array<{name: string, version: string}>} drafts
  * @property {string[]} library
- * @property {string[]} leftOut a sentence about each unplayable file of the folder
+ * @property {string[]} leftOut a sentence about each unplayable file in the folder
  */
 
 export class MotionFiles {

@@ -1,4 +1,4 @@
-/** Picture of the motion room: the robot at the playhead, its ghosts, its balance and its faults. */
+/** Content of the 3D view in the motion room: the robot at the playhead, its ghosts, its balance and its faults. */
 import { balanceOf } from '../state/motion/balance.js';
 import { placed, posesOf } from '../state/motion/body.js';
 import { framesOf, isOnKeyframe, postureNow } from '../state/motion/editor-state.js';
@@ -20,7 +20,7 @@ export class MotionPicture {
     this.showFaults = faultList(stage.stage);
     /** The limb under the pointer. */
     this.over = -1;
-    /** @type {number[] | undefined} the torso while a limb is dragged */
+    /** @type {number[] | undefined} pose of the torso while a limb is dragged */
     this.heldTorso = undefined;
   }
 
@@ -77,7 +77,7 @@ export class MotionPicture {
     return frame && { torso: frame.slice(0, 7), hinges: frame.slice(7) };
   }
 
-  /** The planned posture at this time, at the torso of the physical robot. @param {readonly number[]} torso @returns {Figure} */
+  /** The planned posture at this time, placed at the physical robot's torso. @param {readonly number[]} torso @returns {Figure} */
   #planAt(torso) {
     const { state, lag } = this.editor;
     const posture = lag ? lag.planned[lagFrame(lag, state.time)] : postureNow(state);

@@ -1,4 +1,4 @@
-/** The motion room: connects editor, picture, timeline and panels. */
+/** The motion room: connects editor, 3D view, timeline and panels. */
 import { button, byId, element } from '../panels/elements.js';
 import { bodyOf, posesOf, postureOfHinges } from '../state/motion/body.js';
 import { atMark } from '../state/motion/marks.js';

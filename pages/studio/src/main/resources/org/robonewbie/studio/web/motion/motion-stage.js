@@ -1,4 +1,4 @@
-/** The picture of the motion editor: the robot, ghosts of the neighbouring keyframes, centre of mass and support polygon. */
+/** The motion editor's 3D view: the robot, ghosts of the neighbouring keyframes, centre of mass and support polygon. */
 import * as THREE from 'three';
 import { CameraController } from '../field/camera-controller.js';
 import { opaqueRenderer, rayAt } from '../field/field-view.js';

@@ -1,4 +1,4 @@
-/** Number fields: typed text is committed once, by Enter, on blur, or before any other action. */
+/** Number fields: typed text is committed once, on Enter, on blur, or before any other action. */
 import { element } from '../panels/elements.js';
 import { numberOf } from '../state/numbers.js';
 

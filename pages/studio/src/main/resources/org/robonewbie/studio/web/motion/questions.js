@@ -1,4 +1,4 @@
-/** Small modal dialogs that ask the user, or report what is too long for a note. */
+/** Small modal dialogs that ask a question, or report something too long for a note. */
 import { button, choice, element } from '../panels/elements.js';
 import { composedName, nameProblem } from '../state/file-name.js';
 
@@ -84,7 +84,7 @@ function shown(title, content) {
 }
 
 /**
- * Reports several findings, each with a link to its place.
+ * Reports several findings, each with a link to its location.
  *
  * @param {string} title
  * @param {string} text

@@ -42,7 +42,7 @@ export class TimelineController {
     /** @type {Grip | undefined} */
     this.grip = undefined;
     this.gestures = 0;
-    /** Length of the drawing, fixed during a drag. @type {number | undefined} */
+    /** Milliseconds covered by the drawing, fixed during a drag. @type {number | undefined} */
     this.length = undefined;
     /** @type {import('../state/motion/time-view.js').TimeView | undefined} */
     this.view = undefined;

@@ -1,4 +1,4 @@
-/** Curves of the selected joints, with the angles that the physical robot reached. */
+/** Curves of the selected joints, with the angles that the physically simulated robot reached. */
 import { label, shape } from '../panels/drawing.js';
 import { framesOf } from '../state/motion/editor-state.js';
 import { chosenFrames, chosenJoints } from '../state/motion/selection.js';

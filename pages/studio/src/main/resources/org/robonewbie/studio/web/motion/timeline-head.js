@@ -1,4 +1,4 @@
-/** The header of the timeline: the ruler, keyframes with stick figures, and the marks of faults. */
+/** The header of the timeline: the ruler, keyframes with stick figures, and fault marks. */
 import { diamond, label, shape, title } from '../panels/drawing.js';
 import { framesOf } from '../state/motion/editor-state.js';
 import { roundStep } from '../state/numbers.js';

@@ -49,7 +49,7 @@ function rowClass(state, joint) {
   return state.rows.includes(joint) || state.joint === joint ? 'row chosen' : 'row';
 }
 
-/** Lines where the joint moves. @param {number[]} angles @param {number[]} xs @param {number} y */
+/** Lines for the intervals in which the joint moves. @param {number[]} angles @param {number[]} xs @param {number} y */
 function waysOf(angles, xs, y) {
   return angles
     .map((angle, i) => (i > 0 && angle !== angles[i - 1] ? `M${xs[i - 1].toFixed(1)} ${y}H${xs[i].toFixed(1)}` : ''))
@@ -60,7 +60,7 @@ function waysOf(angles, xs, y) {
  * @param {number[]} angles
  * @param {number[]} xs
  * @param {number} i
- * @returns {boolean} whether the joint would move differently without it
+ * @returns {boolean} whether the joint would move differently without this keyframe
  */
 function turnsAt(angles, xs, i) {
   if (i === 0 || i === angles.length - 1) {

@@ -1,4 +1,4 @@
-/** Playback controls of a motion: play, time and physical trial. */
+/** Playback controls of a motion: play, time, and a trial on a physically simulated robot. */
 import { button, check, choice, element, setText } from '../panels/elements.js';
 import { balanceOf } from '../state/motion/balance.js';
 import { placed, posesOf } from '../state/motion/body.js';

@@ -1,11 +1,11 @@
-/** Plays the motion on a simulated physical robot and shows the result. */
+/** Plays the motion on a physically simulated robot and shows the result. */
 import { atTime, documentOf } from '../state/motion/editor-state.js';
 import { jointName } from '../state/motion/names.js';
 import { secondsText } from '../state/motion/timing.js';
 
 /** @typedef {import('./editor.js').Editor} Editor */
 
-/** Differences below this are invisible. */
+/** A lag smaller than this is invisible. */
 const KEPT_DEGREES = 1;
 
 /** @param {Editor} editor @param {string} start standing, back or front */

@@ -1,4 +1,4 @@
-/** RoboViz drawings: the sets of shapes, and the list that switches each set on and off. */
+/** Controls the RoboViz drawings: keeps the sets of shapes, and lists them so that each can be switched on and off. */
 import { byId, element } from './elements.js';
 import { keep, recall } from './memory.js';
 

@@ -121,7 +121,7 @@ export class CoursePanel {
     worksheet.href = lesson.worksheet;
   }
 
-  /** @param {string} code of the language */
+  /** @param {string} code language code */
   async #speak(code) {
     await this.#ask(`course/language?code=${code}`, 'POST');
     await this.#refresh();

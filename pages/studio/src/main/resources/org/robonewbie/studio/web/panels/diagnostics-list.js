@@ -1,4 +1,4 @@
-/** Errors of the robots' programs; they stay on the picture until dismissed. */
+/** Errors from the robots' programs, shown over the 3D view until dismissed. */
 import { button, byId, element } from './elements.js';
 
 const MAX_ENTRIES = 3;

@@ -85,7 +85,7 @@ export function offer(name, content, type = 'text/plain') {
 }
 
 /**
- * Sets a text if it differs, which avoids a layout.
+ * Sets the text of an element only if it differs, to avoid a needless layout.
  *
  * @param {Element} target
  * @param {string} text

@@ -1,7 +1,7 @@
-/** Measures how much of the picture the panels cover, so that the camera can use the rest. */
+/** Measures how much of the 3D view is covered by panels, so that the camera can fit the scene into the rest. */
 import { byId } from './elements.js';
 
-/** Panels at the edges of the picture. */
+/** Panels at the edges of the 3D view. */
 const PANELS = /** @type {const} */ ([
   ['score-board', 'top'],
   ['side', 'right'],
@@ -10,7 +10,7 @@ const PANELS = /** @type {const} */ ([
 ]);
 
 /**
- * @param {HTMLElement} stage the picture
+ * @param {HTMLElement} stage container of the 3D view
  * @param {(covered: {left: number, top: number, right: number, bottom: number}) => void} changed
  */
 export function watchFreeSpace(stage, changed) {

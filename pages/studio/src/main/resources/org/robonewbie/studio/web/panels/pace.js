@@ -1,4 +1,4 @@
-/** Throttles drawing to a rate that is readable. */
+/** Throttles drawing to a readable rate. */
 
 /**
  * @param {(now: number) => void} draw

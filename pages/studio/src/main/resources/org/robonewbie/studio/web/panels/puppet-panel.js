@@ -1,4 +1,4 @@
-/** Remote control of a robot: keys make it walk and kick, sliders move its joints. Needs no program. */
+/** Remote control of a robot: keys make it walk and kick, sliders move its joints. The robot needs no program. */
 import { buttonsOfPad, PAD_TEXT, walkOfPad } from '../state/gamepad.js';
 import { PUPPET_KEYS, puppetKey, turned, walkOf } from '../state/puppet.js';
 import { isTyping } from './keys.js';

@@ -101,7 +101,7 @@ export class RoomController {
     return this.motion?.editor.isAtRisk === true || this.program?.isAtRisk === true;
   }
 
-  /** Forgets the watched robot after the simulator or another room's request has changed. */
+  /** Forgets the telemetry subscriptions. Call after the simulator has changed or another room has replaced them. */
   forget() {
     this.robot?.forget();
     this.program?.forget();

@@ -3,7 +3,7 @@ import { byId, element } from './elements.js';
 
 /** @typedef {'field' | 'program' | 'robot' | 'motion' | 'replay'} RoomName */
 
-/** Rooms with an entry in the navigation. @type {Array<{room: RoomName, place: string, name: string, hint: string, part?: string}>} */
+/** Rooms listed in the navigation. @type {Array<{room: RoomName, place: string, name: string, hint: string, part?: string}>} */
 const ROOMS = [
   { room: 'field', place: 'field-room', name: 'Field', hint: 'Watch and steer the game' },
   { room: 'program', place: 'field-room', name: 'Program', hint: 'Write a program beside the robot' },
@@ -15,7 +15,7 @@ const ROOMS = [
 
 /**
  * @param {(room: RoomName) => void} entered
- * @returns RoomName} the room that one is in => RoomName} the room that one is in
+ * @returns {() => RoomName} returns the current room
  */
 export function roomsPanel(entered) {
   const links = ROOMS.map(({ room, name, hint, part = '' }) =>

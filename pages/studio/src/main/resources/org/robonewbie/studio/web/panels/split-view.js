@@ -28,7 +28,7 @@ export class SplitView {
 
   /**
    * @param {HTMLElement} place container of all panels
-   * @param {() => Map<PanelName, HTMLElement>} panels existing panels, always including the picture
+   * @param {() => Map<PanelName, HTMLElement>} panels existing panels, always including the 3D view
    */
   constructor(place, panels) {
     this.place = place;
@@ -36,7 +36,7 @@ export class SplitView {
     new ResizeObserver(() => requestAnimationFrame(() => this.draw())).observe(place);
   }
 
-  /** Whether panels lie beside the picture; otherwise the picture fills the view. */
+  /** Whether panels lie beside the 3D view; otherwise the 3D view fills the page. */
   get isOn() {
     return this.#isOn;
   }
@@ -48,7 +48,7 @@ export class SplitView {
     this.draw();
   }
 
-  /** The preset of panels beside the picture. @param {import('../state/layout.js').PresetName} preset */
+  /** The preset of panels beside the 3D view. @param {import('../state/layout.js').PresetName} preset */
   set preset(preset) {
     if (preset !== this.#preset) {
       this.#preset = preset;

@@ -1,4 +1,4 @@
-/** View presets: the picture alone or with panels of one robot beside it; and the collapsible tools over the picture. */
+/** View presets (the 3D view alone, or with the panels of one robot beside it), and the collapsible tools over the 3D view. */
 import { button, byId } from './elements.js';
 import { keep, recall } from './memory.js';
 import { SplitView } from './split-view.js';
@@ -25,13 +25,13 @@ const KEY = 'robonewbie-workspace';
 const FOCUSABLE = 'button:enabled, input:enabled, select:enabled, a[href], summary, [tabindex]:not([tabindex="-1"])';
 const MIN_HIDDEN_PIXELS = 12;
 
-/** In a narrower window the tools would cover the picture. */
+/** In a narrower window the tools would cover the 3D view. */
 const WIDE_PIXELS = 900;
 
 export class Workspace {
   /** @type {RoomName} */
   #room = 'field';
-  /** The robot shown by both picture and panels. */
+  /** The robot shown by both 3D view and panels. */
   #robot = 0;
   /** Whether panels lie beside a replay, and whether the tools are expanded in each view. */
   #kept = { replay: false, tools: { watch: innerWidth > WIDE_PIXELS, understand: false }, ...recall(KEY, {}) };
@@ -62,7 +62,7 @@ export class Workspace {
   }
 
   /**
-   * Synchronises the robot of picture and panels; the most recent choice wins.
+   * Makes 3D view and panels show the same robot; the most recent choice wins.
    *
    * @param {{chosen: number}} picture
    * @param {{chosen: number}} panels

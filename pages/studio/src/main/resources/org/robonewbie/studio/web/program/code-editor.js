@@ -100,7 +100,7 @@ export class CodeEditor {
     }
   }
 
-  /** @param {readonly Remark[]} remarks of the compiler */
+  /** @param {readonly Remark[]} remarks from the compiler */
   setRemarks(remarks) {
     this.#remarks = remarks;
     const { state } = this.view;
@@ -113,7 +113,7 @@ export class CodeEditor {
     this.#say();
   }
 
-  /** @param {readonly Mistake[]} mistakes of the running program */
+  /** @param {readonly Mistake[]} mistakes made by the running program */
   setMistakes(mistakes) {
     this.#mistakes = mistakes;
     this.#say();

@@ -1,4 +1,4 @@
-/** Notes above a program how its file is encoded, if that is uncertain or has changed. */
+/** Shows a note above a program about the encoding of its file, if the encoding is uncertain or has changed. */
 import { button, element } from '../panels/elements.js';
 import { encodingNote } from '../state/decoded-text.js';
 import { fileName } from '../state/program/remarks.js';

@@ -1,4 +1,4 @@
-/** Exercises in the program room: the task above the program, and the button Check, which runs the judge on the editor's text. */
+/** Exercises in the program room: the task above the program, and the Check button, which runs the judge on the editor's text. */
 import { button, element, setText } from '../panels/elements.js';
 import { hints, progressText, trialText } from '../state/course.js';
 import { lessonOf } from '../state/program/documents.js';
@@ -39,7 +39,7 @@ export class ExerciseController {
     return this.lessons.map(({ name, number, title }) => `${name}\t${number} ${title}`);
   }
 
-  /** @param {string} name @returns {boolean} whether there is an exercise of this name */
+  /** @param {string} name @returns {boolean} whether there is an exercise with this name */
   has(name) {
     return this.lessons.some((each) => each.name === name);
   }

@@ -4,7 +4,7 @@ import { element } from '../panels/elements.js';
 /**
  * @param {HTMLSelectElement} choice
  * @param {import('./program-service.js').ProgramList} list
- * @param {readonly string[]} exercises name and title, with a tab between
+ * @param {readonly string[]} exercises name and title, separated by a tab
  * @param {import('../state/program/documents.js').OpenFile | undefined} file the open file
  */
 export function fillChoice(choice, list, exercises, file) {

@@ -1,4 +1,4 @@
-/** Manages the open program: selects, opens, creates and saves it; keeps drafts; takes over changes made in an IDE. */
+/** Manages the open program: selects, opens, creates and saves it; keeps drafts; picks up changes made in an IDE. */
 import { button, byId, choice, element } from '../panels/elements.js';
 import { keep, recall } from '../panels/memory.js';
 import { encodeText, encodingFor, UTF_8 } from '../state/decoded-text.js';

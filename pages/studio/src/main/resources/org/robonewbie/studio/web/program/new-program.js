@@ -1,4 +1,4 @@
-/** Creates programs: a minimal one, or a copy of an example. Never replaces an existing one, saved or not. */
+/** Creates programs: a minimal one, or a copy of an example. Never replaces an existing program, whether or not it has been saved. */
 import { ask } from '../motion/questions.js';
 import { encodeText, UTF_8 } from '../state/decoded-text.js';
 import { classNameProblem, FIRST_NAME, folderOfNew, freeName, javaName } from '../state/program/documents.js';

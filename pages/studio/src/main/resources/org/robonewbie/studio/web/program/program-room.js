@@ -42,7 +42,7 @@ class ProgramRoom {
     this.bar = element('div', { class: 'program-bar' });
     this.notes = element('div', { class: 'program-notes' });
     const place = element('div', { id: 'program-editor' });
-    /** Below the program: its run, and less frequent actions. */
+    /** Controls below the program: for its run, and for less frequent actions. */
     this.foot = element('div', { class: 'program-foot' });
     code.append(this.bar, this.notes, place, this.foot);
     this.editor = new CodeEditor(place, {

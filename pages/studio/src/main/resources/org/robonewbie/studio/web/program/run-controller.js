@@ -170,7 +170,7 @@ export class RunController {
     this.state.dataset.tone = this.#hasMistakes ? 'trouble' : tone;
   }
 
-  /** @param {string} text @param {readonly import('../state/program/remarks.js').Remark[]} remarks of the compiler */
+  /** @param {string} text @param {readonly import('../state/program/remarks.js').Remark[]} remarks from the compiler */
   showRemarks(text, remarks) {
     this.#remarks = text;
     this.#hasMistakes = remarks.some(({ serious }) => serious);

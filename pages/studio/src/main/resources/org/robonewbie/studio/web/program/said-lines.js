@@ -1,9 +1,9 @@
-/** Messages of compiler and robot below their lines, and values at the ends of lines. */
+/** Shows messages from compiler and robot below the lines they refer to, and values at the ends of lines. */
 import { Decoration, EditorView, StateEffect, StateField, WidgetType } from 'codemirror';
 import { element } from '../panels/elements.js';
 
 /**
- * @typedef {{line: number, kind: 'error' | 'warning', text: string, hint: string, ran: boolean}} Said `ran` if reported at run time
+ * @typedef {{line: number, kind: 'error' | 'warning', text: string, hint: string, ran: boolean}} Said `ran` if it was reported at run time
  * @typedef {{line: number, text: string}} Value
  */
 

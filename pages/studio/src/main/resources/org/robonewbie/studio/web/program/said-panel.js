@@ -10,11 +10,11 @@ export class SaidPanel {
   constructor(place, goTo) {
     this.goTo = goTo;
     this.place = place;
-    /** Place of the judge's verdict. */
+    /** Container for the judge's verdict. */
     this.verdict = element('div', { id: 'program-verdict' });
     this.compiler = element('ul', { id: 'program-remarks', 'aria-label': 'Errors found by the compiler' });
     this.mistakes = element('ul', { id: 'program-mistakes', 'aria-label': 'Errors of the running program' });
-    /** Place of the sliders for the program's numbers. */
+    /** Container for the sliders of the program's numbers. */
     this.sliders = element('div', { id: 'program-sliders', role: 'group', 'aria-label': 'Numbers of the program' });
     this.values = element('p', { id: 'program-values', role: 'group', 'aria-label': 'Values that the program plots' });
     this.log = element('ol', { id: 'program-log', 'aria-label': 'Log of the robot' });

@@ -30,7 +30,7 @@ import { ask } from '../live/server.js';
 import { pathPart } from '../state/path-part.js';
 
 /**
- * Runs a change, reports its failure, and has the list of recordings reloaded.
+ * Makes a change, reports a failure, and has the list of recordings reloaded.
  *
  * @param {() => Promise<unknown>} change
  * @param {{note: (text: string) => void, changed: () => Promise<void>}} listener

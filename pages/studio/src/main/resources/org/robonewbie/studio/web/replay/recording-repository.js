@@ -43,7 +43,7 @@ export class RecordingRepository {
    * @param {object} listener
    * @param {(name: string) => void} listener.choose
    * @param {() => Promise<void>} listener.changed the list must be reloaded
-   * @param {(from: string, to: string) => void} listener.renamed to an empty name if it was deleted
+   * @param {(from: string, to: string) => void} listener.renamed `to` is empty if the recording was deleted
    * @param {(text: string) => void} listener.note
    */
   constructor(listener) {

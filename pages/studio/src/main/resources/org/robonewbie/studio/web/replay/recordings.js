@@ -1,4 +1,4 @@
-/** Opens recordings of the studio's server; a running recording is followed. */
+/** Opens recordings from the studio's server, and follows those that are still being written. */
 import { notesOf, picturesOf } from '../state/replay/notes.js';
 import { RecordedRun } from '../state/replay/recorded-run.js';
 import { DrawingMemory } from '../state/robot/drawing-memory.js';
@@ -28,7 +28,7 @@ export class RecordingFile {
     this.pictures = [];
     this.drawings = new DrawingMemory(Infinity);
     this.open = true;
-    /** Whether everything that existed at the last request has been examined. */
+    /** Whether the events cover everything that had been recorded at the last request. */
     this.isWhole = false;
     this.timer = 0;
   }

@@ -1,4 +1,4 @@
-/** Playback controls below the picture of a replay. */
+/** Playback controls below the 3D view of a replay. */
 import { button, choice, element, setText } from '../panels/elements.js';
 import { NO_CLOCK } from '../panels/transport.js';
 import { MOMENTS_PER_SECOND } from '../state/replay/replay-state.js';

@@ -1,4 +1,4 @@
-/** The replay room: recordings, the time line, and the moment that the field picture shows. */
+/** The replay room: recordings, the time line, and the moment shown in the 3D view of the field. */
 import { byId } from '../panels/elements.js';
 import {
   advanced,
@@ -114,7 +114,7 @@ class ReplayRoom {
     }
   }
 
-  /** Handles that the open recording was renamed or deleted. @param {string} from @param {string} to */
+  /** Updates the room after the open recording was renamed or deleted. @param {string} from @param {string} to */
   #renamed(from, to) {
     if (this.file?.name === from) {
       this.file.close();

@@ -1,5 +1,5 @@
 /**
- * Scene cache of a recording: creates a new scene only when robots, teams or play mode change, because a new scene rebuilds the picture.
+ * Scene cache of a recording: creates a new scene only when robots, teams or play mode change, because a new scene rebuilds the 3D view.
  */
 import { sceneOf } from '../state/replay/replay-state.js';
 

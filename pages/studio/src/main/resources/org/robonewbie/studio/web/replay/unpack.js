@@ -1,5 +1,5 @@
 /**
- * Decompresses a recording as far as possible: one that is still being written, or was cut off, has no end.
+ * Decompresses a recording as far as possible: if it is still being written or was cut off, its end is missing.
  *
  * @param {Uint8Array[]} packed
  * @param {(bytes: Uint8Array) => void} take receives the pieces in order
@@ -14,6 +14,6 @@ export async function unpack(packed, take) {
       take(part.value);
     }
   } catch {
-    // The data before the break is valid.
+    // The data before the cut is valid.
   }
 }

@@ -174,7 +174,7 @@ class Encoding {
     }
   }
 
-  /** @param {number} count count number of frames @returns {Promise<Blob>} */
+  /** @param {number} count number of frames @returns {Promise<Blob>} */
   async file(count) {
     await this.encoder.flush();
     const film = { codec: this.name, width: WIDTH, height: HEIGHT, milliseconds: (1000 * count) / PICTURES_PER_SECOND };

@@ -37,7 +37,7 @@ export function boardTriangles({ shape, numbers: n = [] }) {
   }
 }
 
-/** Raises shapes on the ground, which would cause z-fighting. @param {number} z */
+/** Raises shapes that lie on the ground, to avoid z-fighting. @param {number} z */
 function over(z) {
   return Math.abs(z) < OVER_GROUND ? OVER_GROUND : z;
 }

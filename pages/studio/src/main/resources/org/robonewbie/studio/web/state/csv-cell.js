@@ -2,7 +2,7 @@
 
 const NUMBER = /^\s*[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?\s*$/;
 
-/** Start of a formula, also after blanks, and in the full-width forms that some spreadsheets accept. */
+/** Start of a formula, even after blanks or in the full-width forms that some spreadsheets accept. */
 const FORMULA = /^(?:[\t\r\n]|[\s\p{Cc}\p{Cf}\p{Z}]*[=+\-@＝＋－＠])/u;
 
 /**

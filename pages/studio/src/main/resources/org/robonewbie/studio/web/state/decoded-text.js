@@ -1,5 +1,5 @@
 /**
- * Detects the encoding of text files, decodes them, and encodes changed text in the same encoding. The rules equal those of the Java class
+ * Detects the encoding of text files, decodes them, and encodes changed text in the same encoding. The rules are those of the Java class
  * DecodedText: a byte order mark decides; otherwise the encoding is UTF-8, or Windows-1252 if the bytes are not valid UTF-8. Pure.
  *
  * @typedef {'UTF-8' | 'UTF-16LE' | 'UTF-16BE' | 'Windows-1252'} Encoding

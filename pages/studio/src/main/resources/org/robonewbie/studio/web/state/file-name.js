@@ -1,5 +1,5 @@
 /**
- * Validates file names that work on Windows, macOS and Linux, in the letters of any language. The rules equal those of the Java class
+ * Validates file names that work on Windows, macOS and Linux, in the letters of any language. The rules are those of the Java class
  * FileName. Pure.
  */
 

@@ -24,7 +24,7 @@ export function walkOfPad({ axes }) {
 
 /**
  * @param {Pad} pad
- * @param {ReadonlySet<number>} before buttons that were pressed before
+ * @param {ReadonlySet<number>} before buttons that were pressed at the previous call
  * @returns {{down: Set<number>, motion: string | undefined}} buttons that are pressed, and the motion just requested
  */
 export function buttonsOfPad({ buttons }, before) {

@@ -46,7 +46,7 @@ const open = (name, part) => ({ name, part, folded: false });
 /** @param {PanelName} name @param {number} part */
 const folded = (name, part) => ({ name, part, folded: true });
 
-/** Picture, curves, joints and words together, to answer "why did it fall?" in one view. @type {Record<Width, Layout>} */
+/** 3D view, plots, joints and messages together, to answer "why did it fall?" at a glance. @type {Record<Width, Layout>} */
 export const UNDERSTAND = {
   wide: [
     { part: 0.45, panels: [open('picture', 0.64), open('words', 0.36)] },
@@ -84,7 +84,7 @@ export const PROGRAM = {
   narrow: [{ part: 1, panels: [open('picture', 0.4), open('code', 0.6), folded('said', 0.3)] }],
 };
 
-/** Panels beside the picture, by preset. @type {Record<PresetName, Record<Width, Layout>>} */
+/** Panels beside the 3D view, by preset. @type {Record<PresetName, Record<Width, Layout>>} */
 export const LAYOUTS = { understand: UNDERSTAND, program: PROGRAM };
 
 /** @param {number} pixels @returns {Width} the matching layout width */

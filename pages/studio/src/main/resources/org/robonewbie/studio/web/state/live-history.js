@@ -1,4 +1,4 @@
-/** History of the state frames of the last minutes of the running simulation. */
+/** Keeps the state frames from the last minutes of the running simulation. */
 import { readFrame } from '../live/state-frame.js';
 import { partitionPoint } from './partition-point.js';
 

@@ -1,4 +1,4 @@
-/** Match events in words. Pure. */
+/** Describes match events in sentences. Pure. */
 
 /** @type {Record<string, string>} */
 const FOULS = {

@@ -1,9 +1,9 @@
 /**
- * Binary search.
+ * Finds by binary search how many entries at the start of a list satisfy a condition.
  *
- * @param {number} length of a list
- * @param {(index: number) => boolean} isBefore true for the first entries and false for all others
- * @returns {number} the number of the first entries
+ * @param {number} length of the list
+ * @param {(index: number) => boolean} isBefore true for the entries at the start and false for all others
+ * @returns {number} how many entries satisfy it, which is the index of the first that does not
  */
 export function partitionPoint(length, isBefore) {
   let [low, high] = [0, length];

@@ -1,7 +1,7 @@
 /** Keyboard control of a robot. Pure. */
 
 /**
- * @typedef {object} Walk all parts from -1 to 1
+ * @typedef {object} Walk walking command; all values from -1 to 1
  * @property {number} forward
  * @property {number} left
  * @property {number} turn

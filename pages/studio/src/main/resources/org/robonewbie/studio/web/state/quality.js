@@ -1,5 +1,5 @@
 /**
- * Adaptive rendering quality: adjusts the level to the measured frame time, so that slow computers stay fluent. Pure.
+ * Adaptive rendering quality: adjusts the level to the measured frame time, so that motion stays smooth on slow computers. Pure.
  *
  * @typedef {'fine' | 'coarse' | 'tiny'} Detail
  *
@@ -51,7 +51,7 @@ const TOO_SLOW_MILLISECONDS = 45;
 const EASY_MILLISECONDS = 21;
 const EASY_ROUNDS = 5;
 
-/** Number of fast rounds after which a level that was too slow is tried again; doubled by each failure. */
+/** Number of fast measurement rounds after which a level that was too slow is tried again; doubled after each failure. */
 const FORGIVING_ROUNDS = 30;
 
 /**
@@ -99,7 +99,7 @@ export class QualityChooser {
   }
 
   /**
-   * Records the time until the browser was ready again after a picture.
+   * Records how long the browser took to render a picture and become ready again.
    *
    * @param {number} milliseconds
    * @returns {boolean} whether the quality has changed

@@ -1,4 +1,4 @@
-/** Shared parts of pages that observe a running process, such as a search or a contest. */
+/** Code shared by pages that observe a running process, such as a search or a contest. */
 
 /** @typedef {'waiting' | 'running' | 'ended' | 'lost' | 'refused'} Phase */
 
@@ -8,7 +8,7 @@ export function phaseWithoutLine(phase) {
 }
 
 /**
- * The sentence about the state of the process.
+ * Describes the state of the process in one sentence.
  *
  * @param {{phase: Phase, refusal: string}} report
  * @param {{waiting: string, running: string, lost: string, ended: string}} words

@@ -1,4 +1,4 @@
-/** State of a search for better numbers. */
+/** State of a search for better values of an agent's numbers. */
 import { phaseSentence, phaseWithoutLine } from './reports.js';
 
 /**
@@ -20,8 +20,8 @@ import { phaseSentence, phaseWithoutLine } from './reports.js';
  * @property {Task | undefined} task
  * @property {readonly Round[]} rounds
  * @property {readonly SearchedNumber[]} numbers
- * @property {number | undefined} before value of the start
- * @property {number | undefined} after value of the result
+ * @property {number | undefined} before objective value with the initial numbers
+ * @property {number | undefined} after objective value with the numbers found
  * @property {string} outcome
  * @property {string} place end of the address at which the current state is shown
  */

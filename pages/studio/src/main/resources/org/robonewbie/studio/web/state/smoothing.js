@@ -13,7 +13,7 @@
  * @property {Float32Array[]} [things]
  */
 
-/** A larger movement between two frames is a repositioning and not interpolated, in metres. */
+/** Maximum interpolated movement between two frames in metres; a larger one is a repositioning. */
 const JUMP_METRES = 0.4;
 
 const SHORTEST_MILLISECONDS = 15;

@@ -18,7 +18,7 @@ import { playModeText } from './play-mode.js';
  * @typedef {{undo: string, redo: string}} Actions the actions to undo and redo, empty for none
  */
 
-/** Time without a new cycle after which a running world is waiting for an agent. */
+/** Time without a new cycle after which a running world is assumed to be waiting for an agent. */
 const STANDSTILL_MILLISECONDS = 1500;
 
 const NO_TEAM = 'no team yet';

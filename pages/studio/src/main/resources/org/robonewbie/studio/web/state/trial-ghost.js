@@ -8,7 +8,7 @@ import { LiveHistory } from './live-history.js';
  */
 
 export class TrialGhost {
-  /** The last finished trial by task, and by task and seed. @type {Map<string, LiveHistory>} */
+  /** The last finished trial of each task, and of each combination of task and seed. @type {Map<string, LiveHistory>} */
   #over = new Map();
   /** @type {Trial | undefined} */
   #trial;

@@ -41,8 +41,8 @@ export function zoomed(view, factor) {
  * Moves the target on the ground.
  *
  * @param {ViewPoint} view
- * @param {number} right fraction of the distance, to the right on the screen
- * @param {number} up fraction of the distance, away from the camera
+ * @param {number} right fraction of the camera's distance to the target, to the right on the screen
+ * @param {number} up fraction of the same distance, away from the camera
  * @returns {ViewPoint}
  */
 export function moved(view, right, up) {
@@ -85,7 +85,7 @@ export function zoomedTo(view, factor, point) {
 }
 
 /**
- * Angle of view of the part of the picture not covered by panels.
+ * Angle of view of the area not covered by panels.
  *
  * @typedef {object} FreeView
  * @property {number} across tangent of the angle from its centre to its sides
@@ -127,7 +127,7 @@ function seenFrom({ target, azimuthDegrees, elevationDegrees }, point) {
  *
  * @param {{length: number, width: number}} field
  * @param {FreeView} free
- * @param {boolean} fromTop straight down or from the side line
+ * @param {boolean} fromTop whether to look straight down rather than from the touchline
  * @returns {ViewPoint}
  */
 export function overview(field, free, fromTop) {

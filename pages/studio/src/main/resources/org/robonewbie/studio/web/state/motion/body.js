@@ -82,7 +82,7 @@ export function linkIndex(body, name) {
 }
 
 /**
- * Places the robot on the ground: with upright torso, or with the lower sole flat on the ground.
+ * Places the robot on the ground: with an upright torso, or with the lower sole flat on the ground.
  *
  * @param {Body} body
  * @param {Posture} posture
@@ -165,7 +165,7 @@ function middleOfFeet(body, poses) {
  * The rotation that places the lower sole flat on the ground, or both if they are equally low.
  *
  * @param {Body} body
- * @param {Float64Array} poses with upright torso
+ * @param {Float64Array} poses with an upright torso
  * @returns {number[]} quaternion
  */
 function fromSole(body, poses) {

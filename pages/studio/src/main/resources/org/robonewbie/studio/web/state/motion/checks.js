@@ -1,5 +1,5 @@
 /**
- * Checks a motion for what a robot cannot perform, as marks for the timeline. Pure.
+ * Checks a motion for what a robot cannot perform, and returns the findings as marks for the timeline. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./motion-text.js').Keyframe} Keyframe

@@ -1,6 +1,6 @@
 /**
- * Self-collisions of a robot with the simulator's collision shapes: separating axes for boxes, distance to the inner segment for spheres
- * and capsules. Pure.
+ * Detects self-collisions of a robot using the simulator's collision shapes: separating axes for boxes, distance to the inner segment for
+ * spheres and capsules. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  */
@@ -89,7 +89,7 @@ function overlap(a, b) {
 }
 
 /**
- * The distance of a point on a segment to a convex shape is convex, so ternary search finds the nearest one.
+ * The distance from a point on a segment to a convex shape is convex, so ternary search finds the nearest one.
  *
  * @param {Box} shape
  * @param {Box} round

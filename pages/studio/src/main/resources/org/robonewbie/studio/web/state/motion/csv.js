@@ -1,6 +1,6 @@
 /**
- * Motions as CSV tables: a header with column names, then a row for each keyframe. Joints may come in any order and by NAO's own names,
- * some may be missing, and the separator may be a comma, semicolon or tab. Pure.
+ * Motions as CSV tables: a header with column names, then a row for each keyframe. Joints may be in any order, use NAO's own names,
+ * or be missing, and the separator may be a comma, semicolon or tab. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
@@ -25,7 +25,11 @@ import {
 import { numberText } from './motion-text.js';
 import { columnOf } from './webots.js';
 
-/** Time columns; the first is used for export. @type {Array<{names: string[], millis: number, isWay: boolean}>} */
+/**
+ * Time columns with durations (`isWay`) or absolute times; the first is used for export.
+ *
+ * @type {Array<{names: string[], millis: number, isWay: boolean}>}
+ */
 const TIMES = [
   { names: ['way_ms', 'millis', 'duration_ms', 'duration'], millis: 1, isWay: true },
   { names: ['time_ms', 'ms', 't_ms'], millis: 1, isWay: false },

@@ -5,7 +5,7 @@
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
  * @typedef {import('./motion-text.js').MotionDocument} MotionDocument
  *
- * @typedef {object} Trial result of a trial on a physical robot
+ * @typedef {object} Trial result of a trial on a physically simulated robot
  * @property {number} frameSeconds
  * @property {number} [fallSeconds]
  * @property {number[][]} frames the torso's pose and the angles of the model's hinges, per frame

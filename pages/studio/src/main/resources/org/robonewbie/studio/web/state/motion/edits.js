@@ -98,8 +98,8 @@ function straightened(state) {
  *
  * @param {EditorState} state
  * @param {number} by milliseconds, negative for earlier
- * @param {{alone?: boolean, base?: MotionDocument, gesture?: string}} [how] whether later keyframes stay in place; for a drag, the motion
- *     when it began and the name of the gesture
+ * @param {{alone?: boolean, base?: MotionDocument, gesture?: string}} [how] `alone`: whether later keyframes stay in place; `base`
+ *     and `gesture`: for a drag, the motion when it began and the name of the gesture
  * @returns {EditorState}
  */
 export function moved(state, by, { alone = state.alone, base = documentOf(state), gesture = '' } = {}) {

@@ -38,7 +38,7 @@ export function faultsAt(body, frames, time, posture, poses) {
 }
 
 /**
- * The lag of a physical robot's joints behind the plan at a moment.
+ * How far the joints of a physically simulated robot lag behind the plan at a moment.
  *
  * @param {Body} body
  * @param {Lag} lag
@@ -66,7 +66,7 @@ export function linkOf(body, joint) {
 }
 
 /**
- * Faults of speed. The transition to the first keyframe is not checked, because the robot's posture before the motion is unknown.
+ * Speed faults. The transition to the first keyframe is not checked, because the robot's posture before the motion is unknown.
  *
  * @param {Body} body
  * @param {readonly Keyframe[]} frames

@@ -1,5 +1,5 @@
 /**
- * Shared parts of the readers of other programs' motion files: rows become keyframes, and an unreadable row is kept verbatim with its line
+ * Code shared by the readers of other programs' motion files: rows become keyframes, and an unreadable row is kept verbatim with its line
  * number. Counts are verified, so that no angle is assigned to a wrong joint. Pure.
  *
  * @typedef {import('./body.js').Body} Body

@@ -9,7 +9,7 @@
  * @typedef {object} Format
  * @property {string} id
  * @property {string} name display name
- * @property {string} ending ending file extension
+ * @property {string} ending file extension
  * @property {(document: MotionDocument, body: Body, start: readonly number[]) => string} write
  */
 import { decodeText, encodingNote } from '../decoded-text.js';
@@ -114,7 +114,7 @@ function readText(name, decoded, body, start) {
   return { document, notes: problemNotes(withPlaces(document)) };
 }
 
-/** @param {MotionDocument} document @returns {MotionDocument} with line numbers in its problems */
+/** @param {MotionDocument} document @returns {MotionDocument} with line numbers in its error messages */
 function withPlaces(document) {
   const lines = document.lines.map((line, i) =>
     line.problem ? { ...line, problem: `line ${i + 1} of the file: ${line.problem}` } : line,

@@ -1,5 +1,5 @@
 /**
- * Lag of a physical robot behind the plan: the planned joint angles compared with those reached in a trial. Pure.
+ * Lag of a physically simulated robot behind the plan: compares planned joint angles with those reached in a trial. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./motion-text.js').Keyframe} Keyframe

@@ -1,6 +1,7 @@
 /**
- * Keyframe nets of the original motion editor (.mef): a line with the word nao, the joint names, keyframes with number and screen position,
- * and transitions between them. The motion follows the first transitions from keyframe 0, whose own posture is not part of it. Pure.
+ * Keyframe nets of the original motion editor (.mef): a line with the word nao, the joint names, keyframes with their numbers and screen
+ * positions, and transitions between them. The motion starts at keyframe 0, whose own posture it omits, and follows the first transition
+ * of each keyframe. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./motion-text.js').Keyframe} Keyframe
@@ -157,7 +158,7 @@ function refuseOther(name) {
   }
 }
 
-/** Follows the first transitions until they end or revisit a keyframe. @param {Net} net */
+/** From keyframe 0, follows the first transition of each keyframe to the end, or until a keyframe is revisited. @param {Net} net */
 function chainOf({ postures, transitions }) {
   /** @type {Net['transitions']} */
   const steps = [];

@@ -1,6 +1,6 @@
 /**
- * Lossless parser and writer of motion files: every line keeps its characters, comments, digits and line end until it is edited. The rules
- * equal those of the Java class MotionFile. Pure.
+ * Lossless parser and writer of motion files: every line keeps its characters, comments, digits and line ending until it is edited. The
+ * rules are those of the Java class MotionFile. Pure.
  *
  * @typedef {object} Keyframe
  * @property {number} millis duration of the transition to this posture
@@ -8,7 +8,7 @@
  *
  * @typedef {object} Line
  * @property {string} text
- * @property {string} end the original line end, or empty
+ * @property {string} end the original line ending, or empty
  * @property {Keyframe} [keyframe] keyframe of the line
  * @property {string} [problem] error in the line
  *
@@ -138,7 +138,7 @@ function isDecimal(word) {
 }
 
 /**
- * The words before a comment.
+ * The words of a line before its comment.
  *
  * @param {string} text
  */

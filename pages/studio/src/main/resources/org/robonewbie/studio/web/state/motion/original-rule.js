@@ -10,17 +10,17 @@ import { parse } from './motion-text.js';
 const TWO_CYCLES = 40;
 const ORIGINAL = '// play: 1.1';
 
-/** Header comments that motion files have had since then. */
+/** Header comments, which only motion files newer than RoboNewbie 1.1 have. */
 const DESCRIBED = /^\s*\/\/\s*(play|columns|measured|does|start|end|ball|made by)\s*:/i;
 
-/** @param {MotionDocument} document @returns {boolean} whether it has no header comments, as the files of RoboNewbie 1.1 */
+/** @param {MotionDocument} document @returns {boolean} whether it has no header comments, like the files of RoboNewbie 1.1 */
 export function isUndescribed({ lines }) {
   return !lines.some(({ text }) => DESCRIBED.test(text));
 }
 
 /**
- * Whether a motion mixes keyframes that RoboNewbie 1.1 skipped with others. A motion of only short transitions was recorded, and would not
- * move at all by that rule.
+ * Whether a motion mixes keyframes that RoboNewbie 1.1 skipped with others. A motion that has only short transitions is a recording, and
+ * would not move at all under that rule.
  *
  * @param {MotionDocument} document
  * @returns {boolean}

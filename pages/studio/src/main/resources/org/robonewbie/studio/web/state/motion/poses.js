@@ -10,7 +10,7 @@
 import { contentOf, newLine, parse } from './motion-text.js';
 import { postureFrom } from './posture.js';
 
-/** Stance before most motions, equal to the library's motion “stand”. */
+/** Stance from which most motions start, the same as in the library's motion “stand”. */
 export const STANDING = {
   BOTH_SHOULDER_PITCH: -95,
   BOTH_SHOULDER_YAW: 10,

@@ -83,7 +83,7 @@ export function postureFrom(body, angles) {
  * @param {readonly number[]} before
  * @param {readonly number[]} after
  * @param {number} otherwise
- * @returns {number} the joint that has turned max, or `otherwise` if none has
+ * @returns {number} the joint that has turned the most, or `otherwise` if none has
  */
 export function mostTurned(before, after, otherwise) {
   const ways = after.map((angle, joint) => Math.abs(angle - before[joint]));

@@ -1,5 +1,5 @@
 /**
- * Inverse kinematics for dragged limbs, with a limb's own joints or with the whole arm or leg. Damped least squares with a
+ * Inverse kinematics for dragged limbs, using a limb's own joints or those of the whole arm or leg. Damped least squares with a
  * finite-difference Jacobian. Pure.
  *
  * @typedef {import('./body.js').Body} Body

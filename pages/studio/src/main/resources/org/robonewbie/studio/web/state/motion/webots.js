@@ -1,8 +1,8 @@
 /**
- * Webots .motion files, also used with Choregraphe: a header with the joint names, there or in the line below, then a line with time, pose
- * name and radians for each keyframe. Some teams of the league write V1.1: “play”, radians and the duration in seconds, separated by %.
- * There are two sign conventions: Webots uses the signs and names of NAO's documentation, where bent knees and lowered arms are positive;
- * the original motion editor uses the signs of the simulator. Pure.
+ * Webots .motion files, also used with Choregraphe: a header with the joint names in the same line or the next, then a line with time,
+ * pose name and angles in radians for each keyframe. Some teams of the league write V1.1, where a row is the word “play”, the
+ * angles in radians and the duration in seconds, separated by %. There are two sign conventions: Webots uses the signs and names of NAO's
+ * documentation, where bent knees and lowered arms are positive; the original motion editor uses the simulator's signs. Pure.
  *
  * @typedef {import('./body.js').Body} Body
  * @typedef {import('./motion-text.js').Keyframe} Keyframe

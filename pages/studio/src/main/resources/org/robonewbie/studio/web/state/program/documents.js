@@ -5,8 +5,8 @@
  * @property {'own' | 'example'} kind
  * @property {string} path path relative to the folder, or the name of the example
  * @property {string} version last version read by this page, empty for a file that is not on the disk yet
- * @property {string} saved its text on the disk, with the editor's line ends
- * @property {string} content the same text with the line ends of the file
+ * @property {string} saved its text on the disk, with the editor's line endings
+ * @property {string} content the same text with the line endings of the file
  * @property {import('../decoded-text.js').Source} source its encoding
  * @property {string} problem why it cannot be decoded and is read-only; empty if it can be
  *
@@ -29,7 +29,7 @@ export const FIRST_NAME = 'MyAgent.java';
 /**
  * @param {OpenFile['kind']} kind
  * @param {string} path
- * @param {ReadProgram} program content of the disk
+ * @param {ReadProgram} program content on the disk
  * @returns {OpenFile}
  */
 export function opened(kind, path, { text, version, problem }) {
@@ -42,13 +42,13 @@ export function newText(content, version = '') {
   return { text: { ...UTF_8, content }, version, problem: '' };
 }
 
-/** @param {string} text @returns {string} with the editor's line ends */
+/** @param {string} text @returns {string} with the editor's line endings */
 export function normal(text) {
   return text.replaceAll(/\r\n?/g, '\n');
 }
 
 /**
- * Restores the line ends of the file; new lines get that of its first line.
+ * Restores the line endings of the file; new lines get the ending of its first line.
  *
  * @param {OpenFile} file
  * @param {string} text of the editor

@@ -1,12 +1,12 @@
 /**
- * Diagnostics of compiler and robot for lines of a program. Pure.
+ * Diagnostics from compiler and robot for lines of a program. Pure.
  *
  * @typedef {object} Remark compiler diagnostic
  * @property {number} from index of the first character, -1 for the whole line
  * @property {number} to index after the last one
  * @property {number} line line number from 1, 0 if it is not in this file
  * @property {boolean} serious whether it is an error
- * @property {string} text message of the compiler
+ * @property {string} text message from the compiler
  * @property {string} hint what to do, or empty
  *
  * @typedef {{line: number, text: string}} Mistake a runtime error at a line
@@ -59,7 +59,7 @@ export function remarksText(remarks) {
  *
  * @param {Remark} remark
  * @param {number} length of the text
- * @returns {{from: number, to: number} | undefined} at least one character, if there is one; undefined if it has no place
+ * @returns {{from: number, to: number} | undefined} at least one character, if there is one; undefined if it has no position
  */
 export function rangeOf({ from, to, line }, length) {
   if (line === 0 || from < 0 || from > length) {

@@ -13,7 +13,7 @@ const MIN_METRES = 0.011;
 /**
  * @param {Picture} own
  * @param {Picture} other
- * @returns {Picture} the own picture with the robots of the other run as ghosts without a team
+ * @returns {Picture} `own` with the robots of the other run added as ghosts, which have no team
  */
 export function withGhosts(own, other) {
   const ghosts = other.scene.robots.map((player) => ({
@@ -51,8 +51,8 @@ export function differences(own, other) {
  * @param {Run} own
  * @param {Run} other
  * @param {number} points
- * @returns {number[]} metres between the balls, or between the first robots if the balls agree throughout, at equal intervals of the own
- *     run
+ * @returns {number[]} metres between the balls, or between the first robots if the balls agree throughout, at equal
+ *     intervals of the first run
  */
 export function curveOf(own, other, points) {
   const curve = (/** @type {Way} */ first, /** @type {Way} */ second) =>

@@ -8,7 +8,7 @@ const CYCLES_PER_SECOND = 50;
 const WARNINGS = ['WARNING', 'ERROR'];
 
 /**
- * @param {string} lines one line of JSON per log entry and per picture
+ * @param {string} lines one line of JSON per log entry and per set of drawings
  * @param {number} firstCycle the cycle of the recording's first moment
  * @returns {RecordedEvent[]} incomplete lines are skipped
  */

@@ -28,7 +28,12 @@ import { RecordingReader } from './recording-reader.js';
 const MAX_PIECES = 36;
 const PAUSE_MILLISECONDS = 1000;
 
-/** Waits before a server that did not answer is asked again. @param {unknown} problem @returns {Promise<void>} */
+/**
+ * Rejects with the problem after a pause, so that a server that did not answer is not asked again immediately.
+ *
+ * @param {unknown} problem
+ * @returns {Promise<void>}
+ */
 const pause = (problem) => new Promise((_, fail) => setTimeout(() => fail(problem), PAUSE_MILLISECONDS));
 
 export class RecordedRun {
@@ -47,7 +52,7 @@ export class RecordedRun {
     this.fetchPiece = fetchPiece;
     this.grown = grown;
     this.count = 0;
-    /** Number of arrivals of moments. */
+    /** Incremented whenever moments have been loaded. */
     this.arrived = 0;
     /** @type {number[]} */
     this.starts = [];
@@ -134,7 +139,7 @@ export class RecordedRun {
     return partitionPoint(this.starts.length, (piece) => this.starts[piece] <= index) - 1;
   }
 
-  /** Loads a piece up to a moment, unless it is loaded. @param {number} number @param {number} index @returns {Promise<void>} */
+  /** Loads a piece up to a moment, unless it is already loaded. @param {number} number @param {number} index @returns {Promise<void>} */
   #want(number, index) {
     const part = { rosters: this.#rosters, isBegun: number > 0 };
     const piece = this.#pieces.get(number) ?? {

@@ -61,7 +61,7 @@ export class RecordingReader {
     /** @type {Map<number, Int32Array>} */
     this.tracks = new Map();
     this.speeds = new CommandedSpeeds();
-    /** Whether the speeds belong to the cycle that ends next and to no moment yet. */
+    /** Whether the speeds may be changed in place, because no finished moment shares them. */
     this.areSpeedsNew = true;
   }
 
@@ -210,7 +210,7 @@ export class RecordingReader {
     this.moments.push(moment);
   }
 
-  /** Notes falls: the torso's tilt has exceeded 60° since the previous moment. @param {Moment} moment */
+  /** Records a fall of each robot whose torso has tilted beyond 60° since the previous moment. @param {Moment} moment */
   #noteFalls(moment) {
     const before = this.moments.at(-1);
     if (before?.robots !== moment.robots) {

@@ -1,5 +1,5 @@
 /**
- * Writes moments as a recording, without the commanded speeds, which take half the size of a recording with much movement.
+ * Writes moments as a recording, without the commanded speeds, which make up half of a recording with a lot of movement.
  * docs/recording-format.md describes the format. Pure.
  *
  * @typedef {import('./recording-reader.js').Moment} Moment

@@ -6,12 +6,12 @@ import { readTelemetry } from './telemetry.js';
 const MAX_PICTURES = 1500;
 
 export class DrawingMemory {
-  /** @param {number} [max] maximum number of pictures per robot */
+  /** @param {number} [max] maximum number of sets of drawings per robot */
   constructor(max = MAX_PICTURES) {
     this.max = max;
     /** Lines are parsed on demand, because few of them are ever drawn. @type {Map<string, Array<{seconds: number, line: string}>>} */
     this.pictures = new Map();
-    /** @type {Map<string, Set<string>>} kinds of drawings of each robot */
+    /** @type {Map<string, Set<string>>} kinds of drawings made by each robot */
     this.kinds = new Map();
   }
 
@@ -28,7 +28,13 @@ export class DrawingMemory {
     }
   }
 
-  /** A picture older than the last one starts a new time base. @param {string} robot @param {number} seconds @param {string} line */
+  /**
+   * Stores drawings. If they are older than the last ones, time has restarted, and they replace all earlier ones.
+   *
+   * @param {string} robot
+   * @param {number} seconds
+   * @param {string} line
+   */
   #keep(robot, seconds, line) {
     const before = this.pictures.get(robot) ?? [];
     const kept = (before.at(-1)?.seconds ?? 0) > seconds ? [] : before;
@@ -39,7 +45,7 @@ export class DrawingMemory {
   /**
    * @param {string} robot its key
    * @param {number} seconds
-   * @returns {readonly import('./telemetry.js').Drawing[]} the picture at that moment
+   * @returns {readonly import('./telemetry.js').Drawing[]} the drawings at that moment
    */
   at(robot, seconds) {
     const picture = latest(this.pictures.get(robot) ?? [], seconds);

@@ -5,7 +5,7 @@
  */
 
 /**
- * Parses a message; open lists are closed at its end.
+ * Parses a message; lists without a closing parenthesis end with the message.
  *
  * @param {string} text
  * @returns {Expression[]}

@@ -8,8 +8,8 @@
  *
  * @typedef {object} Exchange
  * @property {number} seconds
- * @property {string} perceptors message of the simulator
- * @property {string} effectors message of the agent
+ * @property {string} perceptors message from the simulator
+ * @property {string} effectors message from the agent
  *
  * @typedef {object} Thoughts telemetry at one moment
  * @property {readonly LogLine[]} log all lines, including later ones
@@ -29,7 +29,7 @@ const MESSAGE_SECONDS = 0.5;
 const PICTURE_MESSAGES = 12;
 const HALF_CYCLE = 0.01;
 
-/** How long a drawn picture stays visible if no other follows. */
+/** How long drawings stay visible if no others follow. */
 export const DRAWING_SECONDS = 1;
 
 export class RobotMemory {

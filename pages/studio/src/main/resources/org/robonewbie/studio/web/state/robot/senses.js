@@ -16,7 +16,7 @@
  *
  * @typedef {object} Senses
  * @property {number | undefined} now seconds
- * @property {Record<string, string>} game game state by SimSpark's names
+ * @property {Record<string, string>} game game state, keyed by SimSpark's names
  * @property {number[] | undefined} gyro degrees per second about the forward, left and up axes
  * @property {number[] | undefined} acceleration metres per second squared
  * @property {Record<string, FootForce>} feet by SimSpark's names: lf, rf and, with toes, lf1, rf1
@@ -25,7 +25,7 @@
  */
 import { numbers, part, readExpressions } from './expressions.js';
 
-/** @param {string} message message of the simulator @returns {Senses} */
+/** @param {string} message message from the simulator @returns {Senses} */
 export function readSenses(message) {
   /** @type {Senses} */
   const senses = {
@@ -134,7 +134,7 @@ function player(expression) {
 /**
  * Reads the commands of an agent.
  *
- * @param {string} message message of the agent
+ * @param {string} message message from the agent
  * @returns {{speeds: Record<string, number>, said: string[]}} degrees per second by effector, and the texts said
  */
 export function readOrders(message) {

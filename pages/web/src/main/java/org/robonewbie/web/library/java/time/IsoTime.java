@@ -2,12 +2,15 @@ package org.robonewbie.web.library.java.time;
 
 import org.teavm.jso.JSBody;
 
-/** Conversion of times by the browser. TeaVM does not process {@code JSBody} in {@link Instant}, because that class is renamed. */
+/**
+ * Converts times with functions of the browser. TeaVM does not process {@code JSBody} in {@link Instant}, because that
+ * class is renamed.
+ */
 final class IsoTime {
 
     private IsoTime() {}
 
-    /** Returns the milliseconds since 1970 of a time in ISO 8601, or NaN if the text is none. */
+    /** Returns the milliseconds since 1970 of a time in ISO 8601, or NaN if the text is not a valid time. */
     @JSBody(params = "text", script = "return Date.parse(text);")
     static native double parse(String text);
 

@@ -9,11 +9,11 @@ import org.jspecify.annotations.Nullable;
  * Format specifier such as {@code %-8.2f}.
  *
  * @param index index of the argument, from 1; 0 for the next one, -1 for the previous one
- * @param flags the set flags of {@code -#+ 0,(}
+ * @param flags those of {@code -#+ 0,(} that are set
  * @param width minimum number of characters
- * @param precision digits or characters; -1 if not given
+ * @param precision number of digits or characters; -1 if not given
  * @param conversion the conversion character
- * @param end index of the character after it
+ * @param end index of the character after the specifier
  */
 record FormatSpecifier(int index, String flags, int width, int precision, char conversion, int end) {
 

@@ -7,8 +7,8 @@ import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Subset of {@link java.util.Formatter} for the page: all conversions except dates, with numbers as in {@link Locale#ROOT}. In TeaVM
- * 0.15.0, {@code %%} consumes an argument and 12.5 is rounded to 12.
+ * Subset of {@link java.util.Formatter} for the page: all conversions except dates, with numbers as in {@link
+ * Locale#ROOT}. It is needed because in TeaVM 0.15.0, {@code %%} consumes an argument and 12.5 is rounded to 12.
  */
 public final class Formatter implements Closeable, Flushable {
 

@@ -3,7 +3,10 @@ package org.robonewbie.web.library.org.robonewbie.agent.running;
 import java.util.Optional;
 import org.robonewbie.pagejvm.StudentFields;
 
-/** Creates a second instance of a student's robot to detect changed numbers; compiled robots read theirs in {@code think()}. */
+/**
+ * Creates further instances of a student's robot to find out which fields depend on tunable numbers. Shipped agents do
+ * not need it, because they read these numbers in {@code think()}.
+ */
 public final class PagePrototypeProbe {
 
     private PagePrototypeProbe() {}

@@ -8,7 +8,7 @@ import org.robonewbie.nao.motion.MotionSource;
 import org.robonewbie.nao.motion.file.ShippedMotions;
 import org.robonewbie.web.PageMemory;
 
-/** Motions that the user has made in the page, kept in memory since a page has no folder. */
+/** Motions that the user has made in the page, kept in memory because a page has no folder. */
 public final class PageMotionFiles implements MotionSource {
 
     private PageMotionFiles() {}
