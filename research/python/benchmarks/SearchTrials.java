@@ -9,7 +9,7 @@ import org.robonewbie.learning.search.RestartingSearch;
 public class SearchTrials {
 
     private static final double GOAL = 1e-9;
-    private static final int MOST_TRIALS = 300_000;
+    private static final int MAX_TRIALS = 300_000;
 
     public static void main(String[] words) {
         int seeds = Integer.parseInt(words[0]);
@@ -33,7 +33,7 @@ public class SearchTrials {
 
     private static int trials(RestartingSearch search, ToDoubleFunction<double[]> cost) {
         int trials = 0;
-        while (trials < MOST_TRIALS) {
+        while (trials < MAX_TRIALS) {
             double[] costs = search.ask().stream().mapToDouble(cost).toArray();
             trials += costs.length;
             if (Arrays.stream(costs).min().orElseThrow() <= GOAL) {

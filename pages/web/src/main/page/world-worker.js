@@ -6,7 +6,7 @@ import { load } from './webassembly-loader.js';
 
 const TURN_MILLISECONDS = 20;
 const REPORT_MILLISECONDS = 200;
-const SHORTEST_SECONDS = 0.001;
+const MIN_SECONDS = 0.001;
 
 /** A service worker may answer with a script whose address has no query, so the worker's name selects the program. */
 const FOR_PROGRAMS = self.name === 'programs';
@@ -21,7 +21,7 @@ let reports;
 /** @param {any} exports functions of the program */
 function turn(exports) {
   const now = performance.now();
-  const seconds = Math.max(SHORTEST_SECONDS, (now - last) / 1000);
+  const seconds = Math.max(MIN_SECONDS, (now - last) / 1000);
   last = now;
   exports.turn(seconds);
 }

@@ -45,7 +45,7 @@ class CompilerOfThisJavaTest {
         String right = robonewbie(java, "run", "Agent_BasicStructure", "--headless", "--fast", "--seconds", "2");
 
         assertThat(wrong)
-                .startsWith("robonewbie: To run .java files install a JDK instead of a Java run-time (JRE)")
+                .startsWith("robonewbie: To run .java files, install a JDK instead of a Java runtime (JRE)")
                 .doesNotContain("at org.robonewbie");
         assertThat(right).contains("left shoulder pitch 31.20 degrees");
     }

@@ -32,7 +32,7 @@ class DocumentationTest {
     private static final Pattern PUBLIC_CLASS = Pattern.compile("public (?:final )?class (\\w+)");
     private static final Pattern REFERENCE = Pattern.compile("(?:src|href)=\"([^\"]+)\"");
     private static final Pattern SLIDE_CODE = Pattern.compile("(?s)<pre>(.*?)</pre>");
-    private static final int MOST_LINES_OF_FIRST_PROGRAM = 12;
+    private static final int MAX_LINES_OF_FIRST_PROGRAM = 12;
 
     @TempDir
     Path folder = Path.of("");
@@ -96,7 +96,7 @@ class DocumentationTest {
     void firstProgramIsShort() {
         String first = blocks(Project.ROOT.resolve("README.md"), "java").get(0);
 
-        assertThat(first.lines()).hasSizeLessThanOrEqualTo(MOST_LINES_OF_FIRST_PROGRAM);
+        assertThat(first.lines()).hasSizeLessThanOrEqualTo(MAX_LINES_OF_FIRST_PROGRAM);
     }
 
     @Test

@@ -53,8 +53,8 @@ class TeamPictureTest {
 
     private static final int PLAYERS = 5;
     private static final long SEED = 1;
-    private static final double LONGEST_SECONDS = 300;
-    private static final double LEAST_SPEED = 3;
+    private static final double MAX_SECONDS = 300;
+    private static final double MIN_SPEED = 3;
     private static final double READY_METRES = 1.3;
     private static final double ALONE_METRES = 0.9;
     private static final double SHARE_OF_WAY = 0.47;
@@ -105,7 +105,7 @@ class TeamPictureTest {
     /** Plays until the ball has just left the foot of a player that passes it, and the receiver is ready. */
     private static Pass firstPass(Trial trial) {
         TeamMessage[] said = new TeamMessage[PLAYERS];
-        while (trial.seconds() < LONGEST_SECONDS) {
+        while (trial.seconds() < MAX_SECONDS) {
             trial.step();
             for (int i = 0; i < PLAYERS; i++) {
                 int index = i;
@@ -121,7 +121,7 @@ class TeamPictureTest {
     }
 
     private static boolean isPass(Trial trial, int player, TeamMessage said) {
-        if (said.receiver() == 0 || trial.now().ballVelocity().length() < LEAST_SPEED) {
+        if (said.receiver() == 0 || trial.now().ballVelocity().length() < MIN_SPEED) {
             return false;
         }
         double rolled = trial.now().place(player).distance(trial.now().ball());

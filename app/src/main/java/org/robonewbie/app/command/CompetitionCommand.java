@@ -155,7 +155,7 @@ final class CompetitionCommand implements Callable<Integer> {
             description = "With --watch: print the address of the page instead of opening a browser.")
     private boolean withoutBrowser;
 
-    @Option(names = "--headless", description = "Overrides --watch: open no studio.")
+    @Option(names = "--headless", description = "Overrides --watch: do not open the studio.")
     private boolean headless;
 
     @Override

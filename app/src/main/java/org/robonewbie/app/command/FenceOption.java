@@ -22,7 +22,7 @@ final class FenceOption {
     @Option(
             names = "--fence",
             paramLabel = "WHEN",
-            description = "Run programs in a sandbox by bubblewrap (Linux): auto if available, required, or none"
+            description = "Run programs in a bubblewrap sandbox (Linux): auto if available, required, or none"
                     + " (${DEFAULT-VALUE}).")
     private When fence = When.AUTO;
 

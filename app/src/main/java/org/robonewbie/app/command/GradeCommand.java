@@ -43,7 +43,7 @@ import picocli.CommandLine.Parameters;
             "",
             "Examples:",
             "  robonewbie grade                          list the exercises",
-            "  robonewbie grade arm-by-side --start      write the start code ArmBySide.java",
+            "  robonewbie grade arm-by-side --start      write the starter code ArmBySide.java",
             "  robonewbie grade arm-by-side ArmBySide.java",
             "  robonewbie grade 3 ArmBySide.java --seeds 10 --json grade.json",
             "  robonewbie grade kick Kick.java --watch     and show the first trial in the studio",
@@ -57,7 +57,7 @@ import picocli.CommandLine.Parameters;
             "  robonewbie grade --class submissions      grade a class: one folder for each student",
             "  robonewbie grade kick --class submissions --seeds 10   only this exercise",
             "",
-            "Exit code: 0 passed, 1 not yet passed, 2 called wrongly."
+            "Exit code: 0 passed, 1 not yet passed, 2 called incorrectly."
         })
 final class GradeCommand implements Callable<Integer> {
 
@@ -80,7 +80,7 @@ final class GradeCommand implements Callable<Integer> {
             description = "Your solution: a .java file, or the name of a class that extends Agent.")
     private Optional<String> solution = Optional.empty();
 
-    @Option(names = "--start", description = "Write the start code into the current folder.")
+    @Option(names = "--start", description = "Write the starter code into the current folder.")
     private boolean start;
 
     @Option(names = "--hint", description = "Show the revealed hints of the worksheet and reveal the next one.")
@@ -263,7 +263,7 @@ final class GradeCommand implements Callable<Integer> {
     private int writeStartCode(Exercise exercise) throws IOException {
         Path file = Path.of(exercise.className() + ".java");
         if (Files.exists(file)) {
-            throw new CalledWronglyException("The file " + file + " exists already. Rename it to start over.");
+            throw new CalledWronglyException("The file " + file + " already exists. Rename it to start over.");
         }
         Files.writeString(file, exercise.startCode());
         ProgressService.ofUser().begun(exercise);
@@ -312,7 +312,7 @@ final class GradeCommand implements Callable<Integer> {
     private static CalledWronglyException withoutSolution(Exercise exercise) {
         return new CalledWronglyException("Which program solves " + exercise.name() + "? Write: robonewbie grade "
                 + exercise.name() + " " + exercise.className() + ".java" + System.lineSeparator()
-                + "To write the start code first: robonewbie grade " + exercise.name()
+                + "To write the starter code first: robonewbie grade " + exercise.name()
                 + " --start");
     }
 }

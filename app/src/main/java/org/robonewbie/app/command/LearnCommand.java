@@ -26,7 +26,7 @@ import picocli.CommandLine.Parameters;
 @Command(
         name = "learn",
         description = {
-            "Learn a policy of a task by an evolution strategy, or evaluate one.",
+            "Learn a policy for a task with an evolution strategy, or evaluate one.",
             "",
             "Each generation writes the policy to FILE, the learning curve to FILE.csv and a checkpoint to FILE.checkpoint."
                     + " To resume an interrupted search, run the same command again."
@@ -79,7 +79,7 @@ final class LearnCommand implements Callable<Integer> {
     @Option(
             names = "--option",
             paramLabel = "NAME=VALUE",
-            description = "Option of the task, such as noise=0.5 or push=10; docs/gym-protocol.md lists all.")
+            description = "Task option, such as noise=0.5 or push=10; docs/gym-protocol.md lists them all.")
     private List<String> options = List.of();
 
     @Option(

@@ -21,8 +21,8 @@ public final class OptimisedAgent {
     @Option(
             names = "--agent",
             paramLabel = "CLASS",
-            description =
-                    "Optimise the numbers that this agent declares by number(...): an example, your class or .java file.")
+            description = "Optimise the numbers that an agent declares with number(...): the name of an example, your"
+                    + " class, or a .java file.")
     private Optional<String> program = Optional.empty();
 
     @Option(

@@ -77,7 +77,7 @@ final class RecordCommand implements Callable<Integer> {
     @Option(names = "--runs-per-file", paramLabel = "N", description = "Join the tables of N runs into one file (1).")
     private int runsPerFile = 1;
 
-    @Option(names = "--threads", paramLabel = "N", description = "Number of runs at the same time (one per core).")
+    @Option(names = "--threads", paramLabel = "N", description = "Number of parallel runs (one per core).")
     private int threads = Runtime.getRuntime().availableProcessors();
 
     @Option(names = "--robots", paramLabel = "N", description = "Number of robots of the program, 1 to 22 (1).")
@@ -100,7 +100,7 @@ final class RecordCommand implements Callable<Integer> {
         try (lock;
                 WorkerPool workers = new WorkerPool(agent, classPath.folders())) {
             if (set.runs() > 0) {
-                System.out.println(set.runs() + " runs are complete already and kept.");
+                System.out.println(set.runs() + " runs are already complete and are kept.");
             }
             new Recording(set, runs, robots, seconds, seed)
                     .run(threads, port -> workers.run(options(port)), System.out::println);

@@ -73,7 +73,7 @@ final class SimulatorCommand implements Callable<Integer> {
     @Option(
             names = {"--bind", "--host"},
             paramLabel = "ADDRESS",
-            description = "Address to listen at (default: 127.0.0.1, this computer only).")
+            description = "Address to listen on (default: 127.0.0.1, this computer only).")
     private String bindAddress = "127.0.0.1";
 
     @Option(names = "--sync", description = "Wait for all agents in each cycle instead of running in real time.")

@@ -16,7 +16,7 @@ final class ProjectCheck {
 
     private static final String SUBJECT = "A project";
     private static final String AGENT = "src/main/java/room/MyAgent.java";
-    private static final String GREETING = "Own simulator";
+    private static final String GREETING = "Started a simulator";
     private static final int MAX_SECONDS = 120;
 
     private ProjectCheck() {}

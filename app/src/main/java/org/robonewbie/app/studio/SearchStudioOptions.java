@@ -8,7 +8,7 @@ public final class SearchStudioOptions {
     @Option(names = "--headless", description = "Open no page; the program ends as soon as the search does.")
     boolean isHeadless;
 
-    @Option(names = "--no-browser", description = "Print the address of the page and open no browser.")
+    @Option(names = "--no-browser", description = "Print the address of the page instead of opening a browser.")
     boolean isWithoutBrowser;
 
     @Option(names = "--port", paramLabel = "N", description = "Port of the page (3400, or any free one).")

@@ -30,8 +30,8 @@ class HelpExamplesTest {
 
     @Test
     void textThatIsNoExampleBreaksBetweenWords() {
-        assertThat(examples.text("", "Exit code: 0 passed, 1 not yet passed, 2 called wrongly, and no more")
+        assertThat(examples.text("", "Exit code: 0 passed, 1 not yet passed, 2 called incorrectly, and no more")
                         .lines())
-                .containsExactly("", "Exit code: 0 passed, 1 not yet passed, 2 called", "wrongly, and no more");
+                .containsExactly("", "Exit code: 0 passed, 1 not yet passed, 2 called", "incorrectly, and no more");
     }
 }

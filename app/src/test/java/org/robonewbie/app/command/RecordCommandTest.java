@@ -139,7 +139,7 @@ class RecordCommandTest {
         Printed second = Printed.by(with(words, folder.resolve("set")));
         Printed whole = Printed.by(with(words, folder.resolve("whole")));
 
-        assertThat(second.out()).contains("2 runs are complete already and kept.", "run 1/3, seed 1: 97 rows");
+        assertThat(second.out()).contains("2 runs are already complete and are kept.", "run 1/3, seed 1: 97 rows");
         assertThat(whole.exitCode()).as(whole.err()).isZero();
         assertThat(folder.resolve("set/cycles/run-00001.csv"))
                 .hasSameBinaryContentAs(folder.resolve("whole/cycles/run-00001.csv"));
@@ -167,7 +167,7 @@ class RecordCommandTest {
 
         assertThat(printed.exitCode()).as(printed.err()).isZero();
         assertThat(printed.out())
-                .contains("1 runs are complete already and kept.", "run 2/3", "run 3/3")
+                .contains("1 runs are already complete and are kept.", "run 2/3", "run 3/3")
                 .doesNotContain("run 1/3");
         assertThat(broken.resolve("cycles/run-00001.csv")).hasContent("kept");
         assertThat(broken.resolve("cycles/run-00002.csv"))
@@ -278,7 +278,7 @@ class RecordCommandTest {
         Printed whole = Printed.by(with(words, folder.resolve("two")));
 
         assertThat(again.exitCode()).as(again.err()).isZero();
-        assertThat(again.out()).containsPattern("(?m)^([2-9]|10|11) runs are complete already and kept.");
+        assertThat(again.out()).containsPattern("(?m)^([2-9]|10|11) runs are already complete and are kept.");
         assertThat(whole.exitCode()).as(whole.err()).isZero();
         assertThat(contents("one")).hasSize(8).isEqualTo(contents("two"));
     }

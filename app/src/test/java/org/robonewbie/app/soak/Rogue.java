@@ -19,7 +19,7 @@ final class Rogue implements Callable<Integer> {
 
     private static final int FLOOD = 300;
     private static final int LIVES_PER_SILENCE = 8;
-    private static final int MOST_MESSAGE_BYTES = 1 << 20;
+    private static final int MAX_MESSAGE_BYTES = 1 << 20;
 
     private final int agentPort;
     private final int monitorPort;
@@ -102,7 +102,7 @@ final class Rogue implements Callable<Integer> {
         byte[] prefix = in.readNBytes(Integer.BYTES);
         int length =
                 prefix.length < Integer.BYTES ? -1 : ByteBuffer.wrap(prefix).getInt();
-        if (length < 0 || length > MOST_MESSAGE_BYTES || in.readNBytes(length).length < length) {
+        if (length < 0 || length > MAX_MESSAGE_BYTES || in.readNBytes(length).length < length) {
             throw new IOException("The server has ended the connection.");
         }
     }

@@ -38,13 +38,13 @@ class SoakTest {
     private static final int ROBOTS = 11;
     private static final int LOOKS = 8;
     private static final int LIVES = 20;
-    private static final int MOST_CYCLES_OF_A_LIFE = 4000;
+    private static final int MAX_CYCLES_OF_A_LIFE = 4000;
     private static final double SECONDS = Double.parseDouble(System.getProperty("soak.simulated-seconds", "30"));
     private static final double CLOCK_SECONDS = Double.parseDouble(System.getProperty("soak.clock-seconds", "12"));
-    private static final long MOST_KILOBYTES = 1L << 40;
+    private static final long MAX_KILOBYTES = 1L << 40;
     private static final double RECORDED_KILOBYTES_PER_SECOND = 8;
-    private static final long MOST_MORE_MEGABYTES = 20;
-    private static final long MOST_MORE_FILES = 60;
+    private static final long MAX_MORE_MEGABYTES = 20;
+    private static final long MAX_MORE_FILES = 60;
 
     @TempDir
     private Path folder;
@@ -75,7 +75,7 @@ class SoakTest {
     void honestRobotsLoseNothingOnTheClock() throws Exception {
         Path recording = folder.resolve("clock.rec");
 
-        try (SoakServer server = server(MOST_KILOBYTES, CLOCK_SECONDS, recording)) {
+        try (SoakServer server = server(MAX_KILOBYTES, CLOCK_SECONDS, recording)) {
             assertNobodyHonestLoses(server, CLOCK_SECONDS);
         }
 
@@ -101,7 +101,7 @@ class SoakTest {
         ExecutorService threads = Executors.newCachedThreadPool();
         List<Future<HonestRobot.Count>> honest = new ArrayList<>();
         List<Future<Integer>> rogues = new ArrayList<>();
-        int mostCycles = (int) Math.min(MOST_CYCLES_OF_A_LIFE, cycles(seconds) / LIVES);
+        int mostCycles = (int) Math.min(MAX_CYCLES_OF_A_LIFE, cycles(seconds) / LIVES);
         try {
             for (int number = 1; number <= ROBOTS; number++) {
                 HonestRobot.Listener listener = number == 1
@@ -132,8 +132,8 @@ class SoakTest {
         Look first = looks.get(0);
         Look last = looks.get(looks.size() - 1);
         assertThat(looks).hasSizeGreaterThanOrEqualTo(LOOKS - 2);
-        assertThat(last.megabytes()).isLessThanOrEqualTo(first.megabytes() + MOST_MORE_MEGABYTES);
-        assertThat(last.files()).isLessThanOrEqualTo(first.files() + MOST_MORE_FILES);
+        assertThat(last.megabytes()).isLessThanOrEqualTo(first.megabytes() + MAX_MORE_MEGABYTES);
+        assertThat(last.files()).isLessThanOrEqualTo(first.files() + MAX_MORE_FILES);
     }
 
     /** The first and the last eighth of the time are left out; nobody waits for the look. */

@@ -233,6 +233,6 @@ class LocalCourseHostTest {
 
         assertThat(ask("DELETE", "attempt")).contains("\"state\":\"NONE\"");
         assertThatThrownBy(() -> begin("nonsense", "", 1))
-                .hasMessage("There is no exercise named \"nonsense\". Load the page again.");
+                .hasMessage("There is no exercise named \"nonsense\". Reload the page.");
     }
 }

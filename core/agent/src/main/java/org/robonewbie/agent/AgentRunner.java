@@ -94,7 +94,7 @@ final class AgentRunner {
             throw new StartUpException("runTogether needs at least one agent, such as new MyAgent().");
         }
         if (Set.copyOf(agents).size() < agents.size()) {
-            throw new StartUpException("The same agent was passed twice. Create each agent with its own new.");
+            throw new StartUpException("The same agent was passed twice. Create a separate instance for each robot.");
         }
     }
 
@@ -175,7 +175,7 @@ final class AgentRunner {
         return seconds < SECONDS_OF_THE_START
                 ? "--seconds " + seconds
                         + " ended before the robot was in the game; joining takes about 0.3 s. Give at least 1."
-                : "The simulator did not let the robot in: " + lost.getMessage();
+                : "The simulator did not accept the robot: " + lost.getMessage();
     }
 
     /** Prints a closing line for a headless run that would otherwise print nothing. */

@@ -78,7 +78,7 @@ class StartDialogueTest {
 
             assertThatThrownBy(() -> Nao.connect(options))
                     .isInstanceOf(StartUpException.class)
-                    .hasMessageContaining("The simulator did not let the robot in");
+                    .hasMessageContaining("The simulator did not accept the robot");
         }
     }
 
@@ -167,7 +167,7 @@ class StartDialogueTest {
 
         assertThatThrownBy(() -> AgentRunner.run(List.of(), List.of(agent, agent)))
                 .isInstanceOf(StartUpException.class)
-                .hasMessage("The same agent was passed twice. Create each agent with its own new.");
+                .hasMessage("The same agent was passed twice. Create a separate instance for each robot.");
     }
 
     @Test

@@ -63,7 +63,7 @@ final class AroundTheBallTask implements Task {
             return Score.failed(
                     Math.abs(turned) / 60,
                     finding,
-                    "Keep more distance: 0.5 m from fieldView.ball().distance() is safe.");
+                    "Keep a greater distance: a fieldView.ball().distance() of 0.5 m is safe.");
         }
         if (farthest > FAR_METRES) {
             return Score.failed(
@@ -74,8 +74,8 @@ final class AroundTheBallTask implements Task {
                 : Score.failed(
                         Math.abs(turned) / 45,
                         finding,
-                        "Stay within 0.9 m and walk sideways while you turn to the ball: walk.towards(forward, left, turn) takes all"
-                                + " three at once.");
+                        "Stay within 0.9 m and walk sideways while you turn towards the ball: walk.towards(forward,"
+                                + " left, turn) does all three at once.");
     }
 
     private static double direction(WorldState state) {

@@ -103,7 +103,10 @@ final class BallDirectionTask implements Task {
                 : String.format(Locale.ROOT, "said it %d times, mean error %.2f°", words, error);
         if (words < MIN_WORDS) {
             return Score.failed(
-                    0, finding, "Say it at least 40 times, such as nao.say(\"ball:-12.3\"), when the ball is visible.");
+                    0,
+                    finding,
+                    "Say it at least 40 times while the ball is visible, for example with"
+                            + " nao.say(\"ball:-12.3\").");
         }
         if (highYaw - lowYaw < YAW_RANGE || highPitch - lowPitch < PITCH_RANGE) {
             return Score.failed(2, finding, "The head must move: call lookAround.look() in each cycle.");
@@ -113,7 +116,8 @@ final class BallDirectionTask implements Task {
                 : Score.failed(
                         5 - error,
                         finding,
-                        "CameraTransformation.KINEMATICS follows the neck exactly, but takes the torso as upright. How far does it"
-                                + " lean? At rest the accelerometer points up: turn the point so that up becomes (0, 0, 1).");
+                        "CameraTransformation.KINEMATICS follows the neck exactly but assumes that the torso is"
+                                + " upright. How far does it lean? At rest, the accelerometer vector points up:"
+                                + " rotate the point so that this vector becomes (0, 0, 1).");
     }
 }

@@ -121,8 +121,8 @@ final class BetterPassTask implements Task {
             return Score.failed(
                     1,
                     finding,
-                    "All players stay within 0.9 m of their start: number 1 only gets behind the ball and stops after its kick, and the"
-                            + " mates wait.");
+                    "All players must stay within 0.9 m of their start: number 1 only gets behind the ball and stops"
+                            + " after its kick, and its team mates wait.");
         }
         boolean first = nearest[0] <= REACHED_METRES;
         boolean second = nearest[1] <= REACHED_METRES;
@@ -131,13 +131,14 @@ final class BetterPassTask implements Task {
                 : Score.failed(
                         first || second ? 3 : 0,
                         finding,
-                        "Ask for each mate how near an opponent comes to the way from the ball to it: Translation2d.distanceToSegment. Kick.kick gets"
+                        "For each team mate, compute how close an opponent is to the line from the ball to it:"
+                                + " Translation2d.distanceToSegment. Kick.kick gets"
                                 + " behind the ball by itself; give it the same direction until the ball rolls.");
     }
 
     private String describe(int number) {
         return Double.isInfinite(nearest[number])
                 ? "not tried"
-                : String.format(Locale.ROOT, "%.2f m beside the free mate at best", nearest[number]);
+                : String.format(Locale.ROOT, "at best %.2f m from the free team mate", nearest[number]);
     }
 }

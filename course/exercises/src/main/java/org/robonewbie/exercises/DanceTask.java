@@ -31,7 +31,7 @@ final class DanceTask implements Task {
     private static final double JUDGED_FROM_SECONDS = 3;
     private static final double JUDGED_SECONDS = 12;
     private static final double MIN_SHARE = 0.5;
-    private static final double MOST_METRES = 0.3;
+    private static final double MAX_METRES = 0.3;
     private static final int MIN_LIMBS = 3;
 
     private Pose2d start = new Pose2d(-1, 0, 0);
@@ -113,10 +113,10 @@ final class DanceTask implements Task {
             return Score.failed(
                     Math.min(2, moving),
                     finding,
-                    "Move the legs slowly and alike on both sides; arms and head are free.");
+                    "Move the legs slowly and symmetrically; move the arms and head as you like.");
         }
-        if (travelled > MOST_METRES) {
-            return Score.failed(2, finding, "Dance on the spot: stay within 0.3 m of where you begin.");
+        if (travelled > MAX_METRES) {
+            return Score.failed(2, finding, "Dance on the spot: stay within 0.3 m of where you start.");
         }
         if (moving < MIN_LIMBS) {
             return Score.failed(
@@ -129,8 +129,8 @@ final class DanceTask implements Task {
                 : Score.failed(
                         3.0 + dancing,
                         finding,
-                        "The ball beats time, differently in each trial. Let fieldView.ball().bearing() lead the swing, or measure"
-                                + " how long a swing takes.");
+                        "The ball beats time, at a different tempo in each trial. Let fieldView.ball().bearing()"
+                                + " drive the swing, or measure how long a swing takes.");
     }
 
     private int limbs(boolean inRhythm) {

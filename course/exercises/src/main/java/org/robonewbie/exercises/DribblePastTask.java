@@ -71,20 +71,22 @@ final class DribblePastTask implements Task {
                 farthest);
         if (wrongSide) {
             return Score.failed(
-                    2, finding, "The ball has to pass the opponent on its left (more y), at least 0.2 m beside it.");
+                    2,
+                    finding,
+                    "The ball must pass the opponent on its left (greater y), at least 0.2 m away from it.");
         }
         if (pushed) {
             return Score.failed(
                     passed ? 3 : 2,
                     finding,
-                    "The opponent was pushed. Choose a point to its left, 0.8 m away, and bring the ball there first; when the ball has"
-                            + " passed the opponent, go on to the goal.");
+                    "The opponent was pushed. Choose a point to its left, 0.8 m away, and bring the ball there first;"
+                            + " once the ball has passed the opponent, continue to the goal.");
         }
         if (farthest > FAR_METRES) {
             return Score.failed(
                     1,
                     finding,
-                    "Stay with the ball: within 1.8 m of it all the time. Dribble, do not kick, and walk more slowly.");
+                    "Stay within 1.8 m of the ball at all times. Dribble instead of kicking, and walk more slowly.");
         }
         if (aside > EDGE_METRES) {
             return Score.failed(1, finding, "Stay within 3 m of the middle of the pitch: |y| below 3.");
@@ -94,6 +96,7 @@ final class DribblePastTask implements Task {
                 : Score.failed(
                         passed ? 3 : 0,
                         finding,
-                        "Dribble.bring(world, target) brings the ball to a point. Which one, so that the way past the opponent is free?");
+                        "Dribble.bring(world, target) brings the ball to a point. Which point leaves the way past the"
+                                + " opponent clear?");
     }
 }

@@ -62,10 +62,10 @@ public record Exercise(
     public String startCode() {
         String file = "start/" + className + ".java.txt";
         try (InputStream stream =
-                Objects.requireNonNull(Exercise.class.getResourceAsStream(file), "There is no start code " + file)) {
+                Objects.requireNonNull(Exercise.class.getResourceAsStream(file), "There is no starter code " + file)) {
             return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
         } catch (IOException unreadable) {
-            throw new UncheckedIOException("The start code " + file + " cannot be read.", unreadable);
+            throw new UncheckedIOException("The starter code " + file + " cannot be read.", unreadable);
         }
     }
 }

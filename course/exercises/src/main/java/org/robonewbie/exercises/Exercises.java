@@ -23,7 +23,7 @@ public final class Exercises {
                     "StopAt30",
                     "Stop at 30 degrees",
                     30,
-                    "Stop the left shoulder at 30° ± 1°, from wherever it begins.",
+                    "Stop the left shoulder at 30° ± 1°, wherever it starts.",
                     5,
                     StopAt30Task::new),
             new Exercise(
@@ -32,7 +32,7 @@ public final class Exercises {
                     "ArmBySide",
                     "The arm on the side of the other robot",
                     30,
-                    "Raise the arm on the side where another robot is seen; none seen, both arms down.",
+                    "Raise the arm on the side where you see another robot; if you see none, keep both arms down.",
                     18,
                     ArmBySideTask::new),
             new Exercise(
@@ -50,7 +50,7 @@ public final class Exercises {
                     "BallDirection",
                     "How exact is the view?",
                     60,
-                    "Say the ball's direction to 0.5°, however head and body lean.",
+                    "Say the ball's direction to within 0.5°, however the head and body lean.",
                     12,
                     BallDirectionTask::new),
             new Exercise(
@@ -77,7 +77,7 @@ public final class Exercises {
                     "GetUp",
                     "Get up",
                     30,
-                    "Say how you lie, get up within 12 s, and say when you stand.",
+                    "Say how you are lying, get up within 12 s, and say when you are standing.",
                     13,
                     GetUpTask::new),
             new Exercise(
@@ -95,7 +95,7 @@ public final class Exercises {
                     "GoToTheBall",
                     "Think in steps",
                     60,
-                    "Walk to the ball, stop before it without touching it, raise the left arm.",
+                    "Walk to the ball, stop in front of it without touching it, and raise the left arm.",
                     45,
                     GoToTheBallTask::new),
             new Exercise(
@@ -122,7 +122,7 @@ public final class Exercises {
                     "WhereAmI",
                     "Where am I?",
                     120,
-                    "Find out where on the pitch you stand, to 30 cm.",
+                    "Find out where you are on the pitch, to within 30 cm.",
                     24,
                     WhereAmITask::new),
             new Exercise(
@@ -149,7 +149,7 @@ public final class Exercises {
                     "FasterWalk",
                     "Learn to walk faster",
                     120,
-                    "Learn to walk 6.3 m in 10 s, straight and without a fall.",
+                    "Learn to walk 6.3 m in 10 s, straight and without falling.",
                     10,
                     FasterWalkTask::new),
             new Exercise(
@@ -167,7 +167,7 @@ public final class Exercises {
                     "UnseenBall",
                     "Keep in mind what you do not see",
                     60,
-                    "Turn away from the ball and go on saying where it is.",
+                    "Turn away from the ball and keep saying where it is.",
                     14,
                     UnseenBallTask::new),
             new Exercise(
@@ -203,7 +203,7 @@ public final class Exercises {
                     "Hill",
                     "Up the hill",
                     60,
-                    "Walk up a slope and stand still on the top, before the steps.",
+                    "Walk up a slope and stand still at the top, in front of the steps.",
                     45,
                     HillTask::new),
             new Exercise(
@@ -212,7 +212,7 @@ public final class Exercises {
                     "PushTogether",
                     "Push together",
                     60,
-                    "Push a wide box over a line, two robots together, without turning it.",
+                    "Push a wide box over a line with two robots, without turning it.",
                     45,
                     PushTogetherTask::new),
             new Exercise(
@@ -221,7 +221,7 @@ public final class Exercises {
                     "BetterPass",
                     "A better pass",
                     90,
-                    "Pass to the team mate to whom the way is free, twice.",
+                    "Pass to the team mate with a clear passing lane, twice.",
                     50,
                     BetterPassTask::new),
             new Exercise(
@@ -230,7 +230,7 @@ public final class Exercises {
                     "MyFormation",
                     "A better formation",
                     120,
-                    "Three players: one at the ball, one before the goal, one free for a pass.",
+                    "Three players: one at the ball, one in front of the goal, one open for a pass.",
                     48,
                     FormationTask::new),
             new Exercise(
@@ -239,7 +239,7 @@ public final class Exercises {
                     "DribblePast",
                     "Past an opponent",
                     90,
-                    "Dribble past an opponent on its left, where the straight way does not go, and push nobody.",
+                    "Dribble past an opponent on its left, because the straight path is blocked, without pushing it.",
                     75,
                     DribblePastTask::new));
 

@@ -55,7 +55,11 @@ final class FasterWalkTask implements Task {
     @Override
     public Score score() {
         String finding = String.format(
-                Locale.ROOT, "%.2f m in 10 s, at most %.2f m aside%s", metres, aside, fallen ? ", then a fall" : "");
+                Locale.ROOT,
+                "%.2f m in 10 s, at most %.2f m to the side%s",
+                metres,
+                aside,
+                fallen ? ", then a fall" : "");
         if (fallen) {
             return Score.failed(
                     metres / 2, finding, "Too fast: change one number at a time and try each several times.");
@@ -64,7 +68,8 @@ final class FasterWalkTask implements Task {
             return Score.failed(
                     GIVEN_POINTS,
                     finding + ", with the framework's fast walk",
-                    "WalkStyle.FAST and FastWalk are given; find numbers of your own, beginning with WalkStyle.coordinates().");
+                    "WalkStyle.FAST and FastWalk belong to the framework; find your own numbers, starting from"
+                            + " WalkStyle.coordinates().");
         }
         return metres >= FAR_METRES && aside <= ASIDE_METRES
                 ? Score.passed(
@@ -72,7 +77,7 @@ final class FasterWalkTask implements Task {
                 : Score.failed(
                         metres,
                         finding,
-                        "With its own numbers the framework's walk gets 5.8 m far. Give walk.setStyle others: let a program try"
-                                + " many, keep the best, and vary it again.");
+                        "With its default numbers, the framework's walk covers 5.8 m. Pass others to walk.setStyle:"
+                                + " let a program try many, keep the best, and vary it again.");
     }
 }

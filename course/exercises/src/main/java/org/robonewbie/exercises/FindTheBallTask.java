@@ -48,12 +48,14 @@ final class FindTheBallTask implements Task {
                     points,
                     String.format(Locale.ROOT, "faced the ball after %.1f s", foundSeconds),
                     points < 10
-                            ? "The head is quicker than the legs, and the shorter way round is known once it is seen."
+                            ? "The head turns faster than the legs, and once it has seen the ball, you know the"
+                                    + " shorter way to turn."
                             : "");
         }
         return Score.failed(
                 2,
-                String.format(Locale.ROOT, "the ball is still %.0f° aside", bearing),
-                "Turn the head with lookAround.look() while the feet turn, and go on until the bearing is within 10°.");
+                String.format(Locale.ROOT, "the ball is still %.0f° to the side", bearing),
+                "Turn the head with lookAround.look() while the feet turn, and continue until the bearing is within"
+                        + " 10°.");
     }
 }

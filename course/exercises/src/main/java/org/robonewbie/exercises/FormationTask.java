@@ -150,15 +150,16 @@ final class FormationTask implements Task {
                 : Score.failed(
                         right - 2,
                         finding,
-                        "Three places that depend on the ball: 0.6 m behind it, on the way to your goal, and ahead beside the opponent. Who"
-                                + " takes which? Assignment.cheapest finds the shortest ways, and all come to the same result.");
+                        "Three positions depend on the ball: 0.6 m behind it, on the line to your goal, and further"
+                                + " ahead beside the opponent. Who takes which? Assignment.cheapest finds the"
+                                + " shortest paths, and all players get the same result.");
     }
 
     private String describe(int number) {
         boolean[] bad = missed[number];
         return String.format(
                 Locale.ROOT,
-                "%s at the ball and %s before the goal and %s free for a pass",
+                "%s at the ball and %s in front of the goal and %s open for a pass",
                 bad[0] ? "nobody" : "one",
                 bad[1] ? "nobody" : "one",
                 bad[2] ? "nobody" : "one");

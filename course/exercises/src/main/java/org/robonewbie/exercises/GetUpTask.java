@@ -77,16 +77,17 @@ final class GetUpTask implements Task {
             return Score.failed(
                     stood ? 3 : 0,
                     finding,
-                    "Ask nao.getBodyPosition() how the robot lies and say it: nao.say(\"back\") or nao.say(\"front\").");
+                    "Ask nao.getBodyPosition() how the robot is lying and say it: nao.say(\"back\") or"
+                            + " nao.say(\"front\").");
         }
         if (!stood) {
-            return Score.failed(4, finding, "Each way of lying needs a motion of its own.");
+            return Score.failed(4, finding, "Each lying position needs its own motion.");
         }
         return saidUp && !saidUpTooEarly
                 ? Score.passed((int) Math.round(10 - Math.max(0, upSeconds - QUICK_SECONDS)), finding, "")
                 : Score.failed(
                         6,
-                        finding + (saidUp ? ", but said \"up\" while it did not stand" : ", but did not say \"up\""),
-                        "Say nao.say(\"up\") when the robot feels that it stands, and not before.");
+                        finding + (saidUp ? ", but said \"up\" while it was not standing" : ", but did not say \"up\""),
+                        "Call nao.say(\"up\") when the sensors show that the robot is standing, and not before.");
     }
 }

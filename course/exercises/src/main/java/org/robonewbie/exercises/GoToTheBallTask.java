@@ -60,8 +60,8 @@ final class GoToTheBallTask implements Task {
             return Score.failed(
                     3,
                     finding,
-                    "The feet reach further ahead than the torso: stop when fieldView.ball().distance() is 0.4 m, and get"
-                            + " slower before.");
+                    "The feet reach further ahead than the torso: stop when fieldView.ball().distance() is 0.4 m, and"
+                            + " slow down before that.");
         }
         if (!done.isDecided()) {
             return Score.failed(

@@ -75,14 +75,18 @@ final class GoalkeeperTask implements Task {
     public Score score() {
         String last = side(Math.max(0, shots - 1));
         if (!goal) {
-            return Score.passed(String.format(Locale.ROOT, "kept the shots %s and %s of the middle", side(0), side(1)));
+            return Score.passed(
+                    String.format(Locale.ROOT, "saved the shots %s and %s of the middle", side(0), side(1)));
         }
         return Score.failed(
                 shots == 2 ? 4 : 0,
-                shots == 2 ? "kept the first shot; a goal by the second, " + last : "a goal by the first shot, " + last,
                 shots == 2
-                        ? "Get up after a dive and be ready again: the next shot comes to the other side."
-                        : "Two pictures of the ball give its speed and so where it will pass; \"dive-left\" and \"dive-right\""
+                        ? "saved the first shot; a goal from the second, " + last
+                        : "a goal from the first shot, " + last,
+                shots == 2
+                        ? "Get up after a dive and be ready again: the next shot goes to the other side."
+                        : "Two camera images of the ball give its velocity and thus the point where it will pass;"
+                                + " \"dive-left\" and \"dive-right\""
                                 + " are motions.");
     }
 

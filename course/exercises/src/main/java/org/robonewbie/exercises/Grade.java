@@ -85,7 +85,7 @@ public record Grade(String exercise, List<SeededScore> trials) {
                 language.translated(passed() ? "PASSED" : "not yet passed"),
                 points(),
                 language.translated("of"),
-                Score.MOST_POINTS,
+                Score.MAX_POINTS,
                 language.translated("points"));
         String hints = told.stream()
                 .map(trial -> trial.score().hint())

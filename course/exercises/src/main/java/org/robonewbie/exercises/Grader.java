@@ -133,7 +133,7 @@ public final class Grader {
                 watchdog.tick();
             } catch (ExecutionException exhausted) {
                 return Score.failed(
-                        0, "The program ended with " + exhausted.getCause() + ".", "Does it keep too much?");
+                        0, "The program ended with " + exhausted.getCause() + ".", "Does it keep too much in memory?");
             } catch (InterruptedException stopped) {
                 Thread.currentThread().interrupt();
                 return Score.failed(0, "The grading was stopped.", "");

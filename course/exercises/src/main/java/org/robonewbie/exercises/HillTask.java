@@ -17,7 +17,7 @@ final class HillTask implements Task {
     private static final Thing TOP = Landscape.SLOPE.things().get(1);
     private static final double HELD_SECONDS = 3;
     private static final double STILL_METRES = 0.06;
-    private static final double LEAST_TORSO_METRES = 0.25;
+    private static final double MIN_TORSO_METRES = 0.25;
 
     private final SustainedCondition standing = new SustainedCondition(HELD_SECONDS, this::isStandingOnTop);
     private Pose2d anchor = new Pose2d(0, 0, 0);
@@ -36,7 +36,7 @@ final class HillTask implements Task {
     public void see(WorldState state) {
         fallen |= state.robot().isFallen();
         if (isOverTop(state)) {
-            highest = Math.max(highest, state.robot().position().z() - LEAST_TORSO_METRES);
+            highest = Math.max(highest, state.robot().position().z() - MIN_TORSO_METRES);
         }
         standing.see(state);
     }
@@ -55,7 +55,7 @@ final class HillTask implements Task {
         Pose2d place = state.place();
         boolean still = place.distance(new Vector3(anchor.x(), anchor.y(), 0)) <= STILL_METRES;
         anchor = still ? anchor : place;
-        boolean high = state.robot().position().z() > TOP.size().z() + LEAST_TORSO_METRES;
+        boolean high = state.robot().position().z() > TOP.size().z() + MIN_TORSO_METRES;
         return still && high && isOverTop(state) && !state.robot().isFallen();
     }
 
@@ -77,13 +77,13 @@ final class HillTask implements Task {
         }
         if (fallen) {
             return Score.failed(
-                    reached ? 3 : 0, finding, "Walk slowly: 0.2 m/s leads up safely. Stop before the steps.");
+                    reached ? 3 : 0, finding, "Walk slowly: 0.2 m/s is safe on the slope. Stop in front of the steps.");
         }
         return Score.failed(
                 reached ? 4 : 0,
                 finding,
                 reached
-                        ? "Stop on the top, which is from x = -3.0 to x = -2.3, and stand still for 3 s."
+                        ? "Stop at the top, which extends from x = -3.0 to x = -2.3, and stand still for 3 s."
                         : "The slope is 2 m wide and begins at x = -4.2. Walk to (-4.5, 0) first, turn to 0°, then walk up.");
     }
 }

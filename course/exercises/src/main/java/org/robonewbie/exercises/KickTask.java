@@ -91,21 +91,24 @@ final class KickTask implements Task {
     public Score score() {
         String finding = String.format(
                 Locale.ROOT,
-                "ball before the %s foot: %s, the robot moved %.2f m%s",
+                "ball in front of the %s foot: %s, the robot moved %.2f m%s",
                 left > 0 ? "left" : "right",
                 metres < TOUCHED_METRES ? foot.finding() : String.format(Locale.ROOT, "it went %.2f m", metres),
                 walked,
                 fall);
         if (given.stream().anyMatch(RecognisedMotion::isRecognised)) {
             return Score.failed(
-                    2, finding, "That is a kick of the framework. Make your own: other keyframes, more than 4° apart.");
+                    2,
+                    finding,
+                    "That is one of the framework's kicks. Design your own: its keyframes must differ by"
+                            + " more than 4°.");
         }
         if (!fall.isEmpty() || !standing) {
             return Score.failed(
                     Math.min(3, 2 * metres),
                     finding,
-                    "Shift the weight onto the other foot before the leg swings; what the robot does at the moment of the"
-                            + " fall is one keyframe too fast or too far.");
+                    "Shift the weight onto the other foot before the leg swings; the keyframe in which the robot"
+                            + " falls is too fast or goes too far.");
         }
         if (walked > STAYED_METRES) {
             return Score.failed(2, finding, "Kick from where you stand: that was a walk.");
@@ -117,9 +120,11 @@ final class KickTask implements Task {
                         3 * metres,
                         finding,
                         metres < TOUCHED_METRES
-                                ? "The foot has not touched the ball. Short of it: do the toes scrape the ground? Raise them by 20°, or bend the knee more."
-                                        + " If less than 1 cm is missing: more hip pitch. Above it: less hip pitch. Beside it: less hip roll."
-                                : "Look down to see before which foot the ball lies. The foot must be quick where the ball is:"
-                                        + " a short keyframe there.");
+                                ? "The foot did not touch the ball. If it stopped short: do the toes scrape the"
+                                        + " ground? Raise them by 20°, or bend the knee more. If it was less than 1"
+                                        + " cm short, increase the hip pitch. If it passed above the ball, decrease"
+                                        + " the hip pitch. If it passed beside it, decrease the hip roll."
+                                : "Look down to see which foot the ball is in front of. The foot must be fast when it"
+                                        + " hits the ball: use a short keyframe there.");
     }
 }

@@ -75,7 +75,7 @@ final class ObstacleCourseTask implements Task {
     public Score score() {
         String finding = String.format(
                 Locale.ROOT,
-                "%d of 2 gates, %.2f m from the ball at best, things moved by %.2f m, %.0f s",
+                "%d of 2 gates, %.2f m from the ball at best, objects moved by %.2f m, %.0f s",
                 passed,
                 nearest,
                 moved,
@@ -84,8 +84,8 @@ final class ObstacleCourseTask implements Task {
             return Score.failed(
                     passed,
                     finding,
-                    "Something was touched. Aim at the middle of a gate from 0.6 m before it, and look straight ahead while you walk"
-                            + " through.");
+                    "Something was touched. Aim for the middle of a gate from 0.6 m in front of it, and look straight"
+                            + " ahead while you walk through.");
         }
         if (passed < GATES.size()) {
             return Score.failed(
@@ -96,6 +96,6 @@ final class ObstacleCourseTask implements Task {
         }
         return nearest <= NEAR_METRES
                 ? Score.passed(finding)
-                : Score.failed(6, finding, "Behind the second gate look for the ball and walk to it.");
+                : Score.failed(6, finding, "After the second gate, look for the ball and walk to it.");
     }
 }

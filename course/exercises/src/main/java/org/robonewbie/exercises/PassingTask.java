@@ -17,7 +17,7 @@ final class PassingTask implements Task {
 
     private static final double BALL_AHEAD = 0.187;
     private static final double BALL_LEFT = 0.063;
-    private static final double FEWEST_METRES = 1;
+    private static final double MIN_METRES = 1;
     private static final double ROLLS_METRES = 0.05;
     private static final double AT_MATE_METRES = 0.45;
     private static final double CAME_METRES = 0.2;
@@ -56,7 +56,7 @@ final class PassingTask implements Task {
         dribbled |= passer.distance(state.robot().position()) > STAYED_METRES;
         tooEarly |= metres < ROLLS_METRES && mate.distance(state.robots().get(1).position()) > STAYED_METRES;
         came = Math.max(came, mate.distance(state.robots().get(1).position()));
-        if (metres >= FEWEST_METRES && came >= CAME_METRES) {
+        if (metres >= MIN_METRES && came >= CAME_METRES) {
             nearest = Math.min(nearest, state.place(1).distance(state.ball()));
         }
         fallen |= state.robots().get(1).isFallen() || state.robot().isFallen();
@@ -78,7 +78,7 @@ final class PassingTask implements Task {
 
     @Override
     public Score score() {
-        boolean passed = metres >= FEWEST_METRES;
+        boolean passed = metres >= MIN_METRES;
         String finding = String.format(
                 Locale.ROOT,
                 "the ball went %.2f m%s%s%s%s",

@@ -100,7 +100,7 @@ public final class Performance {
             case ENDLESS -> ofEndlessStep(" for " + ProgressWatchdog.SECONDS + " s", Optional.of(why.text()));
             case IDLE -> Score.failed(0, why.text(), why.advice());
             case EXIT -> ofExit(why.text());
-            case MEMORY -> Score.failed(0, "The program took all memory (" + why.text() + " MB).", FIX_FIRST);
+            case MEMORY -> Score.failed(0, "The program used up all its memory (" + why.text() + " MB).", FIX_FIRST);
             case EXCESS -> Score.failed(0, "The program started too many processes.", FIX_FIRST);
         };
     }

@@ -74,7 +74,7 @@ final class PushTogetherTask implements Task {
                 : Score.failed(
                         Math.min(5, 3 * pushed),
                         finding,
-                        "The box begins 0.6 m ahead of the nearer robot. Walk straight on against it; SelfLocalisation says how far you have"
-                                + " come and keeps your heading at 0°.");
+                        "The box starts 0.6 m ahead of the nearer robot. Walk straight into it; SelfLocalisation"
+                                + " shows how far you have come and helps you keep your heading at 0°.");
     }
 }

@@ -14,7 +14,7 @@ import org.robonewbie.nao.motion.Posture;
 final class RecognisedMotion {
 
     private static final double ALIKE_DEGREES = 4;
-    private static final double MOST_OF_THEM = 0.7;
+    private static final double MIN_SHARE = 0.7;
     private static final Set<Joint> LEGS = EnumSet.range(Joint.LEFT_HIP_YAW_PITCH, Joint.RIGHT_FOOT_ROLL);
 
     private final Motion motion;
@@ -38,7 +38,7 @@ final class RecognisedMotion {
                 from = next;
             }
         }
-        return met >= MOST_OF_THEM * motion.keyframes().size();
+        return met >= MIN_SHARE * motion.keyframes().size();
     }
 
     private int firstLike(Posture posture, int from) {

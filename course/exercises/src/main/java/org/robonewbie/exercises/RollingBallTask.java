@@ -25,7 +25,7 @@ final class RollingBallTask implements Task {
     private static final double JUDGED_UNTIL_SECONDS = 2.5;
     private static final double STRAIGHT_DEGREES = 15;
     private static final double GOOD_METRES = 0.35;
-    private static final int FEWEST_WORDS = 50;
+    private static final int MIN_WORDS = 50;
 
     private final Vector3[] starts = new Vector3[SHOT_SECONDS.length];
     private final Vector3[] velocities = new Vector3[SHOT_SECONDS.length];
@@ -87,14 +87,17 @@ final class RollingBallTask implements Task {
         String finding = "first ball " + describe(0) + ", second ball " + describe(1);
         if (headTurned > STRAIGHT_DEGREES) {
             return Score.failed(
-                    1, finding, "The head has to look straight ahead (NECK_YAW within 15°), so that the ball is lost.");
+                    1,
+                    finding,
+                    "The head must look straight ahead (NECK_YAW within 15°), so that the ball goes out"
+                            + " of sight.");
         }
-        if (Math.min(words[0], words[1]) < FEWEST_WORDS) {
+        if (Math.min(words[0], words[1]) < MIN_WORDS) {
             return Score.failed(
                     0,
                     finding,
-                    "Say in each cycle how far ahead and how far to the left the ball is, such as nao.say(\"ball:-0.85:0.40\"), also when"
-                            + " it is out of sight.");
+                    "In every cycle, say how far ahead and how far to the left the ball is, even when it is out of"
+                            + " sight, for example with nao.say(\"ball:-0.85:0.40\").");
         }
         double worst = Math.max(error(0), error(1));
         return worst <= GOOD_METRES
@@ -102,8 +105,9 @@ final class RollingBallTask implements Task {
                 : Score.failed(
                         4 - 2 * worst,
                         finding,
-                        "Two places and the time between them give the velocity. It shrinks while the ball rolls: by which share in a"
-                                + " second? Forget the velocity when the ball lies still again.");
+                        "Two positions and the time between them give the velocity. It decreases while the ball"
+                                + " rolls: by what fraction per second? Discard the velocity when the ball is at rest"
+                                + " again.");
     }
 
     private double error(int shot) {
@@ -111,6 +115,6 @@ final class RollingBallTask implements Task {
     }
 
     private String describe(int shot) {
-        return words[shot] < FEWEST_WORDS ? "not said" : String.format(Locale.ROOT, "%.2f m wrong", error(shot));
+        return words[shot] < MIN_WORDS ? "not said" : String.format(Locale.ROOT, "%.2f m wrong", error(shot));
     }
 }

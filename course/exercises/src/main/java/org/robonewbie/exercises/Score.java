@@ -13,7 +13,7 @@ import org.robonewbie.agent.log.NegativeZeroFormat;
 public record Score(boolean passed, int points, String finding, String hint) {
 
     /** Maximum points of a trial. */
-    public static final int MOST_POINTS = 10;
+    public static final int MAX_POINTS = 10;
 
     /** Creates a score. A negative zero in the finding is written without its sign. */
     public Score {
@@ -27,7 +27,7 @@ public record Score(boolean passed, int points, String finding, String hint) {
      * @return a score with all points
      */
     public static Score passed(String finding) {
-        return new Score(true, MOST_POINTS, finding, "");
+        return new Score(true, MAX_POINTS, finding, "");
     }
 
     /**
@@ -39,7 +39,7 @@ public record Score(boolean passed, int points, String finding, String hint) {
      * @return the score
      */
     public static Score passed(int points, String finding, String hint) {
-        return new Score(true, Math.max(1, Math.min(MOST_POINTS, points)), finding, hint);
+        return new Score(true, Math.max(1, Math.min(MAX_POINTS, points)), finding, hint);
     }
 
     /**
@@ -51,7 +51,7 @@ public record Score(boolean passed, int points, String finding, String hint) {
      * @return the score
      */
     public static Score failed(double points, String finding, String hint) {
-        int limited = (int) Math.max(0, Math.min(MOST_POINTS - 1, points));
+        int limited = (int) Math.max(0, Math.min(MAX_POINTS - 1, points));
         return new Score(false, limited, finding, hint);
     }
 

@@ -88,8 +88,8 @@ final class ScoreAGoalTask implements Task {
             return Score.failed(
                     2,
                     String.format(Locale.ROOT, "a robot of the wall was pushed away after %.1f s", seconds),
-                    "Go around the wall with the ball: choose a point beside the outermost robot, and the goal when the ball has"
-                            + " passed it.");
+                    "Go around the wall with the ball: choose a point beside the outermost robot, then the goal once"
+                            + " the ball has passed it.");
         }
         if (!scored) {
             return Score.failed(

@@ -55,7 +55,8 @@ final class SmoothMotionTask implements Task {
                 through ? 3 : 0,
                 finding,
                 through
-                        ? "Write an Interpolation whose slope at a keyframe is the same on both sides; 150 °/s are allowed."
+                        ? "Write an Interpolation whose slope at each keyframe is the same on both sides; a"
+                                + " difference of up to 150 °/s is allowed."
                         : "The curve must go through all keyframes: fraction 0 gives section.from(), fraction 1 section.to().");
     }
 

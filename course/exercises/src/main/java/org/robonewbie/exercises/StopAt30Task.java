@@ -42,7 +42,7 @@ final class StopAt30Task implements Task {
     @Override
     public Score score() {
         String finding =
-                String.format(Locale.ROOT, "highest angle %.2f°, at rest %.2f° beside 30°", highest, largestError);
+                String.format(Locale.ROOT, "highest angle %.2f°, at rest %.2f° away from 30°", highest, largestError);
         boolean stopped = largestError <= TOLERANCE_DEGREES;
         boolean overshot = highest > GOAL_DEGREES + TOLERANCE_DEGREES;
         if (stopped && !overshot) {
@@ -52,7 +52,9 @@ final class StopAt30Task implements Task {
                 stopped ? 5 : 5 - largestError,
                 finding,
                 overshot
-                        ? "When the sensor says 30, two more steps are under way: stop earlier, or get slower near the goal."
-                        : "The arm must be within 1° of 30° after 1.8 s and stay there: fast while it is far, slow when it is near.");
+                        ? "When the sensor reads 30, two more steps are under way: stop earlier, or slow down near"
+                                + " the target."
+                        : "The arm must be within 1° of 30° after 1.8 s and stay there: move it fast while it is far"
+                                + " away and slowly when it is close.");
     }
 }

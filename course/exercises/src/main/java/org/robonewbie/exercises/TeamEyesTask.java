@@ -98,7 +98,8 @@ final class TeamEyesTask implements Task {
         return Score.failed(
                 looked ? 0 : Math.max(0, 2 * (right - 2)),
                 finding,
-                "Number 2 says what it sees: nao.say(\"left\"). Number 1 asks nao.getHeard(). They stand face to face: what is left for"
-                        + " one is right for the other. Up is above 50°, down below 20°.");
+                "Number 2 says what it sees: nao.say(\"left\"). Number 1 reads nao.getHeard(). They stand face to"
+                        + " face: what is left for one is right for the other. An arm counts as up above 50° and as"
+                        + " down below 20°.");
     }
 }

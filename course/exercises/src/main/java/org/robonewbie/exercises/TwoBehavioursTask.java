@@ -69,13 +69,14 @@ final class TwoBehavioursTask implements Task {
                 share,
                 lowest,
                 highest,
-                Double.isNaN(period) ? "less than two swings" : String.format(Locale.ROOT, "once in %.2f s", period));
+                Double.isNaN(period) ? "fewer than two swings" : String.format(Locale.ROOT, "once in %.2f s", period));
         return follows && swings
                 ? Score.passed(finding)
                 : Score.failed(
                         (follows ? 3 : 0) + (swings ? 3 : 0),
                         finding,
-                        "Two methods, each for joints of its own, called in each think(). The arm goes from below -30° to above"
-                                + " 30° and back in 2 s; the head looks where fieldView.ball().bearing() says.");
+                        "Write two methods, each for its own joints, and call both in each think(). The arm moves"
+                                + " from below -30° to above 30° and back in 2 s; the head turns to"
+                                + " fieldView.ball().bearing().");
     }
 }

@@ -22,7 +22,7 @@ final class UnseenBallTask implements Task {
     private static final double TURN_DEGREES = 150;
     private static final double STRAIGHT_DEGREES = 20;
     private static final double GOOD_DEGREES = 12;
-    private static final int FEWEST_WORDS = 100;
+    private static final int MIN_WORDS = 100;
     private static final double WORST_DEGREES = 60;
 
     private Optional<String> said = Optional.empty();
@@ -75,20 +75,24 @@ final class UnseenBallTask implements Task {
         }
         if (headTurned > STRAIGHT_DEGREES) {
             return Score.failed(
-                    1, finding, "The head has to look straight ahead (NECK_YAW within 20°), so that the ball is lost.");
+                    1,
+                    finding,
+                    "The head must look straight ahead (NECK_YAW within 20°), so that the ball goes out"
+                            + " of sight.");
         }
-        if (words < FEWEST_WORDS) {
+        if (words < MIN_WORDS) {
             return Score.failed(
                     2,
                     finding,
-                    "Say the bearing in each cycle, such as nao.say(\"ball:-112.5\"), also when the ball is out of sight.");
+                    "Say the bearing in every cycle, even when the ball is out of sight, for example with"
+                            + " nao.say(\"ball:-112.5\").");
         }
         return error <= GOOD_DEGREES
                 ? Score.passed(finding)
                 : Score.failed(
                         error > WORST_DEGREES ? 2 : 4,
                         finding,
-                        "nao.getGyro().z() says how fast you turn, in degrees per second: what is on the left moves to the right by that"
-                                + " much. Begin to count when the ball was seen last.");
+                        "nao.getGyro().z() is your turning speed in degrees per second: what is on the left moves to"
+                                + " the right by that much. Start counting when the ball was last seen.");
     }
 }

@@ -66,15 +66,19 @@ final class WhereAmITask implements Task {
                 + (all.size() > 1 ? ", second place " + describe(all.get(1)) : "");
         if (Double.isInfinite(worst)) {
             return Score.failed(
-                    0, finding, "From 10 s on say in each cycle where you are, such as nao.say(\"at:-2.31:1.05\").");
+                    0,
+                    finding,
+                    "From 10 s on, report your position in every cycle, for example with"
+                            + " nao.say(\"at:-2.31:1.05\").");
         }
         return worst <= GOOD_METRES
                 ? Score.passed(finding)
                 : Score.failed(
                         3 - worst,
                         finding,
-                        "Two landmarks with distance and bearing give the place; SoccerField.BEGINNER.position(landmark) tells"
-                                + " where they stand. Forget what was seen before the robot was carried away.");
+                        "Two landmarks with distance and bearing give your position;"
+                                + " SoccerField.BEGINNER.position(landmark) returns where they are. Discard what was"
+                                + " seen before the robot was moved.");
     }
 
     private static String describe(double error) {

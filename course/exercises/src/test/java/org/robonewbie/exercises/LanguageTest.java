@@ -105,11 +105,11 @@ class LanguageTest {
                         + "|linker Arm 3.1° zu tief und noch in Bewegung, rechter Arm 0.2° daneben (2° sind erlaubt)",
                 "lay on its back and said nothing; stood after 4.2 s, but did not say \"up\""
                         + "|lag auf dem Rücken und sagte nichts; stand nach 4.2 s, sagte aber nicht \"up\"",
-                "ball before the left foot: it went 0.12 m, the robot moved 0.40 m and fell to the right after 1.2 s"
+                "ball in front of the left foot: it went 0.12 m, the robot moved 0.40 m and fell to the right after 1.2 s"
                         + "|Ball vor dem linken Fuß: er rollte 0.12 m, der Roboter bewegte sich 0.40 m und fiel nach 1.2 s nach rechts",
-                "kept the first shot; a goal by the second, 0.55 m to the left"
+                "saved the first shot; a goal from the second, 0.55 m to the left"
                         + "|hielt den ersten Schuss; ein Tor durch den zweiten, 0.55 m links",
-                "kept the shots 0.55 m to the left and 0.61 m to the right of the middle"
+                "saved the shots 0.55 m to the left and 0.61 m to the right of the middle"
                         + "|hielt die Schüsse 0.55 m links und 0.61 m rechts der Mitte",
                 "head at the ball for 90 % of the time, arm from -31° to 32°, once in 2.00 s"
                         + "|Kopf in 90 % der Zeit beim Ball, Arm von -31° bis 32°, einmal in 2.00 s",
@@ -117,7 +117,7 @@ class LanguageTest {
                         + "|Das Programm endete mit java.lang.ArithmeticException: / by zero in Kick.java:12.",
                 "The program ended the whole process (exit code 0). Does it call System.exit?"
                         + "|Das Programm hat den ganzen Prozess beendet (Exit-Code 0). Ruft es System.exit auf?",
-                "1 of 2 gates, 0.40 m from the ball at best, things moved by 0.00 m, 24 s"
+                "1 of 2 gates, 0.40 m from the ball at best, objects moved by 0.00 m, 24 s"
                         + "|1 von 2 Toren, kam dem Ball bis auf 0.40 m nahe, Hindernisse um 0.00 m verschoben, 24 s",
                 "reached the top, and stood there for 3 s|erreichte die Kuppe, und stand dort 3 s",
                 "nobody has written this|nobody has written this"

@@ -25,7 +25,7 @@ import org.robonewbie.team.Agent_Team;
 class WrongProgramsTest {
 
     private static final List<Long> SEEDS = List.of(1L, 2L);
-    private static final double MOST_POINTS = 6;
+    private static final double MAX_POINTS = 6;
 
     private static final Map<String, Supplier<Agent>> PROGRAMS = Map.ofEntries(
             program("do nothing", robot -> {}),
@@ -100,7 +100,7 @@ class WrongProgramsTest {
         Grade grade = new Grader().grade(Exercises.find(exercise).orElseThrow(), program, SEEDS, Optional.empty());
 
         assertThat(grade.passed()).as(grade.toString()).isFalse();
-        assertThat(grade.points()).as(grade.toString()).isLessThan(MOST_POINTS);
+        assertThat(grade.points()).as(grade.toString()).isLessThan(MAX_POINTS);
         assertThat(grade.toString())
                 .doesNotContain("NaN", "Infinity", "The program ended with")
                 .doesNotContainPattern("-0\\.0+(?!\\d)");

@@ -1,7 +1,7 @@
 // Colour scheme, navigation on small screens, and search. A plain script, since pages opened from a folder cannot load modules.
 (() => {
   const KEY = 'robonewbie-theme';
-  const MOST_HITS = 12;
+  const MAX_HITS = 12;
   const LETTERS_AROUND = 60;
   const top = document.currentScript.dataset.top;
   const root = document.documentElement;
@@ -48,7 +48,7 @@
       })
       .filter((hit) => hit.points > 0)
       .sort((one, other) => other.points - one.points)
-      .slice(0, MOST_HITS)
+      .slice(0, MAX_HITS)
       .map((hit) => hit.section);
   }
 

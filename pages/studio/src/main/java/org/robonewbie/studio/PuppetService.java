@@ -73,7 +73,7 @@ final class PuppetService {
                 return player;
             }
         }
-        throw new IllegalStateException("This team has eleven robots already. Remove one, or choose the other team.");
+        throw new IllegalStateException("This team already has eleven robots. Remove one, or choose the other team.");
     }
 
     /** Places new puppets behind the ball, within kicking distance, once they have taken their line-up positions. */

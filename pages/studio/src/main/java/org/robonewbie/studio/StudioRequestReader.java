@@ -51,7 +51,7 @@ final class StudioRequestReader {
         try {
             return new StudioRequestReader(JsonParser.parseString(text).getAsJsonObject()).read();
         } catch (JsonParseException | IllegalStateException e) {
-            throw new IllegalArgumentException("The studio cannot read \"" + text + "\". Load the page again.", e);
+            throw new IllegalArgumentException("The studio cannot read \"" + text + "\". Reload the page.", e);
         }
     }
 
@@ -98,7 +98,7 @@ final class StudioRequestReader {
                 double degrees = number("degrees", -180, 180);
                 yield new PuppetOrder(player(), puppet -> puppet.hold(joint, degrees));
             }
-            default -> throw new IllegalArgumentException("Unknown command \"" + name + "\". Load the page again.");
+            default -> throw new IllegalArgumentException("Unknown command \"" + name + "\". Reload the page.");
         };
     }
 
@@ -135,7 +135,7 @@ final class StudioRequestReader {
                 .filter(joint -> joint.name().equals(text("joint")))
                 .findFirst()
                 .orElseThrow(() -> new IllegalArgumentException(
-                        "The robot has no joint \"" + text("joint") + "\". Load the page again."));
+                        "The robot has no joint \"" + text("joint") + "\". Reload the page."));
     }
 
     private Vector3 position() {
@@ -165,7 +165,7 @@ final class StudioRequestReader {
     private PlayMode playMode() {
         return PlayMode.ofSimSparkName(text("mode"))
                 .orElseThrow(() -> new IllegalArgumentException(
-                        "The play mode \"" + text("mode") + "\" does not exist. Choose one of the list."));
+                        "The play mode \"" + text("mode") + "\" does not exist. Choose one from the list."));
     }
 
     private double number(String key, double min, double max) {
@@ -173,7 +173,7 @@ final class StudioRequestReader {
         if (!(value >= min && value <= max)) {
             throw new IllegalArgumentException(String.format(
                     Locale.ROOT,
-                    "The value %s for \"%s\" of \"%s\" is not possible. Choose one from %s to %s.",
+                    "The value %s for \"%s\" of \"%s\" is out of range. Choose a value from %s to %s.",
                     json.get(key),
                     key,
                     text("do"),

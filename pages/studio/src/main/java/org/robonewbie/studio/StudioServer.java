@@ -222,7 +222,7 @@ public final class StudioServer implements Viewer.View {
         } catch (IOException e) {
             throw new IOException(
                     "The studio cannot use port " + port + " of 127.0.0.1; probably another program uses it. "
-                            + "End that program, or choose another port (0 = any free one).",
+                            + "Stop that program, or choose another port (0 = any free one).",
                     e);
         }
     }

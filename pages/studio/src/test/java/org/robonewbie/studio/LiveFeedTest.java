@@ -263,7 +263,7 @@ class LiveFeedTest {
 
             assertThat(answer.get("text").getAsString())
                     .isEqualTo(
-                            "The value -1 for \"factor\" of \"speed\" is not possible. Choose one from 0.1 to 100.0.");
+                            "The value -1 for \"factor\" of \"speed\" is out of range. Choose a value from 0.1 to 100.0.");
             page.seen();
             page.nextFrame();
         }

@@ -165,7 +165,7 @@ class PageFeedTest {
         assertThat(sentences())
                 .containsExactly(
                         "This robot is controlled by a program. Only puppets can be steered by hand.",
-                        "Unknown command \"fly\". Load the page again.");
+                        "Unknown command \"fly\". Reload the page.");
     }
 
     @Test

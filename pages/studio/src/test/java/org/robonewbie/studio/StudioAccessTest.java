@@ -288,7 +288,7 @@ class StudioAccessTest {
         assertThatThrownBy(() -> StudioServer.start(simulation.control(), port, TOKEN))
                 .isInstanceOf(IOException.class)
                 .hasMessage("The studio cannot use port " + port + " of 127.0.0.1; probably another program uses it. "
-                        + "End that program, or choose another port (0 = any free one).");
+                        + "Stop that program, or choose another port (0 = any free one).");
     }
 
     private static String host() {

@@ -68,13 +68,13 @@ class StudioRequestReaderTest {
     void invalidJsonIsRefused(String text) {
         assertThatThrownBy(() -> read(text))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("The studio cannot read \"" + text.replace('\'', '"') + "\". Load the page again.");
+                .hasMessage("The studio cannot read \"" + text.replace('\'', '"') + "\". Reload the page.");
     }
 
     @ParameterizedTest
     @CsvSource({"{'do':'fly'}, fly", "{}, ''", "{'do':7}, 7", "{'do':{}}, ''"})
     void unknownCommandsAreRefused(String text, String name) {
-        assertThatThrownBy(() -> read(text)).hasMessage("Unknown command \"" + name + "\". Load the page again.");
+        assertThatThrownBy(() -> read(text)).hasMessage("Unknown command \"" + name + "\". Reload the page.");
     }
 
     @ParameterizedTest
@@ -83,13 +83,14 @@ class StudioRequestReaderTest {
         assertThatThrownBy(() -> read("{'do':'step','cycles':" + cycles + "}"))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("The value " + cycles.replace('\'', '"')
-                        + " for \"cycles\" of \"step\" is not possible. Choose one from 1.0 to 50000.0.");
+                        + " for \"cycles\" of \"step\" is out of range. Choose a value from 1.0 to 50000.0.");
     }
 
     @Test
     void missingNumbersAreRefused() {
         assertThatThrownBy(() -> read("{'do':'placeBall','x':1,'y':2}"))
-                .hasMessage("The value null for \"z\" of \"placeBall\" is not possible. Choose one from 0.0 to 50.0.");
+                .hasMessage(
+                        "The value null for \"z\" of \"placeBall\" is out of range. Choose a value from 0.0 to 50.0.");
     }
 
     @Test
@@ -101,6 +102,6 @@ class StudioRequestReaderTest {
     @Test
     void unknownPlayModeIsRefused() {
         assertThatThrownBy(() -> read("{'do':'playMode','mode':'Tea_Break'}"))
-                .hasMessage("The play mode \"Tea_Break\" does not exist. Choose one of the list.");
+                .hasMessage("The play mode \"Tea_Break\" does not exist. Choose one from the list.");
     }
 }

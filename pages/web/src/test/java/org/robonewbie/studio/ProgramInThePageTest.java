@@ -294,7 +294,7 @@ class ProgramInThePageTest {
 
     @ParameterizedTest
     @CsvSource({
-        "nao.setJoint, setJointSpeed, Turns a motor.",
+        "nao.setJoint, setJointSpeed, Sets the speed of a joint.",
         "nao.setJoint, setJointSpeed, double degreesPerSecond",
         "fieldView.ball().is, isVisible, in the last picture",
         "this.raise, raiseArm, Raises the arm.",

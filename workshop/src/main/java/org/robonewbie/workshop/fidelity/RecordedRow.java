@@ -31,11 +31,11 @@ public record RecordedRow(
         String playMode,
         String sent) {
 
-    private static final int MOST_LOST_CYCLES = 500;
+    private static final int MAX_LOST_CYCLES = 500;
 
     /** Returns the number of server cycles until the next row, at least 1; more than one if lines were lost. */
     int cyclesUntil(RecordedRow next) {
         double cycles = (next.seconds - seconds) / Cycle.SECONDS;
-        return cycles > 1.75 && cycles < MOST_LOST_CYCLES ? (int) Math.round(cycles) : 1;
+        return cycles > 1.75 && cycles < MAX_LOST_CYCLES ? (int) Math.round(cycles) : 1;
     }
 }

@@ -21,8 +21,8 @@ final class KickChecks {
     private static final double QUICK_METRES = 3;
     private static final double QUICK_SECONDS = 0.8;
     private static final double ROLLING_METRES_PER_SECOND = 1;
-    private static final double SHORTEST_PASS_METRES = 1;
-    private static final double LONGEST_PASS_METRES = 2;
+    private static final double MIN_PASS_METRES = 1;
+    private static final double MAX_PASS_METRES = 2;
     private static final double MAX_ROLLING_SECONDS = 15;
     private static final double AT_REST = 0.02;
 
@@ -48,7 +48,7 @@ final class KickChecks {
 
     static MotionCheck pass(CheckStart start, String name) {
         String rule = "the ball rolls 1 to 2 m, the robot ends in the stance";
-        return kick(start, name, rule, SHORTEST_PASS_METRES, LONGEST_PASS_METRES);
+        return kick(start, name, rule, MIN_PASS_METRES, MAX_PASS_METRES);
     }
 
     private static MotionCheck quickKick(CheckStart start, String name) {

@@ -17,7 +17,7 @@ import org.robonewbie.nao.model.RobotType;
 final class SkillChecks {
 
     private static final double LONG_WAY = 20;
-    private static final double MOST_SECONDS = 15;
+    private static final double MAX_SECONDS = 15;
     private static final double SETTLED_METRES = 0.03;
     private static final double SETTLED_DEGREES = 3;
     private static final double NEAR_METRES = 0.05;
@@ -127,7 +127,7 @@ final class SkillChecks {
             Supplier<WalkVelocity> steering = () -> towards(robot, target);
             robot.walk(
                     steering,
-                    () -> !isAt(robot, target, SETTLED_METRES, SETTLED_DEGREES) && robot.seconds() < MOST_SECONDS);
+                    () -> !isAt(robot, target, SETTLED_METRES, SETTLED_DEGREES) && robot.seconds() < MAX_SECONDS);
             boolean stands = robot.stopWalking();
             double seconds = robot.seconds();
             boolean there = isAt(robot, target, NEAR_METRES, NEAR_DEGREES);

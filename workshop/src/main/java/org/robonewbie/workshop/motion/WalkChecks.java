@@ -9,7 +9,7 @@ import org.robonewbie.nao.motion.file.ShippedMotions;
 final class WalkChecks {
 
     private static final double WAY = 5;
-    private static final double MOST_SECONDS = 120;
+    private static final double MAX_SECONDS = 120;
 
     private WalkChecks() {}
 
@@ -52,7 +52,7 @@ final class WalkChecks {
     private static void walkFiveMetres(MotionTrial robot, String name) {
         robot.play(ShippedMotions.motion("start-walking"));
         Motion walk = ShippedMotions.motion(name);
-        while (robot.forward() < WAY && robot.seconds() < MOST_SECONDS && robot.play(walk)) {
+        while (robot.forward() < WAY && robot.seconds() < MAX_SECONDS && robot.play(walk)) {
             // consecutive cycles of two steps
         }
     }
@@ -62,7 +62,7 @@ final class WalkChecks {
         return CheckStart.BARE.check(name, rule, "degrees each time", (robot, seed) -> {
             Motion turn = ShippedMotions.motion(name);
             int times = 0;
-            while (sign * robot.turnedDegrees() < 360 && robot.seconds() < MOST_SECONDS && robot.play(turn)) {
+            while (sign * robot.turnedDegrees() < 360 && robot.seconds() < MAX_SECONDS && robot.play(turn)) {
                 times++;
             }
             return new Outcome(robot.endsInStance(), Math.abs(robot.turnedDegrees()) / Math.max(1, times));

@@ -37,7 +37,7 @@ public final class AgentMeasurement {
     private static final double NEAR_SECONDS = 4;
 
     /** Start pose of both soccer players; see their {@code defaults()}. */
-    private static final Pose2d USUAL_START = new Pose2d(-0.5, 0.4, -40);
+    private static final Pose2d DEFAULT_START = new Pose2d(-0.5, 0.4, -40);
 
     private final int trials;
     private final long firstSeed;
@@ -145,14 +145,14 @@ public final class AgentMeasurement {
                         "scores from the usual start within 20 minutes",
                         Agent_SimpleSoccer::new,
                         1200,
-                        random -> USUAL_START,
+                        random -> DEFAULT_START,
                         TimeToScore::new),
                 new Task(
                         "Agent_BetterSoccer",
                         "scores from the usual start within 5 minutes",
                         Agent_BetterSoccer::new,
                         300,
-                        random -> USUAL_START,
+                        random -> DEFAULT_START,
                         TimeToScore::new));
     }
 

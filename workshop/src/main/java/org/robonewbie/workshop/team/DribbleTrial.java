@@ -19,9 +19,9 @@ record DribbleTrial(double seconds, double farthest) {
     static final double BALL_AHEAD = 0.25;
 
     private static final double DRIBBLED_METRES = 5;
-    private static final double MOST_SECONDS = 10;
+    private static final double MAX_SECONDS = 10;
     private static final double GIVE_UP_SECONDS = 30;
-    private static final double MOST_METRES = 0.5;
+    private static final double MAX_METRES = 0.5;
 
     /** Runs a trial on a whole simulator. */
     static DribbleTrial served(RobotType type, CloseDribbleNumbers numbers, long seed) {
@@ -46,11 +46,11 @@ record DribbleTrial(double seconds, double farthest) {
 
     /** Whether the ball was 5 m ahead within 10 s. */
     boolean isInTime() {
-        return seconds <= MOST_SECONDS;
+        return seconds <= MAX_SECONDS;
     }
 
     /** Whether the trial succeeded with the ball never more than 0.5 m away. */
     boolean isClose() {
-        return isInTime() && farthest <= MOST_METRES;
+        return isInTime() && farthest <= MAX_METRES;
     }
 }

@@ -27,7 +27,7 @@ public final class PlayerChecks {
     private static final Pose2d START = new Pose2d(-8, 0, 0);
     private static final double BALL_AHEAD = 1.5;
     private static final double ASIDE_METRES = 0.1;
-    private static final double MOST_SECONDS = 30;
+    private static final double MAX_SECONDS = 30;
     private static final double NEAR_METRES = 0.3;
     private static final double KICKED_METRES_PER_SECOND = 1;
     private static final double ROLLING_SECONDS = 4;
@@ -173,7 +173,7 @@ public final class PlayerChecks {
     private Kicked kick(Trial trial) {
         Vector3 begin = trial.now().ball();
         Optional<Double> near = Optional.empty();
-        while (trial.seconds() < MOST_SECONDS) {
+        while (trial.seconds() < MAX_SECONDS) {
             WorldState now = trial.step();
             if (near.isEmpty() && now.place().distance(now.ball()) < NEAR_METRES) {
                 near = Optional.of(now.seconds());

@@ -26,7 +26,7 @@ public final class TeamMeasurement {
             Map.of(DEFAULT_OPPONENT, number -> new Agent_BetterSoccer(), "Agent_Team", Agent_Team::new);
 
     private static final double HALF_SECONDS = 300;
-    private static final double LONGEST_SECONDS = 3600;
+    private static final double MAX_SECONDS = 3600;
 
     private final int halves;
     private final long firstSeed;
@@ -112,7 +112,7 @@ public final class TeamMeasurement {
                     alone ? 0 : players,
                     Agent_Team::new,
                     others,
-                    alone ? LONGEST_SECONDS : HALF_SECONDS,
+                    alone ? MAX_SECONDS : HALF_SECONDS,
                     alone ? OptionalDouble.of(HALF_SECONDS) : OptionalDouble.empty());
         } finally {
             System.setOut(usual);

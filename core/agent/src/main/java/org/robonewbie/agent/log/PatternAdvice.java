@@ -51,7 +51,7 @@ final class PatternAdvice {
         return leavesValuesOut(pattern, values)
                 ? "The text " + quoted(pattern)
                         + " lacks placeholders: write %.1f or %s where each value should appear."
-                : "The values do not fit " + quoted(pattern) + "; " + PER_CENT + ".";
+                : "The values do not match " + quoted(pattern) + "; " + PER_CENT + ".";
     }
 
     /** Describes the error in one format specifier; empty if it is valid. */

@@ -317,7 +317,7 @@ public final class MotionSequencer implements Motions {
         if (problem.isPresent()) {
             return String.format(
                     Locale.ROOT,
-                    "There is no motion \"%s\", since this name %s.%s Write another one, or %s",
+                    "\"%s\" is not a valid motion name: it %s.%s Choose another name, or %s",
                     name,
                     problem.get(),
                     meant(plain, names),

@@ -33,7 +33,7 @@ public final class LogFile implements LogOverflow {
             }
             lines += oldest.size();
         } catch (IOException diskFull) {
-            throw new UncheckedIOException("The log fits neither into memory nor onto the disk", diskFull);
+            throw new UncheckedIOException("The log fits neither in memory nor on the disk", diskFull);
         }
     }
 

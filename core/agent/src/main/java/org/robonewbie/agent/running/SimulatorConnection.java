@@ -123,7 +123,7 @@ public final class SimulatorConnection implements AutoCloseable {
             return new SimulatorConnection(
                     false,
                     "the simulator",
-                    "Own simulator, agent port " + simulator.agentPort() + studio,
+                    "Started a simulator on agent port " + simulator.agentPort() + studio,
                     simulator.telemetry(),
                     simulator::connect,
                     simulator::close);

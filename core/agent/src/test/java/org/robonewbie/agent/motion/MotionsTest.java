@@ -208,9 +208,9 @@ class MotionsTest {
                 "walk-forward.TXT | There is no motion \"walk-forward.TXT\". Leave out \".txt\": \"walk-forward\" is its name.",
                 "nodd.txt | There is no motion \"nodd.txt\". Did you mean \"nod\"? Put a file motions/nodd.txt into the",
                 "NOD | There is no motion \"NOD\". Did you mean \"nod\"? Put a file motions/NOD.txt into the",
-                "'nod ' | There is no motion \"nod \", since this name ends with a space. Did you mean \"nod\"? Write another",
-                "my/nod | There is no motion \"my/nod\", since this name contains \"/\".",
-                "n\u200Bod | There is no motion \"n\u200Bod\", since this name contains the invisible character U+200B. Did you mean"
+                "'nod ' | \"nod \" is not a valid motion name: it ends with a space. Did you mean \"nod\"? Choose another",
+                "my/nod | \"my/nod\" is not a valid motion name: it contains \"/\".",
+                "n\u200Bod | \"n\u200Bod\" is not a valid motion name: it contains the invisible character U+200B. Did you mean"
             })
     void saysWhatIsWrongWithAName(String name, String message) throws IOException {
         file("nod", "200 30" + ZEROS);

@@ -13,7 +13,7 @@ import java.util.function.UnaryOperator;
  */
 public final class Spelling {
 
-    private static final int SHORTEST_PART = 3;
+    private static final int MIN_PART = 3;
     private static final int MAX_WRONG_LETTERS = 2;
 
     private Spelling() {}
@@ -77,7 +77,7 @@ public final class Spelling {
 
     private static Optional<String> containing(String part, Collection<String> words) {
         return words.stream()
-                .filter(word -> part.length() >= SHORTEST_PART
+                .filter(word -> part.length() >= MIN_PART
                         && word.toLowerCase(Locale.ROOT).contains(part))
                 .min(Comparator.comparingInt(String::length));
     }

@@ -272,7 +272,7 @@ public final class MonitorPort implements AutoCloseable {
         return new IOException(
                 "Monitor port " + settings.port() + " on " + settings.bindAddress() + " cannot be opened ("
                         + cause.getMessage()
-                        + "). Is another simulator running? End it, or choose another port with --monitor-port.",
+                        + "). Is another simulator running? Stop it, or choose another port with --monitor-port.",
                 cause);
     }
 }

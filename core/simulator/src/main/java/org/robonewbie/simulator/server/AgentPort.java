@@ -188,7 +188,7 @@ final class AgentPort implements AutoCloseable {
     private static IOException inUse(String bindAddress, int port, IOException cause) {
         return new IOException(
                 "Port " + port + " on " + bindAddress + " cannot be opened (" + cause.getMessage()
-                        + "). Is another simulator running? End it, or choose another port with --agent-port.",
+                        + "). Is another simulator running? Stop it, or choose another port with --agent-port.",
                 cause);
     }
 }

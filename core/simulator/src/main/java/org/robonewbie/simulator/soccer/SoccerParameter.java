@@ -157,7 +157,7 @@ public enum SoccerParameter {
     ILLEGAL_DEFENSE_BEAM_PENALTY(
             "IllegalDefenseBeamPenalty", false, false, "whether illegal defence removes the robot from the pitch"),
     /** Crowding: the distance between ball and opponent below which it is called. */
-    MIN_OPPONENT_DISTANCE("MinOppDistance", 0, 0, "metres from ball to opponent below which crowding is judged"),
+    MIN_OPPONENT_DISTANCE("MinOppDistance", 0, 0, "metres from ball to opponent below which crowding is called"),
     /** Crowding: distance that a team's second robot must keep from the ball. */
     MIN_SECOND_PLAYER_DISTANCE("Min2PlDistance", 0, 0, "metres that the second robot of a team keeps from the ball"),
     /** Crowding: distance that a team's third robot must keep from the ball. */

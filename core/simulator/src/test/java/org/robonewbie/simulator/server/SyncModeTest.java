@@ -182,7 +182,7 @@ class SyncModeTest {
             assertThatThrownBy(() -> Simulator.start(same, console))
                     .isInstanceOf(IOException.class)
                     .hasMessageContaining("Port " + simulator.agentPort() + " on 127.0.0.1 cannot be opened")
-                    .hasMessageContaining("End it, or choose another port with --agent-port.");
+                    .hasMessageContaining("Stop it, or choose another port with --agent-port.");
         }
     }
 

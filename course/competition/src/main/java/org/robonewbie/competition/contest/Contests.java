@@ -131,7 +131,7 @@ public final class Contests {
         return new ChallengeContest(
                 "stand",
                 "Longest standing",
-                "The robot is pushed every 3 s for 0.1 s, from changing directions, each time 5 N harder. The last to"
+                "The robot is pushed every 3 s for 0.1 s, from varying directions, 5 N harder each time. The last to"
                         + " fall wins.",
                 () -> pushed(start, conditions.seed()),
                 start,
@@ -165,7 +165,7 @@ public final class Contests {
                 "gymnastics",
                 "Gymnastics",
                 "60 s for six elements in any order: both arms up, a squat, a stand on one leg, a bow, a full turn,"
-                        + " lying down and getting up. The most elements win, then the earliest last one.",
+                        + " lying down and getting up. The most elements win; ties go to the earlier last element.",
                 () -> new SoloChallenge<>(start, new Gymnastics(), Gymnastics::figures),
                 start,
                 MINI_SECONDS,

@@ -17,9 +17,9 @@ public enum Ending {
     /** The program exceeded the memory limit. */
     TOO_MUCH_MEMORY("its program exceeded the memory limit"),
     /** The program exceeded the limit on processor time. */
-    TOO_MUCH_TIME("its program exceeded the limit of processor time"),
+    TOO_MUCH_TIME("its program exceeded the processor time limit"),
     /** The program exceeded the limit on the number of processes. */
-    TOO_MANY_PROCESSES("its program exceeded the limit of processes"),
+    TOO_MANY_PROCESSES("its program exceeded the process limit"),
     /** The program connected to the port of another team. */
     INTRUDED("its program connected to the port of another team"),
     /** The team had more robots on the pitch than a match or penalty shoot-out allows. */

@@ -190,7 +190,7 @@ public final class TeamList {
                 .toList();
         for (String name : settings.keySet()) {
             if (!names.contains(name)) {
-                throw new CalledWronglyException("There are settings of team " + name
+                throw new CalledWronglyException("There are settings for team " + name
                         + ", but no line for its program." + Spelling.question(name, names)
                         + " Write for example: " + name + " = teams/" + name);
             }

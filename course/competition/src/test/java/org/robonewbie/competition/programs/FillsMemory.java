@@ -10,7 +10,7 @@ import java.util.List;
 /** Fills each file system that it sees, since a file there may be memory that no limit counts. */
 public final class FillsMemory {
 
-    private static final int MOST_MEGABYTES = 400;
+    private static final int MAX_MEGABYTES = 400;
 
     private FillsMemory() {}
 
@@ -45,7 +45,7 @@ public final class FillsMemory {
             System.out.println(folder + " stays as it is");
         }
         try (OutputStream file = Files.newOutputStream(fileIn(folder))) {
-            for (; written < MOST_MEGABYTES; written++) {
+            for (; written < MAX_MEGABYTES; written++) {
                 file.write(megabyte);
             }
         } catch (IOException full) {

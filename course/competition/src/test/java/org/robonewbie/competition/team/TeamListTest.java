@@ -72,7 +72,7 @@ class TeamListTest {
                 "A=x,A.color=red; \"A.color\" is unknown. Did you mean folder? The settings of a team are: attacker, folder,",
                 "A=x,A.seed=many; A.seed = many is not an integer",
                 "A=x,A.together=perhaps; A.together = perhaps is invalid. Write yes or no.",
-                "B.seed=3; There are settings of team B, but no line for its program."
+                "B.seed=3; There are settings for team B, but no line for its program."
             })
     void mistakeIsToldWithWhatToWrite(String lines, String message) {
         assertThatThrownBy(() -> TeamList.parse(List.of(lines.split(",", -1))))
@@ -149,7 +149,7 @@ class TeamListTest {
                 "Röt=x,RÖT=y; Two teams are called RÖT.",
                 "A=x,A.seed=1,A.seed=2; \"A.seed\" is given twice.",
                 "A=x,A.titel=T; \"A.titel\" is unknown. Did you mean title?",
-                "Red=x,Rde.seed=1; There are settings of team Rde, but no line for its program. Did you mean Red?",
+                "Red=x,Rde.seed=1; There are settings for team Rde, but no line for its program. Did you mean Red?",
                 "Red\u00A0= x; In \"Red\u00A0= x\" character 4 is a no-break space (U+00A0): type an ordinary space.",
                 "R\u0435d = x; In \"R\u0435d = x\" character 2 is the Cyrillic letter \u0435 (U+0435): type e.",
                 "Red = teams/red\u200B; In \"Red = teams/red\u200B\" character 16 is an invisible character (U+200B): delete it.",

@@ -65,7 +65,7 @@ class ChallengePlayerTest {
     @CsvSource(delimiter = '|', textBlock = """
             FallsAsleep | 60  | 0.5 | SILENT      | its program did not respond and was removed.
             HasNoRobot  | 0.5 | 60  | NOT_STARTED | no robot joined. The program did not create a robot.
-            Leaves      | 60  | 60  | STOPPED     | end of the trial. The program has ended during the trial.
+            Leaves      | 60  | 60  | STOPPED     | end of the trial. The program exited during the trial.
             """)
     void lostTrialTellsWhy(String program, double startSeconds, double silentSeconds, Ending ending, String reason)
             throws Exception {

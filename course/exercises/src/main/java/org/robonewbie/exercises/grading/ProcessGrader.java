@@ -92,7 +92,9 @@ public record ProcessGrader(
                 ? Score.failed(
                         0,
                         "The program took too long.",
-                        student.slowness().map(Departure::text).orElse("Does it wait for something that never comes?"))
+                        student.slowness()
+                                .map(Departure::text)
+                                .orElse("Does it wait for something that never happens?"))
                 : score;
     }
 

@@ -106,7 +106,7 @@ record ClassTable(
                 .filter(each -> each.unchanged() > 0)
                 .map(each -> each.exercise() + ": " + each.unchanged())
                 .collect(Collectors.joining(", "));
-        return names.isEmpty() ? "" : "Unchanged start code was submitted (" + names + ").";
+        return names.isEmpty() ? "" : "The starter code was submitted unchanged (" + names + ").";
     }
 
     private String csv() {
@@ -253,7 +253,7 @@ record ClassTable(
     }
 
     private static String points(Mark mark) {
-        return number(Math.min(Score.MOST_POINTS, mark.points()));
+        return number(Math.min(Score.MAX_POINTS, mark.points()));
     }
 
     private static String number(double value) {

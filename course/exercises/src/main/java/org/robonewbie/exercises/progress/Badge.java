@@ -17,7 +17,7 @@ public enum Badge {
     /** All exercises of the highest level passed. */
     CHALLENGER("Challenger", "all exercises of the level challenge passed", Rule.all("challenge")),
     /** Full points in five exercises. */
-    PERFECTIONIST("Perfectionist", "ten points in five exercises", new Rule("", 5, Score.MOST_POINTS, 0, false)),
+    PERFECTIONIST("Perfectionist", "ten points in five exercises", new Rule("", 5, Score.MAX_POINTS, 0, false)),
     /** Five exercises passed without help. */
     OWN_WAY("Own way", "five exercises passed without a hint or a solution", new Rule("", 5, 0, 0, true)),
     /** One exercise passed after ten tries or more. */

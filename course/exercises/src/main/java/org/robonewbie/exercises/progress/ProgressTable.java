@@ -46,7 +46,7 @@ public record ProgressTable(Progress progress) {
                 progress.passed(),
                 Exercises.all().size(),
                 progress.points(),
-                Exercises.all().size() * Score.MOST_POINTS,
+                Exercises.all().size() * Score.MAX_POINTS,
                 time(progress.seconds()));
     }
 

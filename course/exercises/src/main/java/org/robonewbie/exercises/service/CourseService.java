@@ -120,8 +120,8 @@ public final class CourseService implements AutoCloseable {
 
     private static Exercise find(String name) {
         return Exercises.find(name)
-                .orElseThrow(() -> new IllegalArgumentException(
-                        "There is no exercise named \"" + name + "\". Load the page again."));
+                .orElseThrow(() ->
+                        new IllegalArgumentException("There is no exercise named \"" + name + "\". Reload the page."));
     }
 
     private static int trials(String text) {
@@ -163,7 +163,7 @@ public final class CourseService implements AutoCloseable {
         json.addProperty("goal", language.translated(exercise.goal()));
         json.addProperty("level", language.translated(exercise.level()));
         json.addProperty("minutes", exercise.minutes());
-        json.addProperty("points", Score.MOST_POINTS);
+        json.addProperty("points", Score.MAX_POINTS);
         json.addProperty("worksheet", "docs/exercises/" + language.worksheet(exercise) + ".html");
         json.addProperty("file", file(exercise));
         json.add("standing", standing);

@@ -92,7 +92,7 @@ class CopyCheckTest {
         CopyCheck.Result result = CopyCheck.of(submissions);
 
         assertThat(result.pairs()).isEmpty();
-        assertThat(sentence(result)).endsWith("Unchanged start code was submitted (arm-by-side: 3).");
+        assertThat(sentence(result)).endsWith("The starter code was submitted unchanged (arm-by-side: 3).");
     }
 
     @Test

@@ -9,7 +9,7 @@ import org.robonewbie.agent.walk.WalkVelocity;
 public final class FasterWalk extends Agent {
 
     private static final int STEP_MILLIS = 180;
-    private static final double MOST_FORWARD = 0.74;
+    private static final double MAX_FORWARD = 0.74;
 
     private double headingDegrees;
 
@@ -29,12 +29,12 @@ public final class FasterWalk extends Agent {
         x[WalkParameter.STEP_RIGHT.ordinal()] -= 0.47;
         x[WalkParameter.STEP_RIGHT_RATE.ordinal()] += 0.34;
         walk.setStyle(WalkStyle.of(
-                STEP_MILLIS, new WalkVelocity(1.104, 1.25, 1.2), new WalkVelocity(MOST_FORWARD, 0.22, 70), x));
+                STEP_MILLIS, new WalkVelocity(1.104, 1.25, 1.2), new WalkVelocity(MAX_FORWARD, 0.22, 70), x));
     }
 
     @Override
     protected void think() {
         headingDegrees += nao.getGyro().z() * 0.02; // what the feet turn by mistake
-        walk.towards(MOST_FORWARD, 0, -headingDegrees);
+        walk.towards(MAX_FORWARD, 0, -headingDegrees);
     }
 }

@@ -14,7 +14,7 @@ final class BeginnersHints {
             new Hint(
                     "not.stmt",
                     "This computes something but does nothing with it. Call a method or assign it to a variable."),
-            new Hint("unclosed.str.lit", "The text needs a \" at its end, in the same line."),
+            new Hint("unclosed.str.lit", "The string needs a \" at its end, on the same line."),
             new Hint("unclosed.char.lit", "Write strings between \" and \"; ' is for a single character."),
             new Hint("illegal.start", "Look at the line before: is a ), a } or a ; missing there?"),
             new Hint(
@@ -35,7 +35,7 @@ final class BeginnersHints {
                     "Write the method that is named here, with exactly these parameters."),
             new Hint(
                     "method.does.not.override.superclass",
-                    "Check name and parameters of this method: the superclass has no such method."),
+                    "Check the name and parameters of this method: the superclass has no such method."),
             new Hint("unreported.exception", "Surround the call with try { ... } catch (...) { ... }."),
             new Hint(
                     "var.might.not.have.been.initialized",
@@ -61,10 +61,10 @@ final class BeginnersHints {
             new Hint(
                     "operator.cant.be.applied",
                     "Check both sides: call a method with (), and compare strings with equals."),
-            new Hint("cant.apply.symbol", "Compare number, order and types of the arguments with the required ones."),
+            new Hint("cant.apply.symbol", "Compare the number, order and types of the arguments with those required."),
             new Hint(
                     "cant.resolve",
-                    "Java does not know this name here: check spelling and upper case, or declare it first."),
+                    "This name is unknown here: check its spelling and capitalisation, or declare it first."),
             new Hint("doesnt.exist", "Check the spelling of the import."));
 
     private static final String WRONG_TYPE = "prob.found.req";

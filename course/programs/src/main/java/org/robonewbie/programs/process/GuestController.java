@@ -61,7 +61,7 @@ final class GuestController implements Controller {
             output.write(readings.text());
             return listen();
         } catch (IOException gone) {
-            throw new AbsentProgramException("The program has left during the trial.", gone);
+            throw new AbsentProgramException("The program left during the trial.", gone);
         }
     }
 
@@ -71,7 +71,7 @@ final class GuestController implements Controller {
         boolean complete = false;
         while (!complete) {
             if (!input.read(answer)) {
-                throw new AbsentProgramException("The program has ended during the trial.");
+                throw new AbsentProgramException("The program exited during the trial.");
             }
             reader.read(answer, commands::add, problem -> {});
             boolean end = commands.stream().anyMatch(EffectorCommand.Synchronise.class::isInstance);
@@ -86,7 +86,7 @@ final class GuestController implements Controller {
         try {
             channel.close();
         } catch (IOException broken) {
-            throw new AbsentProgramException("The connection of the program cannot be closed.", broken);
+            throw new AbsentProgramException("The connection to the program cannot be closed.", broken);
         }
     }
 }

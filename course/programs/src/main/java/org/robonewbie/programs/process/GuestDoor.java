@@ -118,7 +118,7 @@ public final class GuestDoor implements AutoCloseable {
         } catch (ClosedSelectorException | ClosedChannelException closed) {
             return Optional.empty();
         } catch (IOException broken) {
-            throw new AbsentProgramException("The connection of the program broke before it had a robot.", broken);
+            throw new AbsentProgramException("The program lost its connection before it had a robot.", broken);
         }
     }
 
@@ -129,7 +129,7 @@ public final class GuestDoor implements AutoCloseable {
             channel.close();
             selector.close();
         } catch (IOException broken) {
-            throw new AbsentProgramException("The door for agents cannot be closed.", broken);
+            throw new AbsentProgramException("The agent port cannot be closed.", broken);
         }
     }
 }

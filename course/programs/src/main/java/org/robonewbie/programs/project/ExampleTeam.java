@@ -34,7 +34,7 @@ final class ExampleTeam {
         URL sources = ExampleTeam.class.getClassLoader().getResource(FOLDER);
         if (sources == null) {
             throw new CalledWronglyException(
-                    "This build lacks the sources of the example team. Build again: ./robonewbie --help does so.");
+                    "This build lacks the sources of the example team. Rebuild it by running ./robonewbie --help.");
         }
         ResourceFolder.read(sources, FOLDER, from -> copy(from, folder));
     }

@@ -91,7 +91,7 @@ public final class NewProject {
         write("robonewbie", project.resolve("robonewbie"));
         boolean executable = project.resolve("robonewbie").toFile().setExecutable(true);
         if (!executable) {
-            System.err.println("The file robonewbie could not be made executable. Start it by: sh robonewbie");
+            System.err.println("The file robonewbie could not be made executable. Start it with: sh robonewbie");
         }
         writeAgent(project.resolve("src/main/java").resolve(folder()));
         write(

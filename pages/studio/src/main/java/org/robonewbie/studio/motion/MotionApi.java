@@ -84,7 +84,7 @@ public final class MotionApi extends ApiHandler {
                 yield Answer.done();
             }
             case "POST /api/trial" -> Answer.json(trial(request));
-            default -> throw new RefusedException(404, "Unknown request: " + order + ". Load the page again.");
+            default -> throw new RefusedException(404, "Unknown request: " + order + ". Reload the page.");
         };
     }
 

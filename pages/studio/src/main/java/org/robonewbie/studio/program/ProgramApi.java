@@ -92,7 +92,7 @@ public final class ProgramApi extends ApiHandler {
 
     private static RefusedException unknown(Request request, String place) {
         return new RefusedException(
-                404, "Unknown request: " + request.getMethod() + " " + place + ". Load the page again.");
+                404, "Unknown request: " + request.getMethod() + " " + place + ". Reload the page.");
     }
 
     private Answer fileAnswer(Request request, String order, String path) throws IOException {

@@ -204,7 +204,7 @@ public final class ReplayApi extends ApiHandler {
         } catch (NumberFormatException none) {
             // Refused below.
         }
-        throw new IllegalArgumentException("The time of the bookmark is missing. Load the page again.");
+        throw new IllegalArgumentException("The time of the bookmark is missing. Reload the page.");
     }
 
     /**

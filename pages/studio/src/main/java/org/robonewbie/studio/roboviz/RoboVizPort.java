@@ -45,7 +45,7 @@ public final class RoboVizPort implements AutoCloseable {
         } catch (IOException | IllegalArgumentException e) {
             throw new IOException(
                     "Drawings cannot be received at UDP port " + port
-                            + " of 127.0.0.1; probably RoboViz uses it. End it, or" + " choose another port.",
+                            + " of 127.0.0.1; probably RoboViz uses it. Stop it, or choose another port.",
                     e);
         }
     }

@@ -95,7 +95,7 @@ public final class SceneApi extends ApiHandler {
         try {
             return Long.parseLong(parameter(request, "moment"));
         } catch (NumberFormatException noNumber) {
-            throw new IllegalArgumentException("The cycle to start from is missing. Load the page again.", noNumber);
+            throw new IllegalArgumentException("The cycle to start from is missing. Reload the page.", noNumber);
         }
     }
 }

@@ -86,7 +86,7 @@ public interface SceneStore {
      * @return the exception
      */
     static IllegalArgumentException gone(String name) {
-        return new IllegalArgumentException("The scene \"" + name + "\" no longer exists. Load the page again.");
+        return new IllegalArgumentException("The scene \"" + name + "\" no longer exists. Reload the page.");
     }
 
     /**

@@ -28,7 +28,7 @@ import { message } from './state/studio-state.js';
 /** Faster updates are unreadable, and text layout takes time that the picture needs. */
 const PANEL_MILLISECONDS = 90;
 const LOOK_MILLISECONDS = 500;
-const LONGEST_TURN_SECONDS = 0.2;
+const MAX_TURN_SECONDS = 0.2;
 const CYCLES_PER_SECOND = 50;
 
 export class Studio {
@@ -245,9 +245,9 @@ export class Studio {
     if (this.#hasDrawn) {
       this.field.pictureTook(now - this.#lastTurn);
     }
-    this.#turnRoom(now, Math.min(LONGEST_TURN_SECONDS, (now - this.#lastTurn) / 1000));
+    this.#turnRoom(now, Math.min(MAX_TURN_SECONDS, (now - this.#lastTurn) / 1000));
     this.puppet?.readGamepad();
-    this.commentary?.turn(Math.min(LONGEST_TURN_SECONDS, (now - this.#lastTurn) / 1000));
+    this.commentary?.turn(Math.min(MAX_TURN_SECONDS, (now - this.#lastTurn) / 1000));
     this.#panels.turn(now);
     this.#lastTurn = now;
     if (this.session.owesAnswer) {

@@ -125,9 +125,9 @@ class SceneRepositoryTest {
         assertThatThrownBy(() -> ask("PUT", "Corner"))
                 .hasMessage("There is already a scene named \"Corner\". Choose another name.");
         assertThatThrownBy(() -> ask("POST", "Kick"))
-                .hasMessage("The scene \"Kick\" no longer exists. Load the page again.");
+                .hasMessage("The scene \"Kick\" no longer exists. Reload the page.");
         assertThatThrownBy(() -> ask("DELETE", "Kick"))
-                .hasMessage("The scene \"Kick\" no longer exists. Load the page again.");
+                .hasMessage("The scene \"Kick\" no longer exists. Reload the page.");
         assertThatThrownBy(() -> ask("POST", "Broken")).hasMessage("The scene \"Broken\" is damaged.");
     }
 

@@ -23,7 +23,7 @@ class HipparchusComparisonTest {
     private static final int DIMENSION = 8;
     private static final int POPULATION = 10;
     private static final int SEEDS = 9;
-    private static final int MOST_TRIALS = 40_000;
+    private static final int MAX_TRIALS = 40_000;
     private static final double GOOD = 1e-8;
 
     enum Function {
@@ -73,7 +73,7 @@ class HipparchusComparisonTest {
 
     private static int ours(AskAndTell search, ToDoubleFunction<double[]> cost) {
         Counter counter = new Counter(cost);
-        while (counter.firstGood == 0 && counter.trials < MOST_TRIALS) {
+        while (counter.firstGood == 0 && counter.trials < MAX_TRIALS) {
             List<double[]> candidates = search.ask();
             search.tell(candidates.stream().mapToDouble(counter::value).toArray());
         }
@@ -83,11 +83,11 @@ class HipparchusComparisonTest {
     private static int theirs(boolean isActive, ToDoubleFunction<double[]> cost, int seed) {
         Counter counter = new Counter(cost);
         var optimizer = new CMAESOptimizer(
-                MOST_TRIALS, GOOD, isActive, 0, 0, new MersenneTwister(seed), false, (iteration, before, now) -> false);
+                MAX_TRIALS, GOOD, isActive, 0, 0, new MersenneTwister(seed), false, (iteration, before, now) -> false);
         double[] spread = new double[DIMENSION];
         Arrays.fill(spread, 0.5);
         optimizer.optimize(
-                new MaxEval(MOST_TRIALS),
+                new MaxEval(MAX_TRIALS),
                 new ObjectiveFunction(counter::value),
                 GoalType.MINIMIZE,
                 new InitialGuess(start()),
@@ -124,7 +124,7 @@ class HipparchusComparisonTest {
         }
 
         int result() {
-            return firstGood == 0 ? MOST_TRIALS : firstGood;
+            return firstGood == 0 ? MAX_TRIALS : firstGood;
         }
     }
 }

@@ -30,7 +30,7 @@ import { lagOf } from '../state/motion/lag.js';
  */
 
 const MARKS_MILLISECONDS = 120;
-const LONGEST_TRIAL = 60_000;
+const MAX_TRIAL = 60_000;
 const LAST_FILE = 'robonewbie-motion';
 
 export class Editor {
@@ -248,7 +248,7 @@ export class Editor {
     if (hasSkippedKeyframes(document)) {
       return true;
     }
-    if (problemOf(document) !== '' || lengthOf(this.state) > LONGEST_TRIAL) {
+    if (problemOf(document) !== '' || lengthOf(this.state) > MAX_TRIAL) {
       return false;
     }
     const now = await this.files.trial(document, 'standing');

@@ -5,7 +5,7 @@ import { CYCLE_SECONDS } from './cycle.js';
 export const TRAIL_SECONDS = 3;
 
 const MIN_METRES = 0.03;
-const LONGEST_GAP_SECONDS = 0.5;
+const MAX_GAP_SECONDS = 0.5;
 
 /** A ball that is faster than any kick was repositioned. */
 const LEAP_METRES_PER_SECOND = 25;
@@ -25,7 +25,7 @@ export class BallPath {
     const place = [ball[0], ball[1], ball[2]];
     const last = this.#places.at(-1);
     const passed = seconds - this.#now;
-    if (passed < 0 || passed > LONGEST_GAP_SECONDS || (last && distance(last.place, place) > leap(passed))) {
+    if (passed < 0 || passed > MAX_GAP_SECONDS || (last && distance(last.place, place) > leap(passed))) {
       this.clear();
     }
     this.#now = seconds;

@@ -3,7 +3,7 @@
 /** Minimum height of a robot with a name tag, which would otherwise be larger than the robot. */
 export const MIN_ROBOT_PIXELS = 16;
 
-const LONGEST_TEAM = 14;
+const MAX_TEAM = 14;
 const GAP_PIXELS = 2;
 
 /**
@@ -18,7 +18,7 @@ const GAP_PIXELS = 2;
 
 /** @param {{team: string, number: number}} player */
 export function nameOf({ team, number }) {
-  const name = team.length > LONGEST_TEAM ? `${team.slice(0, LONGEST_TEAM - 1)}…` : team;
+  const name = team.length > MAX_TEAM ? `${team.slice(0, MAX_TEAM - 1)}…` : team;
   return number > 0 ? `${name} ${number}`.trim() : name || 'new robot';
 }
 

@@ -16,8 +16,8 @@
 /** Maximum interpolated movement between two frames in metres; a larger one is a repositioning. */
 const JUMP_METRES = 0.4;
 
-const SHORTEST_MILLISECONDS = 15;
-const LONGEST_MILLISECONDS = 120;
+const MIN_MILLISECONDS = 15;
+const MAX_MILLISECONDS = 120;
 
 export class Smoothing {
   constructor() {
@@ -37,7 +37,7 @@ export class Smoothing {
    */
   push(frame, now) {
     this.from = this.to?.sceneRevision === frame.sceneRevision ? this.picture(now) : undefined;
-    const waited = Math.max(SHORTEST_MILLISECONDS, Math.min(LONGEST_MILLISECONDS, now - this.arrived));
+    const waited = Math.max(MIN_MILLISECONDS, Math.min(MAX_MILLISECONDS, now - this.arrived));
     this.interval += 0.2 * (waited - this.interval);
     this.to = frame;
     this.arrived = now;

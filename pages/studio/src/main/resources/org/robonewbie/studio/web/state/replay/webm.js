@@ -7,7 +7,7 @@
 
 const NANOSECONDS_PER_TICK = 1_000_000;
 /** Timestamps within a cluster have 16 bits. */
-const LONGEST_CLUSTER_MILLISECONDS = 30_000;
+const MAX_CLUSTER_MILLISECONDS = 30_000;
 const KEY_PICTURE = 0x80;
 const NAME = 'RoboNewbie';
 
@@ -75,7 +75,7 @@ function clustersOf(pictures) {
   const clusters = [];
   for (const picture of pictures) {
     const current = clusters.at(-1);
-    const isLong = current && picture.milliseconds - current[0].milliseconds > LONGEST_CLUSTER_MILLISECONDS;
+    const isLong = current && picture.milliseconds - current[0].milliseconds > MAX_CLUSTER_MILLISECONDS;
     if (!current || picture.isKey || isLong) {
       clusters.push([picture]);
     } else {
