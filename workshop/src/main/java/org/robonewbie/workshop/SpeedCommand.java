@@ -60,7 +60,7 @@ final class SpeedCommand implements Callable<Integer> {
             description = "What they do: standing, walking, heap (all three).")
     private List<CrowdScene> scenes = List.of(CrowdScene.values());
 
-    @Option(names = "--seconds", paramLabel = "T", description = "Simulated seconds that are measured (20).")
+    @Option(names = "--seconds", paramLabel = "T", description = "Simulated seconds to measure (default: 20).")
     private double seconds = 20;
 
     @Option(

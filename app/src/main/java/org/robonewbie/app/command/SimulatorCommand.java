@@ -112,7 +112,7 @@ final class SimulatorCommand implements Callable<Integer> {
             names = "--wait-for",
             paramLabel = "N",
             description = "Start when N agents are connected. With --sync, the teams then take the sides in the order"
-                    + " of their names, whichever connects first.")
+                    + " of their names, regardless of which connects first.")
     private int awaitedAgents;
 
     @Option(names = "--record", paramLabel = "FILE", description = "Write a recording of the run.")

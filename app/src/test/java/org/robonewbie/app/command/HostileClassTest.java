@@ -209,7 +209,7 @@ class HostileClassTest {
             assertThat(other).isNotNull();
             assertThat(printed.exitCode()).isEqualTo(2);
             assertThat(printed.err())
-                    .contains("Another grading is using the folder " + folder.resolve("class-grades")
+                    .contains("Another grading run is using the folder " + folder.resolve("class-grades")
                             + ". Wait until it ends, or choose another folder with --results.");
         }
     }

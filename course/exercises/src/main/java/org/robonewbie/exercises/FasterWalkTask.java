@@ -62,7 +62,9 @@ final class FasterWalkTask implements Task {
                 fallen ? ", then a fall" : "");
         if (fallen) {
             return Score.failed(
-                    metres / 2, finding, "Too fast: change one number at a time and try each several times.");
+                    metres / 2,
+                    finding,
+                    "The walk is too fast. Change one number at a time, and test each change several times.");
         }
         if (gait.isFastWalk()) {
             return Score.failed(

@@ -77,7 +77,7 @@ final class GetUpTask implements Task {
             return Score.failed(
                     stood ? 3 : 0,
                     finding,
-                    "Ask nao.getBodyPosition() how the robot is lying and say it: nao.say(\"back\") or"
+                    "Find out with nao.getBodyPosition() how the robot is lying and say it: nao.say(\"back\") or"
                             + " nao.say(\"front\").");
         }
         if (!stood) {

@@ -94,7 +94,7 @@ final class PassingTask implements Task {
         return Score.failed(
                 fair && passed ? 3 : 1,
                 finding,
-                "Both robots run your program: ask nao.getNumber(). Number 1 plays \"pass-left\" and stays where it is; number 2"
+                "Both robots run your program: tell them apart by nao.getNumber(). Number 1 plays \"pass-left\" and stays where it is; number 2"
                         + " walks to the ball as soon as it rolls.");
     }
 }

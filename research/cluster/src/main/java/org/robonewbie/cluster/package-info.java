@@ -1,7 +1,7 @@
 /**
  * Runner of batches on Apache Spark. Read {@link org.robonewbie.cluster.SparkRunner} first, then docs/cluster.md.
  *
- * <p><strong>Internal</strong>: not part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.cluster;

@@ -6,7 +6,7 @@
  * sets of recorded runs ({@link org.robonewbie.learning.dataset.DataSet}). Read {@link
  * org.robonewbie.learning.environment.TrainingTask} first.
  *
- * <p><strong>Internal</strong>: not part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.learning;

@@ -2,7 +2,7 @@
  * Benchmark of a whole server with robots that stand, walk or lie in a heap. Start with {@link
  * org.robonewbie.workshop.speed.Benchmark}.
  *
- * <p><strong>Internal</strong>: no part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.workshop.speed;

@@ -3,7 +3,7 @@
  * restored, bit by bit, from a {@link org.robonewbie.nao.state.StateReader}. Read {@link org.robonewbie.nao.state.Restorable}
  * first.
  *
- * <p><strong>Internal</strong>: not part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.nao.state;

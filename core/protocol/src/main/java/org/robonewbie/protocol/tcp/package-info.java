@@ -1,7 +1,7 @@
 /**
  * Connections over TCP: length-prefixed frames, links for agents and monitors, and telemetry between processes.
  *
- * <p><strong>Internal</strong>: not part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.protocol.tcp;

@@ -8,7 +8,7 @@
  * other processes connect to a {@link org.robonewbie.protocol.tcp.TelemetryServer}, which listens on the simulator's agent port
  * plus 200 and works with any server, including rcssserver3d.
  *
- * <p><strong>Internal</strong>: not part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.protocol.telemetry;

@@ -2,7 +2,7 @@
  * World states that can be kept in memory or in a file and restored bit-identically, and the random sources that are part of
  * them. Read {@link org.robonewbie.simulator.state.WorldState} first.
  *
- * <p><strong>Internal</strong>: not part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.simulator.state;

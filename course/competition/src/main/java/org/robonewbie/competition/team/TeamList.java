@@ -138,7 +138,7 @@ public final class TeamList {
 
     private void addTeam(TeamName name, String program) {
         if (program.isEmpty()) {
-            throw new CalledWronglyException("Team " + name.written() + " has no program. Write for example: "
+            throw new CalledWronglyException("Team " + name.written() + " has no program. For example: "
                     + name.written() + " = Agent_SimpleSoccer");
         }
         for (TeamName other : programs.keySet()) {
@@ -161,7 +161,7 @@ public final class TeamList {
         }
         if (setting.equals(SEED) && !value.matches("-?\\d{1,18}")) {
             throw new CalledWronglyException(
-                    name + ".seed = " + value + " is not an integer. Write for example: " + name + ".seed = 7");
+                    name + ".seed = " + value + " is not an integer. For example: " + name + ".seed = 7");
         }
         if (setting.equals(TOGETHER) && !Set.of("yes", "no").contains(value.toLowerCase(Locale.ROOT))) {
             throw new CalledWronglyException(name + ".together = " + value + " is invalid. Write yes or no.");
@@ -192,7 +192,7 @@ public final class TeamList {
             if (!names.contains(name)) {
                 throw new CalledWronglyException("There are settings for team " + name
                         + ", but no line for its program." + Spelling.question(name, names)
-                        + " Write for example: " + name + " = teams/" + name);
+                        + " For example: " + name + " = teams/" + name);
             }
         }
         if (programs.size() > MAX_TEAMS) {

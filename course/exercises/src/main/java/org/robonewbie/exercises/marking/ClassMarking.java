@@ -68,7 +68,7 @@ public record ClassMarking(
         Path kept = results.resolve("kept");
         Files.createDirectories(kept);
         FolderLock lock = FolderLock.take(kept.resolve("lock"))
-                .orElseThrow(() -> new CalledWronglyException("Another grading is using the folder " + results
+                .orElseThrow(() -> new CalledWronglyException("Another grading run is using the folder " + results
                         + ". Wait until it ends, or choose another folder with --results."));
         try (lock;
                 TemporaryFolder copies = TemporaryFolder.create("class")) {

@@ -3,7 +3,7 @@
  * files nor on the rest of RoboNewbie, except for its spelling correction. Start with {@link
  * org.robonewbie.programs.hint.Hints}.
  *
- * <p><strong>Internal</strong>: not part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.programs.hint;

@@ -3,7 +3,7 @@
  * available. Start with {@link org.robonewbie.programs.process.ChildProcess}, then read {@link
  * org.robonewbie.programs.process.ProgramMain}, their main class.
  *
- * <p><strong>Internal</strong>: not part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.programs.process;

@@ -56,7 +56,7 @@ class GuestDoorTest {
 
             assertThatThrownBy(() -> play(() -> door.await(() -> true)))
                     .isInstanceOf(AbsentProgramException.class)
-                    .hasMessageStartingWith("The program has");
+                    .hasMessage("The program exited during the trial.");
         }
     }
 

@@ -1,7 +1,7 @@
 /**
  * Server side of the replay. Start with {@link org.robonewbie.studio.replay.ReplayApi}.
  *
- * <p><strong>Internal</strong>: not part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.studio.replay;

@@ -1,7 +1,7 @@
 /**
  * Overview page of a contest with all running trials and the table. Start with {@link org.robonewbie.studio.wall.TrialWall}.
  *
- * <p><strong>Internal</strong>: not part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.studio.wall;

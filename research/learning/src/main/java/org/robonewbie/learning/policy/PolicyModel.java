@@ -157,7 +157,7 @@ public final class PolicyModel {
         double[] weights = policy.network().numbers();
         if (weights.length != Network.size(layers)) {
             throw new IllegalArgumentException("The policy \"" + policy.task() + "\" has " + weights.length
-                    + " weights instead of " + Network.size(layers) + ". Give the --hidden with which it was learned.");
+                    + " weights instead of " + Network.size(layers) + ". Pass the --hidden that it was trained with.");
         }
         double[] learnedGait = gait.length > 0 ? policy.numbers(PolicyWalk.GAIT, gait.length) : gait;
         return DoubleStream.concat(DoubleStream.of(learnedGait), DoubleStream.of(weights))

@@ -3,7 +3,7 @@
  * org.robonewbie.learning.policy.PolicySearch} first, then {@link org.robonewbie.learning.policy.PolicyModel}, which maps policies to
  * parameter vectors.
  *
- * <p><strong>Internal</strong>: not part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.learning.policy;

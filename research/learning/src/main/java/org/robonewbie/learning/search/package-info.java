@@ -1,7 +1,7 @@
 /**
  * Derivative-free optimisation by CMA-ES. Read {@link org.robonewbie.learning.search.CovarianceMatrixAdaptation} first.
  *
- * <p><strong>Internal</strong>: not part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.learning.search;

@@ -19,7 +19,7 @@
  * <p>Read {@link org.robonewbie.simulator.physics.sparse.SparsePhysicsWorld} first, then {@code IslandSolver}, {@code
  * ConstraintRows}, {@code SymbolicFactorization}, {@code BlockCholesky} and {@code BlockPivotingLcpSolver}.
  *
- * <p><strong>Internal</strong>: not part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.simulator.physics.sparse;

@@ -1,7 +1,7 @@
 /**
  * Replacements for {@code java.util} where TeaVM's class library has gaps.
  *
- * <p><strong>Internal</strong>: not part of the API, may change with every version.
+ * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */
 @org.jspecify.annotations.NullMarked
 package org.robonewbie.web.library.java.util;
