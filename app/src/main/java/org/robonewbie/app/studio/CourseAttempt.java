@@ -24,7 +24,7 @@ import org.robonewbie.trial.Controller;
 import org.robonewbie.trial.watch.WatchedTrial;
 
 /**
- * Attempt at an exercise whose program runs in a process of its own, started by the studio or the student, so that its
+ * Attempt at an exercise whose program runs in a separate process, started by the studio or the student, so that its
  * failures cannot harm the studio.
  */
 final class CourseAttempt implements CourseHost.Attempt {

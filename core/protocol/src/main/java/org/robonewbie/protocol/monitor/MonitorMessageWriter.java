@@ -8,7 +8,7 @@ import org.robonewbie.protocol.sexp.SexpWriter;
  * Formats the messages from a server to its monitors, byte for byte like rcssserver3d.
  *
  * <p>The writer tracks the state that was sent to all monitors, so that partial messages contain only changes. All monitors of
- * a server therefore share one writer, and a log has a writer of its own.
+ * a server therefore share one writer, and a log has a separate writer.
  */
 public final class MonitorMessageWriter {
 

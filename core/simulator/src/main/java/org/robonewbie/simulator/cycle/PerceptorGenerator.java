@@ -35,11 +35,19 @@ final class PerceptorGenerator {
      * referee moves anything.
      */
     void takePictures(List<AgentSession> agents) {
-        boolean isPictureDue = agents.stream().anyMatch(AgentSession::seesInThisCycle);
-        List<VisiblePlayer> players = isPictureDue ? visiblePlayers() : List.of();
+        List<VisiblePlayer> players = isPictureDue(agents) ? visiblePlayers() : List.of();
         for (AgentSession agent : agents) {
             agent.setPicture(picture(agent, players));
         }
+    }
+
+    private static boolean isPictureDue(List<AgentSession> agents) {
+        for (AgentSession agent : agents) {
+            if (agent.seesInThisCycle()) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private List<VisiblePlayer> visiblePlayers() {

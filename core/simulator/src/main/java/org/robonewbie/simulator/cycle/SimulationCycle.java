@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.function.Consumer;
 import java.util.function.IntPredicate;
+import java.util.function.Predicate;
 import org.robonewbie.nao.Cycle;
 import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.nao.state.StateReader;
@@ -201,18 +202,23 @@ public final class SimulationCycle implements Restorable {
 
     /** {@return the first agent that sync mode waits for} */
     public Optional<AgentSession> unsynchronisedAgent() {
-        return agents.stream()
-                .filter(agent -> !agent.connection().isSynchronised())
-                .findFirst();
+        return first(agent -> !agent.connection().isSynchronised());
     }
 
     /** {@return the first connected agent that has not answered its last message or has never sent one} */
     public Optional<AgentSession> unansweredAgent() {
-        return agents.stream()
-                .filter(agent -> agent.connection().link().isOpen())
-                .filter(agent ->
-                        !agent.connection().hasSpoken() || !agent.connection().isSynchronised())
-                .findFirst();
+        return first(agent -> agent.connection().link().isOpen()
+                && !(agent.connection().hasSpoken() && agent.connection().isSynchronised()));
+    }
+
+    /** Returns the first selected agent, without garbage, because it is called in each cycle. */
+    private Optional<AgentSession> first(Predicate<AgentSession> selected) {
+        for (int i = 0; i < agents.size(); i++) {
+            if (selected.test(agents.get(i))) {
+                return Optional.of(agents.get(i));
+            }
+        }
+        return Optional.empty();
     }
 
     /** Closes the connections to all agents. */

@@ -29,7 +29,7 @@ final class TurnOrder {
      * @param agents all agents; sorted in place
      */
     static void arrange(List<AgentSession> agents) {
-        if (agents.stream().noneMatch(agent -> agent.connection().isAwaited())) {
+        if (!isAnyAwaited(agents)) {
             return;
         }
         sort(
@@ -41,6 +41,15 @@ final class TurnOrder {
                 agent -> agent.wantedTeam().isPresent() && agent.player().isEmpty(),
                 Comparator.comparing(agent -> agent.wantedTeam().orElseThrow(), BY_NAME));
         distributeBodies(joining);
+    }
+
+    private static boolean isAnyAwaited(List<AgentSession> agents) {
+        for (int i = 0; i < agents.size(); i++) {
+            if (agents.get(i).connection().isAwaited()) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Sorts the selected agents within the list positions that they occupy as a group. */

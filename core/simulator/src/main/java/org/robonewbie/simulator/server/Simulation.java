@@ -222,7 +222,7 @@ final class Simulation implements SimulationControl, Runnable {
         if (begun) {
             awaited = settings.world().synchronous() ? Math.min(1, awaited) : 0;
         }
-        return speakingAgents() >= awaited && isAnswered();
+        return (awaited == 0 || speakingAgents() >= awaited) && isAnswered();
     }
 
     /** Counts the agents that have sent a message; surplus agents of a team endpoint do not count. */

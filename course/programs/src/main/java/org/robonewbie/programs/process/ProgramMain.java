@@ -83,7 +83,7 @@ public final class ProgramMain {
 
     /**
      * In a sandbox, copies the program's files into the empty home folder and opens a local port that leads to the simulator.
-     * For grading, where each trial has a port of its own, only links the files.
+     * For grading, where each trial has a separate port, only links the files.
      */
     private static void prepare() throws IOException {
         if (Files.isDirectory(Sandbox.DOOR)) {
