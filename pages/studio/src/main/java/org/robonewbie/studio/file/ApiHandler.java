@@ -2,6 +2,7 @@ package org.robonewbie.studio.file;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.file.Path;
 import java.util.Optional;
 import org.eclipse.jetty.io.Content;
 import org.eclipse.jetty.server.Handler;
@@ -37,6 +38,19 @@ public abstract class ApiHandler extends Handler.Abstract {
      * @return what failed and what to check
      */
     protected abstract String explain(IOException problem);
+
+    /**
+     * Explains why a file in a folder cannot be accessed.
+     *
+     * @param what subject of the sentence, such as {@code The scene}
+     * @param folder the folder
+     * @param problem the problem
+     * @return what failed and what to check
+     */
+    protected static String explain(String what, Path folder, IOException problem) {
+        return what + " cannot be read or written: " + problem.getMessage() + ". Is the folder " + folder
+                + " writable, and is there room on the disk?";
+    }
 
     @Override
     public final boolean handle(Request request, Response response, Callback callback) {

@@ -64,8 +64,7 @@ public final class MotionApi extends ApiHandler {
 
     @Override
     protected String explain(IOException problem) {
-        return "The file cannot be read or written: " + problem.getMessage() + ". Is the folder " + motions.folder()
-                + " writable, and is there room on the disk?";
+        return explain("The file", motions.folder(), problem);
     }
 
     private Answer reply(Request request, String path) throws IOException {

@@ -69,8 +69,7 @@ public final class ProgramApi extends ApiHandler {
 
     @Override
     protected String explain(IOException problem) {
-        return "The file cannot be read or written: " + problem.getMessage() + ". Is the folder " + folder.folder()
-                + " writable, and is there room on the disk?";
+        return explain("The file", folder.folder(), problem);
     }
 
     private Answer reply(Request request, String place) throws IOException {

@@ -63,8 +63,7 @@ public final class SceneApi extends ApiHandler {
 
     @Override
     protected String explain(IOException problem) {
-        return "The scene cannot be read or written: " + problem.getMessage() + ". Is the folder " + folder.folder()
-                + " writable, and is there room on the disk?";
+        return explain("The scene", folder.folder(), problem);
     }
 
     private String reply(Request request, String path) throws IOException {
