@@ -10,6 +10,7 @@ import java.util.Queue;
 import java.util.ServiceLoader;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
@@ -43,6 +44,9 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
     private static final int MAX_TELEMETRY = 20_000;
     private static final int MAX_MESSAGES = 500;
     private static final long MAX_PARK_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
+
+    /** How long a frozen page delays the end of the studio. */
+    private static final int MAX_CLOSE_SECONDS = 1;
 
     private final SimulationControl simulation;
     private final PuppetService puppets;
@@ -296,6 +300,8 @@ final class LiveFeed implements SimulationObserver, TelemetrySink, StudioContext
         puppets.close();
         commandQueue.close();
         LockSupport.unpark(sender);
-        spectators.forEach(Spectator::disconnect);
+        CompletableFuture.allOf(spectators.stream().map(Spectator::disconnect).toArray(CompletableFuture[]::new))
+                .completeOnTimeout(null, MAX_CLOSE_SECONDS, TimeUnit.SECONDS)
+                .join();
     }
 }

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.eclipse.jetty.websocket.api.Callback;
 import org.eclipse.jetty.websocket.api.Session;
@@ -27,6 +28,7 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
 
     private final LiveFeed feed;
     private final TelemetryFeed telemetry = new TelemetryFeed();
+    private final CompletableFuture<Void> closed = new CompletableFuture<>();
     private final Deque<String> queue = new ArrayDeque<>();
     private Optional<UndoManager.Names> sentUndoNames = Optional.empty();
     private int sentDrawings;
@@ -132,21 +134,27 @@ public final class Spectator extends Session.Listener.AbstractAutoDemanding {
         session.sendText(texts.get(0), Callback.from(() -> send(session, others, frame), failure -> {}));
     }
 
-    void disconnect() {
+    /** {@return a future that is completed when the page has confirmed the end of the connection} */
+    CompletableFuture<Void> disconnect() {
         Session session = getSession();
-        if (session != null) {
+        if (session == null) {
+            closed.complete(null);
+        } else {
             session.close(StatusCode.SHUTDOWN, "The simulator has ended.", Callback.NOOP);
         }
+        return closed;
     }
 
     @Override
     public void onWebSocketClose(int statusCode, @Nullable String reason, Callback callback) {
         feed.remove(this);
+        closed.complete(null);
         callback.succeed();
     }
 
     @Override
     public void onWebSocketError(Throwable cause) {
         feed.remove(this);
+        closed.complete(null);
     }
 }

@@ -28,6 +28,7 @@ import org.robonewbie.simulator.server.SimulatorSettings;
 final class TestSimulator implements AutoCloseable {
 
     private static final long TIMEOUT_SECONDS = 120;
+    private static final double REAL_TIME = 1;
     private static final double STANDING_HEIGHT = 0.366;
     private static final int CYCLES_TO_TAKE_A_POSTURE = 50;
 
@@ -55,7 +56,7 @@ final class TestSimulator implements AutoCloseable {
         awaitTrue(() -> latest.isPresent());
     }
 
-    /** Adds a robot and starts the game. The first robot of all must be one of the left team. */
+    /** Adds a robot, starts the game and runs in real time. The first robot of all must be one of the left team. */
     TestSimulator withRobot(
             RobotType type,
             TeamSide side,
@@ -64,7 +65,6 @@ final class TestSimulator implements AutoCloseable {
             double y,
             double headingDegrees,
             Map<Joint, Double> posture) {
-        double speed = latest().speed();
         order(new Order.SetSpeed(SimulationControl.AS_FAST_AS_POSSIBLE));
         String team = side == TeamSide.LEFT ? "Blue_Newbies" : "Orange_Rockets";
         Puppet puppet = new RobotPuppetProvider().start(simulator.connect(), team, number, type.ordinal());
@@ -76,7 +76,8 @@ final class TestSimulator implements AutoCloseable {
         afterCycles(CYCLES_TO_TAKE_A_POSTURE);
         order(new Order.PlaceRobot(player, new Vector3(x, y, STANDING_HEIGHT), headingDegrees));
         order(new Order.ChangePlayMode(PlayMode.PLAY_ON));
-        order(new Order.SetSpeed(speed));
+        order(new Order.SetSpeed(REAL_TIME));
+        awaitTrue(() -> latest().speed() == REAL_TIME);
         return this;
     }
 

@@ -200,7 +200,7 @@ class AllAgentsExpectationsTest {
             assertThat(monitor.lastMessage().toString()).contains("(RSG 0 1)");
 
             GameState third =
-                    running.connect().joinRunningGame("Suns", 1).gameState().orElseThrow();
+                    running.connect().joinInVain("Suns", 1).gameState().orElseThrow();
             GameState again =
                     running.connect().joinRunningGame("Moons", 1).gameState().orElseThrow();
 

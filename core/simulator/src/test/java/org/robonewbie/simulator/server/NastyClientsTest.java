@@ -212,9 +212,9 @@ class NastyClientsTest {
                 TestAgent twin = agent()) {
             moon.joinRunningGame("Moons", 1);
 
-            assertThat(sun.joinRunningGame("Suns", 1).gameState().orElseThrow().number())
+            assertThat(sun.joinInVain("Suns", 1).gameState().orElseThrow().number())
                     .isEmpty();
-            assertThat(twin.joinRunningGame("Moons", 1)
+            assertThat(twin.joinInVain("Moons", 1)
                             .gameState()
                             .orElseThrow()
                             .number())

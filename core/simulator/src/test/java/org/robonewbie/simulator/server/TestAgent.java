@@ -9,6 +9,8 @@ import org.robonewbie.protocol.perceptor.PerceptorMessageReader;
 /** The simplest agent: says what it is told to and reads each answer. */
 final class TestAgent implements AutoCloseable {
 
+    private static final int CYCLES_UNTIL_REFUSED = 60;
+
     private final AgentLink link;
     private final MessageBuffer message = new MessageBuffer();
     private final PerceptorMessageReader reader = new PerceptorMessageReader();
@@ -32,14 +34,27 @@ final class TestAgent implements AutoCloseable {
         return receive();
     }
 
-    /** Joins a game that does not wait for its agents; returns the message with the number, or the last of many without. */
+    /** Joins a game that does not wait for its agents; returns the first message with the number. */
     PerceptorMessage joinRunningGame(String team, int number) throws IOException {
-        exchange("(scene rsg/agent/nao/nao.rsg)");
-        PerceptorMessage answer = exchange("(init (unum " + number + ")(teamname " + team + "))");
-        for (int i = 0; i < 60 && answer.gameState().orElseThrow().number().isEmpty(); i++) {
+        PerceptorMessage answer = sendInit(team, number);
+        while (answer.gameState().orElseThrow().number().isEmpty()) {
             answer = receive();
         }
         return answer;
+    }
+
+    /** Sends an init message that the simulator refuses; returns the message of some cycles later. */
+    PerceptorMessage joinInVain(String team, int number) throws IOException {
+        PerceptorMessage answer = sendInit(team, number);
+        for (int i = 0; i < CYCLES_UNTIL_REFUSED; i++) {
+            answer = receive();
+        }
+        return answer;
+    }
+
+    private PerceptorMessage sendInit(String team, int number) throws IOException {
+        exchange("(scene rsg/agent/nao/nao.rsg)");
+        return exchange("(init (unum " + number + ")(teamname " + team + "))");
     }
 
     void send(String text) throws IOException {
