@@ -27,7 +27,7 @@ import org.robonewbie.nao.model.RobotType;
  */
 public final class Options {
 
-    /** Default starting poses for player numbers 1 to 11, which fit on the small pitch; number 1 is the goalkeeper. */
+    /** Default starting poses of players 1 to 11. All of them fit on the small pitch; player 1 is the goalkeeper. */
     private static final List<Pose2d> LINE_UP = List.of(
             new Pose2d(-5, 0, 0),
             new Pose2d(-0.6, 0, 0),
@@ -56,7 +56,7 @@ public final class Options {
         SimulatorChoice.check(this);
     }
 
-    /** {@return options without any value} */
+    /** {@return options with no values set} */
     public static Options none() {
         return new Options(new EnumMap<>(Option.class), List.of(), false);
     }
@@ -103,8 +103,8 @@ public final class Options {
     }
 
     /**
-     * Whether the program's default pose is meant for another player number and must not be used: otherwise all players
-     * of a team would start at the same pose.
+     * Returns whether the program's default pose is meant for another player number. Such a pose must not be used,
+     * because all players of a team would start in it.
      */
     private boolean isPoseOfAnotherNumber(Options overriding) {
         int defaultNumber = Math.max(1, number());
@@ -121,7 +121,7 @@ public final class Options {
     }
 
     /**
-     * Accepts arguments that are not options, such as a file name. Without this call, they are refused.
+     * Accepts arguments that are not options, such as a file name. Without this call, they are rejected.
      *
      * @return these options, accepting other arguments
      */

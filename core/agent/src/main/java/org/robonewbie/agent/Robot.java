@@ -124,7 +124,7 @@ public class Robot {
         return sensors().playSeconds();
     }
 
-    /** {@return the half that this team defends; left until the referee has assigned one} */
+    /** {@return the half that this team defends; {@code LEFT} until the referee has assigned one} */
     public final TeamSide getTeamSide() {
         return sensors().side();
     }
@@ -164,7 +164,7 @@ public class Robot {
         return getBodyPosition().isFallen();
     }
 
-    /** {@return upright, or the side on which the robot lies, according to smoothed accelerometer readings} */
+    /** {@return the orientation of the torso according to smoothed accelerometer readings} */
     public final BodyPosition getBodyPosition() {
         return sensors().bodyPosition();
     }

@@ -104,7 +104,9 @@ public final class TunableNumbers {
         return List.copyOf(declared.values());
     }
 
-    /** Publishes the numbers of a running robot and applies the values that the viewer requests. Call it between two cycles. */
+    /**
+     * Publishes the numbers of a running robot and applies the values that the viewer requests. Call it between cycles.
+     */
     void follow(Agent robot, TelemetryPublisher viewer) {
         if (!followed) {
             followed = true;
@@ -170,7 +172,10 @@ public final class TunableNumbers {
         return values;
     }
 
-    /** Reports numbers that the file sets but the program does not declare. Call it after all numbers have been declared. */
+    /**
+     * Reports numbers that their file sets but the program does not declare. Call it after all numbers have been
+     * declared.
+     */
     void reportUnknown() {
         for (String name : wanted().keySet()) {
             if (!declared.containsKey(name)) {

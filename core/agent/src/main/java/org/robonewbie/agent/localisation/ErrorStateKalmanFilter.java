@@ -20,8 +20,8 @@ import org.robonewbie.nao.math.PortableMath;
 final class ErrorStateKalmanFilter {
 
     /**
-     * First index of position, velocity and rotation in the covariance. Each has three components, along or about the
-     * axes of the field, in metres, metres per second and radians.
+     * Indices of the first components of position, velocity and rotation in the covariance. Each has three components,
+     * along or about the axes of the field, in metres, metres per second and radians.
      */
     private static final int PLACE = 0;
 
@@ -186,12 +186,12 @@ final class ErrorStateKalmanFilter {
                 .times(attitude);
     }
 
-    /** Pose of the torso on the field. */
+    /** Returns the pose of the torso on the field. */
     Pose2d pose() {
         return new Pose2d(place.x(), place.y(), attitude.yawDegrees());
     }
 
-    /** Pose of the torso in space. */
+    /** Returns the pose of the torso in space. */
     Pose torso() {
         return new Pose(place, attitude);
     }

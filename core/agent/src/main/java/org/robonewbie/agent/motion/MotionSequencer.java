@@ -139,7 +139,7 @@ public final class MotionSequencer implements Motions {
     }
 
     /**
-     * Returns the motion that currently moves a joint.
+     * Returns the name of the motion that currently moves a joint.
      *
      * @param joint the joint
      * @return its name; empty if no motion moves the joint

@@ -9,7 +9,7 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 
 /**
- * Text format of policies: one statement per line, words separated by blanks. Lines that begin with # are remarks.
+ * Text format of policies: one statement per line, words separated by blanks. Lines that begin with # are comments.
  *
  * <pre>
  * policy 1 walk

@@ -44,7 +44,7 @@ public final class PathEncoding {
     /**
      * Explains why a path is invalid.
      *
-     * @param refused the exception from Java
+     * @param refused the exception that Java threw
      * @return a sentence with advice
      */
     public static String explain(InvalidPathException refused) {

@@ -46,7 +46,7 @@ record HalfPiRemainder(int quadrant, double head, double tail) {
     private static final int DOUBLE_BITS = 53;
 
     /**
-     * Reduces a non-negative angle. The record is created at a single point of the code so that escape analysis can
+     * Reduces a non-negative angle. The record is created at a single point in the code so that escape analysis can
      * avoid the allocation.
      */
     static HalfPiRemainder of(double radians) {

@@ -49,7 +49,7 @@ public final class MotionFile {
     /**
      * Parses the text of a motion file.
      *
-     * @param name the file's name for messages, such as {@code wave.txt}
+     * @param name the file's name, used in messages, such as {@code wave.txt}
      * @param text the content of the file
      * @return the file; lines that cannot be parsed are kept, see {@link #errors}
      */
@@ -60,7 +60,7 @@ public final class MotionFile {
     /**
      * Decodes and parses the bytes of a motion file.
      *
-     * @param name the file's name for messages, such as {@code wave.txt}
+     * @param name the file's name, used in messages, such as {@code wave.txt}
      * @param bytes text in UTF-8, UTF-16 with a byte order mark, or Windows-1252
      * @return the file; bytes that cannot be decoded and lines that cannot be parsed are kept, see {@link #errors}
      */
@@ -298,7 +298,7 @@ public final class MotionFile {
         return mirrored;
     }
 
-    /** Replaces every "left" in a text by "right" or, if there is none, every "right" by "left". */
+    /** Replaces every "left" in a text with "right" or, if there is none, every "right" with "left". */
     static String otherSide(String text) {
         return text.contains("left") ? text.replace("left", "right") : text.replace("right", "left");
     }

@@ -157,7 +157,7 @@ sealed interface MotionLine {
         }
     }
 
-    /** A word of a line; the column counts from 0. */
+    /** A word in a line; columns are counted from 0. */
     record Word(String text, int column) {
 
         private static final Pattern DECIMAL = Pattern.compile("[+-]?(\\d+(\\.\\d*)?|\\.\\d+)([eE][+-]?\\d+)?");

@@ -149,7 +149,7 @@ public final class StateReader {
      *
      * @param <T> type of the elements
      * @param reader reads one element of at least one byte
-     * @return a new list of the elements in their order
+     * @return a new list of the elements, in the order in which they were written
      */
     public <T> List<T> getAll(Supplier<T> reader) {
         int count = getCount();

@@ -94,10 +94,10 @@ public final class StateWriter {
     }
 
     /**
-     * Appends a number of bytes, preceded by their count.
+     * Appends the first bytes of an array, preceded by their count.
      *
-     * @param source array that starts with the bytes
-     * @param count number of bytes
+     * @param source the array
+     * @param count number of bytes to append
      */
     public void putBytes(byte[] source, int count) {
         putInt(count);

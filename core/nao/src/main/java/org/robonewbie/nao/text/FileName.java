@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
- * Checks for file names that are valid on Windows, macOS and Linux, in any script. The studio's pages implement the
+ * Checks whether file names, in any script, are valid on Windows, macOS and Linux. The studio's pages implement the
  * same rules in {@code state/file-name.js}.
  *
  * <pre>{@code
