@@ -73,7 +73,8 @@ public abstract class Agent {
      * the player number given here (1 if none is given): a robot that is started with another {@code --number} uses the
      * default pose of that number.
      *
-     * @return the default options; override this, for example with {@code Options.none().withTeam("Blue").withPose(-1, 0, 0)}
+     * @return the default options; override this method to return others, such as
+     *     {@code Options.none().withTeam("Blue").withPose(-1, 0, 0)}
      */
     protected Options defaults() {
         return Options.none();

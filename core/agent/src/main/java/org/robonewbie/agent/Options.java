@@ -182,8 +182,8 @@ public final class Options {
     /**
      * Sets an option by its name on the command line.
      *
-     * @param name such as {@code seed}
-     * @param value such as {@code 1}; {@code true} for a flag
+     * @param name name of the option, such as {@code seed}
+     * @param value value of the option, such as {@code 1}; {@code true} for a flag
      * @return options with that value
      * @throws StartUpException if there is no such option or the value is invalid
      */
@@ -228,7 +228,7 @@ public final class Options {
      * Returns the starting pose in the coordinates of the robot's team.
      *
      * @param number the player number, 1 to 11
-     * @return the pose that was set, else the default pose of this number in the team's own half
+     * @return the pose that was set, otherwise the default pose for this number in the team's own half
      * @throws IllegalArgumentException if the number is outside that range
      */
     public Pose2d pose(int number) {
@@ -274,7 +274,7 @@ public final class Options {
         return isSet(Option.NO_BROWSER);
     }
 
-    /** {@return whether camera pictures include the true positions of robot and ball, for experiments} */
+    /** {@return whether camera pictures include the true positions of the robot and the ball, for experiments} */
     public boolean isTruth() {
         return isSet(Option.TRUTH);
     }

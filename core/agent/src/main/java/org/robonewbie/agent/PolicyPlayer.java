@@ -116,7 +116,7 @@ public final class PolicyPlayer {
     }
 
     /**
-     * Moves the joints. Call it once in each cycle.
+     * Moves the joints. Call this method once per cycle.
      *
      * @param robot the robot to sense and move
      */

@@ -49,7 +49,7 @@ public final class TunableNumbers {
      * Returns the name of the file that overrides the numbers of a program.
      *
      * @param type simple name of the program's class
-     * @return such as {@code Walker.numbers}
+     * @return the file name, such as {@code Walker.numbers}
      */
     public static String fileName(String type) {
         return type + ".numbers";
@@ -105,7 +105,8 @@ public final class TunableNumbers {
     }
 
     /**
-     * Publishes the numbers of a running robot and applies the values that the viewer requests. Call it between cycles.
+     * Publishes the numbers of a running robot and applies the values that the viewer requests. Call this method
+     * between cycles.
      */
     void follow(Agent robot, TelemetryPublisher viewer) {
         if (!followed) {
@@ -173,8 +174,8 @@ public final class TunableNumbers {
     }
 
     /**
-     * Reports numbers that their file sets but the program does not declare. Call it after all numbers have been
-     * declared.
+     * Reports numbers that their file sets but the program does not declare. Call this method after all numbers have
+     * been declared.
      */
     void reportUnknown() {
         for (String name : wanted().keySet()) {

@@ -106,7 +106,7 @@ public final class RobotRuntime {
         return motions.turning(joint);
     }
 
-    /** Discards what is known about position and posture, which are no longer valid. */
+    /** Discards the known position and posture of the robot, which are no longer valid. */
     private void discardPose() {
         fieldView.forget();
         walk.reset();

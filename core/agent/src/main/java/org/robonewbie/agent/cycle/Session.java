@@ -25,7 +25,7 @@ public final class Session implements AutoCloseable {
      * @param robot processes and answers the messages
      * @param port source of messages
      * @param lifeSeconds simulated seconds until the robot leaves; empty if the simulator ends the game
-     * @param watch notified when the robot's program runs
+     * @param watch notified when the robot's program starts and stops running within a cycle
      */
     public Session(RobotRuntime robot, MessagePort port, OptionalDouble lifeSeconds, CycleWatch watch) {
         this.robot = robot;

@@ -124,7 +124,7 @@ public final class TelemetryPublisher {
     }
 
     /**
-     * Publishes an item of the current cycle.
+     * Publishes an item for the current cycle.
      *
      * @param item the item
      */

@@ -10,9 +10,9 @@ import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * Error-state Kalman filter for position, attitude and velocity of the torso. Gyroscope and accelerometer predict the
- * state by inertial navigation, even while the robot falls, lies on the ground and gets up; landmarks and the support
- * foot correct the drift.
+ * Error-state Kalman filter for position, attitude and velocity of the torso. The gyroscope and the accelerometer
+ * predict the state by inertial navigation, even while the robot falls, lies on the ground and gets up; landmarks and
+ * the support foot correct the drift.
  *
  * <p>The error state contains a small rotation vector instead of angles, so there is no singular attitude (J. Solà,
  * <em>Quaternion kinematics for the error-state Kalman filter</em>, 2017).

@@ -49,7 +49,7 @@ public final class Odometry {
     }
 
     /**
-     * Adds the movement of one cycle. Call it once at the beginning of each cycle.
+     * Adds the movement of one cycle. Call this method once at the beginning of each cycle.
      *
      * @param nao the robot
      */

@@ -89,7 +89,8 @@ public final class SelfLocalisation {
     }
 
     /**
-     * Processes one cycle. Call it once at the beginning of each cycle, even while the robot is lying on the ground.
+     * Processes one cycle. Call this method once at the beginning of each cycle, even while the robot is lying on the
+     * ground.
      *
      * @param nao the robot
      * @param view the robot's field view

@@ -41,7 +41,7 @@ public final class LookAround {
         this.motors = motors;
     }
 
-    /** Advances the scan by one cycle. Call it in each cycle in which the head should move. */
+    /** Advances the scan by one cycle. Call this method in each cycle in which the head should move. */
     public void look() {
         double phase = 2 * Math.PI * cycle * Cycle.SECONDS / ROUND_SECONDS;
         cycle++;

@@ -29,9 +29,9 @@ public interface Motions {
      * Starts a motion, unless another one is running.
      *
      * @param name name of the file {@code motions/NAME.txt} in the working directory, or of a shipped motion
-     * @return whether the motion starts; false while another one is running, or if there is no such motion, which is
-     *     reported; if the file has become invalid since it was last played, this is reported and the last valid
-     *     version is played
+     * @return whether the motion starts; false while another one is running or if there is no such motion. A missing
+     *     motion is reported. If the file has become invalid since it was last played, this is reported, and the last
+     *     valid version is played.
      */
     boolean start(String name);
 

@@ -147,7 +147,7 @@ public final class PolicyText {
      * Formats a policy.
      *
      * @param policy the policy
-     * @return a text that {@link #parse} accepts, with six significant digits for each number
+     * @return text that {@link #parse} accepts, with six significant digits for each number
      */
     public static String format(Policy policy) {
         List<String> lines = new ArrayList<>();

@@ -63,7 +63,7 @@ public final class Watchdog implements CycleWatch, AutoCloseable {
      * @param owner owner of the cycle
      * @param diagnostics receives the reports
      * @param giveUp called after a stall of five seconds; empty to wait indefinitely
-     * @param listener called in the thread of the program when many cycles have been slow
+     * @param listener called in the program's thread once many cycles have been slow
      * @return the watchdog; close it to stop watching
      */
     public static Watchdog start(

@@ -8,9 +8,9 @@ package org.robonewbie.agent.walk;
  * correction = perDegree · (tilt − planned tilt) + perDegreePerSecond · rate of tilting
  * </pre>
  *
- * <p>Ankle and hip rotate the torso back (the <em>ankle strategy</em> and the <em>hip strategy</em> of human balance);
- * the step controllers move the target of the swing foot in the direction in which the robot is falling. Outputs are
- * degrees for joints and metres for steps.
+ * <p>The ankle and hip controllers rotate the torso back (the <em>ankle strategy</em> and the <em>hip strategy</em> of
+ * human balance); the step controllers move the target of the swing foot in the direction in which the robot is
+ * falling. Outputs are degrees for joints and metres for steps.
  *
  * @param anklePitch gain of the ankle correction for forward tilt
  * @param hipPitch gain of the hip correction for forward tilt

@@ -79,7 +79,7 @@ public final class WalkController implements Walk {
         return walking;
     }
 
-    /** {@return {@code walk} while the robot walks, else the name of the running motion, if any} */
+    /** {@return {@code walk} while the robot walks, otherwise the name of the running motion, if any} */
     public Optional<String> current() {
         return walking ? Optional.of("walk") : motions.current();
     }

@@ -120,7 +120,7 @@ public final class WalkEngine {
     }
 
     /**
-     * Updates the tilt estimate. Call it in each cycle before {@link #next}.
+     * Updates the tilt estimate. Call this method in each cycle before {@link #next}.
      *
      * @param motion readings of the gyroscope and the accelerometer
      */

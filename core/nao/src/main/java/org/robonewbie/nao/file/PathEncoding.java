@@ -9,8 +9,8 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * The encoding in which Java decodes file names, which depends on the locale of the shell. In a locale without UTF-8, as under
- * cron and in containers, {@code Übung} becomes {@code ??bung}, a different folder.
+ * The encoding with which Java decodes file names; it depends on the locale of the shell. In a locale without UTF-8, as
+ * under cron and in containers, {@code Übung} becomes {@code ??bung}, a different folder.
  */
 public final class PathEncoding {
 

@@ -7,8 +7,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * Safe reading of untrusted files: never opens a device or a pipe, which could block forever, and limits the number of bytes
- * read.
+ * Reads untrusted files safely: never opens a device or a pipe, which could block forever, and limits the number of
+ * bytes read.
  */
 public final class RegularFile {
 

@@ -143,7 +143,7 @@ public final class BodyState {
         return Posture.of(degrees);
     }
 
-    /** {@return the heading of the torso, as for {@link #headingDegrees(Vector3)}} */
+    /** {@return the heading of the torso, as defined by {@link #headingDegrees(Vector3)}} */
     public double headingDegrees() {
         return headingDegrees(torso.rotation().apply(FORWARD));
     }

@@ -153,8 +153,8 @@ public final class MotionFile {
     }
 
     /**
-     * {@return what a robot cannot play exactly as written, such as angles beyond a joint's range and durations that
-     * are not whole cycles, in the order of the file}
+     * {@return warnings about values that a robot cannot play exactly as written, such as angles beyond a joint's range
+     * and durations that are not whole cycles, in the order of the file}
      */
     public List<MotionProblem> warnings() {
         List<MotionProblem> warnings = new ArrayList<>();
@@ -180,8 +180,8 @@ public final class MotionFile {
     }
 
     /**
-     * Returns where the ball must lie for the motion to kick it. A comment such as {@code // ball: 0.190 m ahead, -0.055 m to
-     * the left} sets this property.
+     * Returns the position at which the ball must lie for the motion to kick it. A comment such as
+     * {@code // ball: 0.190 m ahead, -0.055 m to the left} sets this property.
      *
      * @return the ball's position relative to the torso; empty if the file does not set one
      * @throws NumberFormatException if a distance is not a number
@@ -195,7 +195,7 @@ public final class MotionFile {
     }
 
     /**
-     * Sets where the ball must lie for the motion to kick it.
+     * Sets the position at which the ball must lie for the motion to kick it.
      *
      * @param ball the ball's position relative to the torso
      * @return the changed file
@@ -298,7 +298,7 @@ public final class MotionFile {
         return mirrored;
     }
 
-    /** Replaces every "left" in a text with "right" or, if there is none, every "right" with "left". */
+    /** Replaces every "left" in a string with "right" or, if there is none, every "right" with "left". */
     static String otherSide(String text) {
         return text.contains("left") ? text.replace("left", "right") : text.replace("right", "left");
     }

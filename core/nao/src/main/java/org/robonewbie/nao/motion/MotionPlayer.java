@@ -173,7 +173,7 @@ public final class MotionPlayer {
     }
 
     /**
-     * Returns where the motion exceeds the maximum speed of a motor.
+     * Finds the joints and keyframes for which the motion exceeds the maximum speed of a motor.
      *
      * @param motors the motors, which determine the initial posture
      * @param fromKeyframe index of the first keyframe to check; 1 if the robot may take longer to reach the first keyframe

@@ -128,7 +128,7 @@ public final class StateReader {
         return copy;
     }
 
-    /** {@return the next text} */
+    /** {@return the next string} */
     public String getText() {
         return new String(getBytes(), StandardCharsets.UTF_8);
     }

@@ -8,8 +8,8 @@ import java.util.function.Consumer;
 import org.robonewbie.nao.Vector3;
 
 /**
- * Serializes values to bytes without loss: integers and the bits of doubles in little-endian order, texts in UTF-8,
- * preceded by their length.
+ * Serializes values to bytes without loss: integers and the bits of doubles in little-endian order, and strings in
+ * UTF-8, preceded by their length.
  */
 public final class StateWriter {
 
@@ -107,9 +107,9 @@ public final class StateWriter {
     }
 
     /**
-     * Appends a text.
+     * Appends a string.
      *
-     * @param text any text
+     * @param text any string
      */
     public void putText(String text) {
         byte[] encoded = text.getBytes(StandardCharsets.UTF_8);

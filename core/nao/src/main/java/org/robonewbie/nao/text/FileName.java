@@ -47,7 +47,8 @@ public final class FileName {
      * Checks a name that a user chose.
      *
      * @param name a name without folder and extension
-     * @return the problem, to follow the name in a sentence, such as {@code contains "/"}; empty if the name is valid
+     * @return the problem, phrased to follow the name in a sentence, such as {@code contains "/"}; empty if the name is
+     *     valid
      */
     public static Optional<String> problem(String name) {
         if (name.isEmpty()) {
