@@ -73,7 +73,8 @@ public abstract class Agent {
      * the player number given here (1 if none is given): a robot that is started with another {@code --number} uses the
      * default pose of that number.
      *
-     * @return the default options; override this, for example with {@code Options.none().withTeam("Blue").withPose(-1, 0, 0)}
+     * @return the default options; override this method to return others, such as
+     *     {@code Options.none().withTeam("Blue").withPose(-1, 0, 0)}
      */
     protected Options defaults() {
         return Options.none();
@@ -102,7 +103,7 @@ public abstract class Agent {
         return numbers.declare(name, usual, least, most);
     }
 
-    /** {@return the options of the running robot; the defaults before it runs} */
+    /** {@return the options in effect; before the run, the default options} */
     protected final Options options() {
         return options;
     }
@@ -172,7 +173,7 @@ public abstract class Agent {
         session.leave();
     }
 
-    /** Reports a misspelt {@code think()}, and numbers that the file sets but the program does not declare. */
+    /** Reports a misspelt {@code think()} and tunable numbers that their file sets but the program does not declare. */
     final void reportWhatIsMissing() {
         ThinkSpelling.problemIn(getClass(), Agent.class, nameOf(getClass()))
                 .ifPresent(sentence -> runtime.diagnostics().reportAt("", sentence, () -> sentence));
@@ -195,7 +196,7 @@ public abstract class Agent {
         return failed;
     }
 
-    /** Reports an exception from the program and completes the cycle in its place. */
+    /** Reports an exception from the program and completes the cycle on its behalf. */
     private void report(Throwable thrown) {
         boolean reportedBefore = failed && String.valueOf(thrown.getMessage()).startsWith(CLASS_THAT_FAILED_BEFORE);
         failed = true;
@@ -217,7 +218,7 @@ public abstract class Agent {
         runtime.diagnostics().reportAt(Failure.place(exhausted), "memory", () -> step + " " + Failure.MEMORY);
     }
 
-    /** Returns the step that failed, such as {@code think()}: the method that {@link #run} called. */
+    /** Returns the name of the step that failed, such as {@code think()}: the method that {@link #run} called. */
     private static String failedStep(StackTraceElement[] calls) {
         for (int i = 1; i < calls.length; i++) {
             if (isRun(calls[i])) {

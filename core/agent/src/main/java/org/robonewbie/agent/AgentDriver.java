@@ -60,7 +60,7 @@ public final class AgentDriver {
     /**
      * Starts a watchdog for {@link #respond}: reports a misspelt {@code think()}, endless loops and slow cycles.
      *
-     * @param listener called in the program's thread with the cause when many cycles have been slow
+     * @param listener called in the program's thread, with the cause, once many cycles have been slow
      * @return the watchdog; close it to stop watching
      */
     public Watchdog watch(Consumer<Slowness> listener) {

@@ -4,7 +4,7 @@ import org.robonewbie.nao.state.Restorable;
 import org.robonewbie.nao.state.StateReader;
 import org.robonewbie.nao.state.StateWriter;
 
-/** An agent's part of a saved world: the agent's own fields, if its class implements {@link Restorable}. */
+/** State of an agent in a saved world: its own fields, if its class implements {@link Restorable}. */
 final class AgentState implements Restorable {
 
     private final Agent agent;
@@ -20,7 +20,7 @@ final class AgentState implements Restorable {
         }
     }
 
-    /** Resets motions, walk and field view, and restores the agent's own fields. */
+    /** Resets the motions, the walk and the field view, and restores the agent's own fields. */
     @Override
     public void restore(StateReader in) {
         agent.runtime().startOver();

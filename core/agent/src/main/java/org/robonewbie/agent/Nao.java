@@ -78,7 +78,7 @@ public final class Nao extends Robot implements AutoCloseable {
         return join(options, AgentRunner.open(options, 1, ""));
     }
 
-    /** Joins the game of a simulator that serves this robot only. */
+    /** Joins the game in a simulator that serves only this robot. */
     static Nao join(Options options, SimulatorConnection simulator) {
         RobotRuntime runtime = new RobotRuntime("the robot");
         Watchdog watchdog = Watchdog.start(CycleOwner.PROGRAM, runtime.diagnostics(), Optional.empty(), slowness -> {});

@@ -27,7 +27,7 @@ import org.robonewbie.nao.model.RobotType;
  */
 public final class Options {
 
-    /** Default starting poses for player numbers 1 to 11, which fit on the small pitch; number 1 is the goalkeeper. */
+    /** Default starting poses of players 1 to 11. All of them fit on the small pitch; player 1 is the goalkeeper. */
     private static final List<Pose2d> LINE_UP = List.of(
             new Pose2d(-5, 0, 0),
             new Pose2d(-0.6, 0, 0),
@@ -56,7 +56,7 @@ public final class Options {
         SimulatorChoice.check(this);
     }
 
-    /** {@return options without any value} */
+    /** {@return options with no values set} */
     public static Options none() {
         return new Options(new EnumMap<>(Option.class), List.of(), false);
     }
@@ -103,8 +103,8 @@ public final class Options {
     }
 
     /**
-     * Whether the program's default pose is meant for another player number and must not be used: otherwise all players
-     * of a team would start at the same pose.
+     * Returns whether the program's default pose is meant for another player number. Such a pose must not be used,
+     * because all players of a team would start in it.
      */
     private boolean isPoseOfAnotherNumber(Options overriding) {
         int defaultNumber = Math.max(1, number());
@@ -121,7 +121,7 @@ public final class Options {
     }
 
     /**
-     * Accepts arguments that are not options, such as a file name. Without this call, they are refused.
+     * Accepts arguments that are not options, such as a file name. Without this call, they are rejected.
      *
      * @return these options, accepting other arguments
      */
@@ -182,8 +182,8 @@ public final class Options {
     /**
      * Sets an option by its name on the command line.
      *
-     * @param name such as {@code seed}
-     * @param value such as {@code 1}; {@code true} for a flag
+     * @param name name of the option, such as {@code seed}
+     * @param value value of the option, such as {@code 1}; {@code true} for a flag
      * @return options with that value
      * @throws StartUpException if there is no such option or the value is invalid
      */
@@ -228,7 +228,7 @@ public final class Options {
      * Returns the starting pose in the coordinates of the robot's team.
      *
      * @param number the player number, 1 to 11
-     * @return the pose that was set, else the default pose of this number in the team's own half
+     * @return the pose that was set, otherwise the default pose for this number in the team's own half
      * @throws IllegalArgumentException if the number is outside that range
      */
     public Pose2d pose(int number) {
@@ -274,7 +274,7 @@ public final class Options {
         return isSet(Option.NO_BROWSER);
     }
 
-    /** {@return whether camera pictures include the true positions of robot and ball, for experiments} */
+    /** {@return whether camera pictures include the true positions of the robot and the ball, for experiments} */
     public boolean isTruth() {
         return isSet(Option.TRUTH);
     }

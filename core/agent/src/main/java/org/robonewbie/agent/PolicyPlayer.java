@@ -52,7 +52,7 @@ public final class PolicyPlayer {
     private int cycles;
 
     /**
-     * Creates a player of a policy.
+     * Creates a player for a policy.
      *
      * @param policy a policy from {@code robonewbie learn} or {@code python -m robonewbie.train}
      * @throws IllegalArgumentException if an input is not a sensor of the robot or an output is not a joint
@@ -116,7 +116,7 @@ public final class PolicyPlayer {
     }
 
     /**
-     * Moves the joints. Call it once in each cycle.
+     * Moves the joints. Call this method once per cycle.
      *
      * @param robot the robot to sense and move
      */

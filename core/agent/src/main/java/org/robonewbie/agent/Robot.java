@@ -90,12 +90,18 @@ public class Robot {
         return sensors().torso().acceleration();
     }
 
-    /** {@return the force on the left sole and the point where it acts; zero force in the air; updated in each cycle} */
+    /**
+     * {@return the force on the left sole and the point where it acts, updated in each cycle; the force is zero while the
+     * foot is in the air}
+     */
     public final FootPressure getLeftFootPressure() {
         return sensors().leftFoot();
     }
 
-    /** {@return the force on the right sole and the point where it acts; zero force in the air; updated in each cycle} */
+    /**
+     * {@return the force on the right sole and the point where it acts, updated in each cycle; the force is zero while the
+     * foot is in the air}
+     */
     public final FootPressure getRightFootPressure() {
         return sensors().rightFoot();
     }
@@ -124,7 +130,7 @@ public class Robot {
         return sensors().playSeconds();
     }
 
-    /** {@return the half that this team defends; left until the referee has assigned one} */
+    /** {@return the half that this team defends; {@code LEFT} until the referee has assigned one} */
     public final TeamSide getTeamSide() {
         return sensors().side();
     }
@@ -164,7 +170,7 @@ public class Robot {
         return getBodyPosition().isFallen();
     }
 
-    /** {@return upright, or the side on which the robot lies, according to smoothed accelerometer readings} */
+    /** {@return the orientation of the torso according to smoothed accelerometer readings} */
     public final BodyPosition getBodyPosition() {
         return sensors().bodyPosition();
     }
@@ -216,7 +222,7 @@ public class Robot {
     }
 
     /**
-     * Beams the robot to a pose in its own half. The referee allows it before a kick-off and after a goal.
+     * Beams the robot to a pose in its own half. The referee allows this only before a kick-off and after a goal.
      *
      * @param x metres from the centre towards the opponents' goal, at most 0
      * @param y metres from the centre to the left
@@ -227,7 +233,7 @@ public class Robot {
     }
 
     /**
-     * Beams the robot to a pose in its own half. The referee allows it before a kick-off and after a goal.
+     * Beams the robot to a pose in its own half. The referee allows this only before a kick-off and after a goal.
      *
      * @param pose metres and degrees in the coordinates of the robot's team
      */

@@ -49,7 +49,7 @@ public final class TunableNumbers {
      * Returns the name of the file that overrides the numbers of a program.
      *
      * @param type simple name of the program's class
-     * @return such as {@code Walker.numbers}
+     * @return the file name, such as {@code Walker.numbers}
      */
     public static String fileName(String type) {
         return type + ".numbers";
@@ -104,7 +104,10 @@ public final class TunableNumbers {
         return List.copyOf(declared.values());
     }
 
-    /** Publishes the numbers of a running robot and applies the values that the viewer requests. Call it between two cycles. */
+    /**
+     * Publishes the numbers of a running robot and applies the values that the viewer requests. Call this method
+     * between cycles.
+     */
     void follow(Agent robot, TelemetryPublisher viewer) {
         if (!followed) {
             followed = true;
@@ -170,7 +173,10 @@ public final class TunableNumbers {
         return values;
     }
 
-    /** Reports numbers that the file sets but the program does not declare. Call it after all numbers have been declared. */
+    /**
+     * Reports numbers that their file sets but the program does not declare. Call this method after all numbers have
+     * been declared.
+     */
     void reportUnknown() {
         for (String name : wanted().keySet()) {
             if (!declared.containsKey(name)) {

@@ -35,7 +35,7 @@ public enum Joint {
      * SimSpark: hinge llj1, motor lle1.
      */
     LEFT_HIP_YAW_PITCH("LHipYawPitch", "llj1", "lle1", -90, 1),
-    /** Left leg to the side; positive is outward. NAO: LHipRoll; SimSpark: hinge llj2, motor lle2. */
+    /** Left leg swings sideways; positive is outward. NAO: LHipRoll; SimSpark: hinge llj2, motor lle2. */
     LEFT_HIP_ROLL("LHipRoll", "llj2", "lle2", -25, 45),
     /** Left thigh; positive swings it forward. NAO: LHipPitch; SimSpark: hinge llj3, motor lle3. */
     LEFT_HIP_PITCH("LHipPitch", "llj3", "lle3", -25, 100),
@@ -43,14 +43,17 @@ public enum Joint {
     LEFT_KNEE_PITCH("LKneePitch", "llj4", "lle4", -130, 1),
     /** Left ankle; positive lifts the toes. NAO: LAnklePitch; SimSpark: hinge llj5, motor lle5. */
     LEFT_FOOT_PITCH("LAnklePitch", "llj5", "lle5", -45, 75),
-    /** Left ankle to the side; right-hand rule about the forward axis. NAO: LAnkleRoll; SimSpark: hinge llj6, motor lle6. */
+    /**
+     * Left ankle tilts sideways; right-hand rule about the forward axis. NAO: LAnkleRoll; SimSpark: hinge llj6, motor
+     * lle6.
+     */
     LEFT_FOOT_ROLL("LAnkleRoll", "llj6", "lle6", -45, 25),
     /**
      * Right leg turns about an axis tilted by 45°; negative turns the toes outward and lifts the thigh. NAO: RHipYawPitch;
      * SimSpark: hinge rlj1, motor rle1.
      */
     RIGHT_HIP_YAW_PITCH("RHipYawPitch", "rlj1", "rle1", -90, 1),
-    /** Right leg to the side; negative is outward. NAO: RHipRoll; SimSpark: hinge rlj2, motor rle2. */
+    /** Right leg swings sideways; negative is outward. NAO: RHipRoll; SimSpark: hinge rlj2, motor rle2. */
     RIGHT_HIP_ROLL("RHipRoll", "rlj2", "rle2", -45, 25),
     /** Right thigh; positive swings it forward. NAO: RHipPitch; SimSpark: hinge rlj3, motor rle3. */
     RIGHT_HIP_PITCH("RHipPitch", "rlj3", "rle3", -25, 100),
@@ -58,7 +61,10 @@ public enum Joint {
     RIGHT_KNEE_PITCH("RKneePitch", "rlj4", "rle4", -130, 1),
     /** Right ankle; positive lifts the toes. NAO: RAnklePitch; SimSpark: hinge rlj5, motor rle5. */
     RIGHT_FOOT_PITCH("RAnklePitch", "rlj5", "rle5", -45, 75),
-    /** Right ankle to the side; right-hand rule about the forward axis. NAO: RAnkleRoll; SimSpark: hinge rlj6, motor rle6. */
+    /**
+     * Right ankle tilts sideways; right-hand rule about the forward axis. NAO: RAnkleRoll; SimSpark: hinge rlj6, motor
+     * rle6.
+     */
     RIGHT_FOOT_ROLL("RAnkleRoll", "rlj6", "rle6", -25, 45),
     /** Right arm swings; 0 is stretched forward, positive lifts it. NAO: RShoulderPitch; SimSpark: hinge raj1, motor rae1. */
     RIGHT_SHOULDER_PITCH("RShoulderPitch", "raj1", "rae1", -120, 120),
@@ -110,7 +116,7 @@ public enum Joint {
      * Returns the joint that a motor drives.
      *
      * @param effectorName the motor's name in SimSpark's messages, such as {@code lle4}
-     * @return the joint; empty if robot type 0 has no such motor, for example that of a toe
+     * @return the joint; empty if robot type 0 has no such motor, for example a toe motor
      */
     public static Optional<Joint> ofEffector(String effectorName) {
         return Arrays.stream(values())

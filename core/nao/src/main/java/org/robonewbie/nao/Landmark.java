@@ -2,13 +2,13 @@ package org.robonewbie.nao;
 
 /** A fixed, named point on the pitch that the camera recognises: the top of a goal post or a corner flag. */
 public enum Landmark {
-    /** Left goal, post on the positive y side. */
+    /** Post of the left goal on the positive y side. */
     GOAL_POST_1_LEFT("G1L", TeamSide.LEFT),
-    /** Left goal, post on the negative y side. */
+    /** Post of the left goal on the negative y side. */
     GOAL_POST_2_LEFT("G2L", TeamSide.LEFT),
-    /** Right goal, post on the negative y side. */
+    /** Post of the right goal on the negative y side. */
     GOAL_POST_2_RIGHT("G2R", TeamSide.RIGHT),
-    /** Right goal, post on the positive y side. */
+    /** Post of the right goal on the positive y side. */
     GOAL_POST_1_RIGHT("G1R", TeamSide.RIGHT),
     /** Corner of the left goal line on the positive y side. */
     FLAG_1_LEFT("F1L", TeamSide.LEFT),
@@ -32,7 +32,7 @@ public enum Landmark {
         return simSparkName;
     }
 
-    /** {@return the side whose goal line the landmark stands on} */
+    /** {@return the side of the goal line on which the landmark stands} */
     public TeamSide side() {
         return side;
     }

@@ -27,9 +27,9 @@ public enum PlayMode {
     GOAL_KICK_LEFT("goal_kick_left"),
     /** The right team kicks from its goal area. */
     GOAL_KICK_RIGHT("goal_kick_right"),
-    /** The left team was offside; SimSpark has this rule switched off. */
+    /** The left team was offside; this rule is disabled in SimSpark. */
     OFFSIDE_LEFT("offside_left"),
-    /** The right team was offside; SimSpark has this rule switched off. */
+    /** The right team was offside; this rule is disabled in SimSpark. */
     OFFSIDE_RIGHT("offside_right"),
     /** The game is over. */
     GAME_OVER("GameOver"),

@@ -104,8 +104,8 @@ public final class Commands {
     }
 
     /**
-     * Reports a command for a joint that a motion is moving. Commands for other joints, such as those of the head during a
-     * kick, are fine.
+     * Reports a command for a joint that a motion is moving. Commands for other joints, such as those of the head
+     * during a kick, are allowed.
      */
     private void reportConflict(Joint joint) {
         turningMotion
@@ -160,13 +160,13 @@ public final class Commands {
         requestsPass = true;
     }
 
-    /** {@return whether this cycle contains a beam} */
+    /** {@return whether the robot is beamed in this cycle} */
     public boolean isBeaming() {
         return beam.isPresent();
     }
 
     /**
-     * Ends the cycle: fixes the speeds and clears one-time commands.
+     * Ends the cycle: calculates the final speeds and clears one-time commands.
      *
      * @return all commands, with {@code Synchronise} at the end
      */

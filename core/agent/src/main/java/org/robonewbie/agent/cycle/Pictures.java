@@ -12,7 +12,7 @@ import org.robonewbie.protocol.perceptor.Vision;
 import org.robonewbie.protocol.perceptor.Vision.SeenLine;
 import org.robonewbie.protocol.perceptor.Vision.SeenPlayer;
 
-/** Converts vision messages to the pictures of the public API. */
+/** Converts vision messages to the {@link CameraPicture}s of the public API. */
 final class Pictures {
 
     private Pictures() {}

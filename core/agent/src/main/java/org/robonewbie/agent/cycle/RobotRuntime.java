@@ -15,7 +15,7 @@ import org.robonewbie.protocol.effector.EffectorCommand;
 import org.robonewbie.protocol.perceptor.PerceptorMessage;
 
 /**
- * The components of one robot, wired together: receives a perception and returns the commands that answer it.
+ * The components of one robot, wired together: they receive a perception and return the commands that answer it.
  *
  * <pre>{@code
  * RobotRuntime robot = new RobotRuntime("Walker");
@@ -72,7 +72,7 @@ public final class RobotRuntime {
     }
 
     /**
-     * Processes a message without updating the field view, before the robot has joined a game.
+     * Processes a message without updating the field view, for use before the robot has joined a game.
      *
      * @param message the perceptors' readings
      */
@@ -83,9 +83,9 @@ public final class RobotRuntime {
     }
 
     /**
-     * Advances walk and motions by one cycle.
+     * Advances the walk and the motions by one cycle.
      *
-     * @return the robot's commands in this cycle, with {@code Synchronise} at the end
+     * @return the robot's commands for this cycle, with {@code Synchronise} at the end
      */
     public List<EffectorCommand> act() {
         if (commands.isBeaming() && sensors.isBeamAllowed()) {
@@ -106,7 +106,7 @@ public final class RobotRuntime {
         return motions.turning(joint);
     }
 
-    /** Discards what is known about position and posture, which are no longer valid. */
+    /** Discards the known position and posture of the robot, which are no longer valid. */
     private void discardPose() {
         fieldView.forget();
         walk.reset();

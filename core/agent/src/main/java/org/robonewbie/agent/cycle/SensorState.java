@@ -143,7 +143,7 @@ public final class SensorState {
         return falls;
     }
 
-    /** {@return upright, or the side on which the robot lies} */
+    /** {@return the orientation of the torso: upright, or the side on which the robot lies} */
     public BodyPosition bodyPosition() {
         return falls.bodyPosition();
     }
@@ -153,7 +153,7 @@ public final class SensorState {
         return seconds;
     }
 
-    /** {@return the readings of gyroscope and accelerometer} */
+    /** {@return the readings of the gyroscope and the accelerometer} */
     public TorsoMotion torso() {
         return torso;
     }
@@ -186,7 +186,7 @@ public final class SensorState {
         return playMode;
     }
 
-    /** {@return whether the game waits for a kick-off or a goal was just scored} */
+    /** {@return whether the game is waiting for a kick-off, or a goal has just been scored} */
     public boolean isBeamAllowed() {
         return switch (playMode) {
             case BEFORE_KICK_OFF, GOAL_LEFT, GOAL_RIGHT -> true;
@@ -224,7 +224,7 @@ public final class SensorState {
         return number;
     }
 
-    /** {@return whether the referee has assigned side and number} */
+    /** {@return whether the referee has assigned a side and a number} */
     public boolean isJoined() {
         return joined;
     }

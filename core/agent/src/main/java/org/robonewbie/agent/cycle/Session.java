@@ -3,7 +3,7 @@ package org.robonewbie.agent.cycle;
 import java.io.IOException;
 import java.util.OptionalDouble;
 
-/** Session of one robot in a game: each message is received, sensed and answered exactly once. */
+/** Session of one robot in a game: each message is received, processed and answered exactly once. */
 public final class Session implements AutoCloseable {
 
     private final RobotRuntime robot;
@@ -22,10 +22,10 @@ public final class Session implements AutoCloseable {
     /**
      * Starts the session.
      *
-     * @param robot senses and answers
+     * @param robot processes and answers the messages
      * @param port source of messages
      * @param lifeSeconds simulated seconds until the robot leaves; empty if the simulator ends the game
-     * @param watch notified when the robot's program runs
+     * @param watch notified when the robot's program starts and stops running within a cycle
      */
     public Session(RobotRuntime robot, MessagePort port, OptionalDouble lifeSeconds, CycleWatch watch) {
         this.robot = robot;
@@ -36,8 +36,7 @@ public final class Session implements AutoCloseable {
     }
 
     /**
-     * Waits for the next message. Before that, completes the steps that the program has omitted in the last cycle, and
-     * reports them.
+     * Completes and reports any steps that the program omitted in the last cycle, and then waits for the next message.
      *
      * @return false if the game is over for this robot
      */

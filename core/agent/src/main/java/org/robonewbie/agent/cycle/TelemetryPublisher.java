@@ -90,7 +90,7 @@ public final class TelemetryPublisher {
     }
 
     /**
-     * Sets the estimated pose to be published with the next belief.
+     * Sets the estimated pose, which is published with the next belief.
      *
      * @param pose the pose
      */
@@ -124,7 +124,7 @@ public final class TelemetryPublisher {
     }
 
     /**
-     * Publishes an item of the current cycle.
+     * Publishes an item for the current cycle.
      *
      * @param item the item
      */

@@ -10,9 +10,9 @@ import org.robonewbie.nao.kinematics.Rotation;
 import org.robonewbie.nao.math.PortableMath;
 
 /**
- * Error-state Kalman filter for position, attitude and velocity of the torso. Gyroscope and accelerometer predict the
- * state by inertial navigation, even while the robot falls, lies on the ground and gets up; landmarks and the support
- * foot correct the drift.
+ * Error-state Kalman filter for position, attitude and velocity of the torso. The gyroscope and the accelerometer
+ * predict the state by inertial navigation, even while the robot falls, lies on the ground and gets up; landmarks and
+ * the support foot correct the drift.
  *
  * <p>The error state contains a small rotation vector instead of angles, so there is no singular attitude (J. Solà,
  * <em>Quaternion kinematics for the error-state Kalman filter</em>, 2017).
@@ -20,8 +20,8 @@ import org.robonewbie.nao.math.PortableMath;
 final class ErrorStateKalmanFilter {
 
     /**
-     * First index of position, velocity and rotation in the covariance. Each has three components, along or about the
-     * axes of the field, in metres, metres per second and radians.
+     * Indices of the first components of position, velocity and rotation in the covariance. Each has three components,
+     * along or about the axes of the field, in metres, metres per second and radians.
      */
     private static final int PLACE = 0;
 
@@ -186,12 +186,12 @@ final class ErrorStateKalmanFilter {
                 .times(attitude);
     }
 
-    /** Pose of the torso on the field. */
+    /** Returns the pose of the torso on the field. */
     Pose2d pose() {
         return new Pose2d(place.x(), place.y(), attitude.yawDegrees());
     }
 
-    /** Pose of the torso in space. */
+    /** Returns the pose of the torso in space. */
     Pose torso() {
         return new Pose(place, attitude);
     }

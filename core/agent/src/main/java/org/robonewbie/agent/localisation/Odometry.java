@@ -43,13 +43,13 @@ public final class Odometry {
     private boolean begun;
     private boolean standing;
 
-    /** Creates an odometry with the robot at the origin. */
+    /** Creates an odometry estimate that starts at the origin. */
     public Odometry() {
         Arrays.fill(history, pose);
     }
 
     /**
-     * Adds the movement of one cycle. Call it once at the beginning of each cycle.
+     * Adds the movement of one cycle. Call this method once at the beginning of each cycle.
      *
      * @param nao the robot
      */
@@ -86,13 +86,13 @@ public final class Odometry {
         return height;
     }
 
-    /** {@return the robot's pose relative to its pose when this odometry began} */
+    /** {@return the robot's pose relative to its pose at the first update} */
     public Pose2d pose() {
         return pose;
     }
 
     /**
-     * Returns the current position of a resting object, from a sighting within the last minute.
+     * Returns the current position of a resting object, based on a sighting within the last minute.
      *
      * @param item a known object
      * @return metres from the head: x forward, y left, z up
@@ -110,7 +110,7 @@ public final class Odometry {
         return Posture.of(Arrays.stream(JOINTS).mapToDouble(nao::getJointAngle).toArray());
     }
 
-    /** Pose of the torso in the frame of a foot that stands flat on the ground. */
+    /** Returns the pose of the torso in the frame of a foot that stands flat on the ground. */
     private static Pose2d torsoOn(BodyPoses body, Leg leg) {
         Pose torso = body.foot(leg).inverse();
         Vector3 forward = torso.rotation().apply(new Vector3(1, 0, 0));

@@ -25,9 +25,9 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.model.RobotType;
 
 /**
- * Estimates the robot's pose on the field with a Kalman filter: gyroscope, accelerometer and {@link Odometry} predict
- * it, and each visible landmark corrects it, together with height and tilt of the camera. The first pose requires two
- * landmarks in one picture; it is the best rigid fit of the sightings to the map.
+ * Estimates the robot's pose on the field with a Kalman filter: the gyroscope, the accelerometer and {@link Odometry}
+ * predict it, and each visible landmark corrects it, along with the height and tilt of the camera. The first pose
+ * requires two landmarks in one picture; it is the best rigid fit of the sightings to the map.
  *
  * <p>It also identifies the field: the known fields differ in the distances between their goal posts and flags.
  *
@@ -69,13 +69,13 @@ public final class SelfLocalisation {
     /** Sighting of a landmark: direction in the camera's frame, position in the torso's frame, and position on the map. */
     private record Sighting(Direction direction, Vector3 seen, Vector3 map) {}
 
-    /** Creates a localisation with unknown pose and field. */
+    /** Creates an instance with unknown pose and unknown field. */
     public SelfLocalisation() {
         this(SoccerField.BEGINNER, false);
     }
 
     /**
-     * Creates a localisation with unknown pose.
+     * Creates an instance with unknown pose on a known field.
      *
      * @param field the field with its landmarks
      */
@@ -89,7 +89,8 @@ public final class SelfLocalisation {
     }
 
     /**
-     * Processes one cycle. Call it once at the beginning of each cycle, even while the robot is lying on the ground.
+     * Processes one cycle. Call this method once at the beginning of each cycle, even while the robot is lying on the
+     * ground.
      *
      * @param nao the robot
      * @param view the robot's field view
@@ -172,7 +173,7 @@ public final class SelfLocalisation {
         return Angles.atan2(left, up);
     }
 
-    /** {@return tilt of the torso in any direction in degrees: 0 upright, 90 lying} */
+    /** {@return tilt of the torso in degrees, in any direction: 0 upright, 90 lying} */
     public double tiltDegrees() {
         return BodyState.tiltDegrees(filter.torso().rotation().apply(new Vector3(0, 0, 1)));
     }
@@ -180,8 +181,8 @@ public final class SelfLocalisation {
     /**
      * Compensates for the tilt of the torso: a robot that tilts forward sees the ball higher than it lies.
      *
-     * @param seen x forward, y left and z up along the torso's axes, from any point in it, in metres
-     * @return x forward and y left on the horizontal plane and z up, from the same point
+     * @param seen position in metres relative to any point of the torso, along its axes: x forward, y left, z up
+     * @return the position relative to the same point: x forward and y left in the horizontal plane, z up
      */
     public Vector3 levelled(Vector3 seen) {
         Rotation heading = Rotation.about(new Vector3(0, 0, 1), -pose().degrees());
@@ -208,7 +209,7 @@ public final class SelfLocalisation {
 
     /**
      * Corrects the pose using the sightings, and counts successive pictures that contradict it: after several of them,
-     * the pose is discarded, so that a robot that was moved localises itself again.
+     * the pose is discarded, so a robot that was moved localises itself again.
      */
     private void believe(List<Sighting> sightings, Pose camera) {
         long strange = sightings.stream()
@@ -252,8 +253,8 @@ public final class SelfLocalisation {
     }
 
     /**
-     * Weighted least-squares fit of the sightings to the map. Near landmarks have more weight, because errors grow with
-     * the distance. In the plane, the fit has a closed form (Procrustes problem without scaling).
+     * Returns the weighted least-squares fit of the sightings to the map. Near landmarks have more weight, because
+     * errors grow with distance. In the plane, the fit has a closed form (Procrustes problem without scaling).
      */
     private static Pose2d fit(List<Sighting> sightings) {
         Vector3 seenMiddle = Vector3.ZERO;

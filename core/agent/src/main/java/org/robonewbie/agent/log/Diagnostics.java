@@ -89,9 +89,9 @@ public final class Diagnostics {
     }
 
     /**
-     * Clears serious errors that were fixed while the program runs, such as a file that is readable again.
+     * Clears serious errors that were fixed during the run, for example when a file has become readable again.
      *
-     * @param kind prefix of their kinds
+     * @param kind prefix of the kinds to clear
      */
     public synchronized void forgive(String kind) {
         serious.removeIf(each -> each.startsWith(kind));

@@ -3,7 +3,7 @@ package org.robonewbie.agent.log;
 /** Analysis of an exception that ended a step of a robot program, or the whole program. */
 public final class Failure {
 
-    /** Message about a program that has exhausted the heap, to follow the name of the failed step. */
+    /** Message about a program that has exhausted the heap, phrased to follow the name of the failed step. */
     public static final String MEMORY = "ran out of memory; the run ends here. Does a list or map grow in every cycle?";
 
     private Failure() {}
@@ -23,7 +23,7 @@ public final class Failure {
      * Returns the line of the program that failed.
      *
      * @param thrown the exception
-     * @return such as {@code WalkToBall.java:31}; empty if only the framework was running
+     * @return file and line, such as {@code WalkToBall.java:31}; empty if only the framework was running
      */
     public static String place(Throwable thrown) {
         return StudentCode.place(thrown.getStackTrace()).orElse("");

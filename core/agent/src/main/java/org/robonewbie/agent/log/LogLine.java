@@ -12,9 +12,9 @@ import java.util.Locale;
 public record LogLine(double seconds, LogLevel level, String text) {
 
     /**
-     * Returns the printed form; further lines of the text are indented.
+     * Returns the printed form; all lines of the text after the first are indented.
      *
-     * @return such as {@code   12.34  INFO     ball at 1.20 m}
+     * @return the text to print, such as {@code   12.34  INFO     ball at 1.20 m}
      */
     @Override
     public String toString() {

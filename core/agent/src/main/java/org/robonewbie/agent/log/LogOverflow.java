@@ -13,7 +13,7 @@ public interface LogOverflow {
     void take(List<LogLine> oldest);
 
     /**
-     * Ends the storage of lines.
+     * Stops storing lines.
      *
      * @return a line that says where the lines are stored; empty if there are none
      */

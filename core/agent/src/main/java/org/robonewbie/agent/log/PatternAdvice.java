@@ -28,7 +28,9 @@ final class PatternAdvice {
         this.values = values;
     }
 
-    /** Whether the pattern has fewer per cent signs than there are values, so that some are not shown. */
+    /**
+     * Returns whether the pattern has fewer per cent signs than there are values, so that some values are not shown.
+     */
     static boolean leavesValuesOut(String pattern, Object[] values) {
         return pattern.chars().filter(letter -> letter == '%').count() < values.length;
     }
@@ -99,7 +101,10 @@ final class PatternAdvice {
         return "";
     }
 
-    /** Whether a per cent sign does not begin a format specifier, as in {@code 50 % of the way}. */
+    /**
+     * Returns whether a per cent sign stands alone and does not begin a format specifier, as in
+     * {@code 50 % of the way}.
+     */
     private boolean isLone(Matcher specifier) {
         int end = specifier.end();
         boolean blank = specifier.group(FLAGS).contains(" ");

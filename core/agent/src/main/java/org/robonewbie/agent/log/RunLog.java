@@ -9,7 +9,7 @@ import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 
-/** The log of one robot in one run, with the methods that only the framework uses. */
+/** The log of one robot in one run, including the methods that only the framework uses. */
 public final class RunLog implements Logger {
 
     /** Maximum number of lines in memory; older lines are moved to the overflow. */

@@ -27,7 +27,7 @@ public final class StudentCode {
     /**
      * Finds the program line that this thread is executing.
      *
-     * @return such as {@code WalkToBall.java:31}; empty if only the framework is running
+     * @return file and line, such as {@code WalkToBall.java:31}; empty if only the framework is running
      */
     public static Optional<String> place() {
         return place(new Throwable().getStackTrace());
@@ -37,7 +37,7 @@ public final class StudentCode {
      * Finds the program line in a stack trace.
      *
      * @param trace innermost call first
-     * @return such as {@code WalkToBall.java:31}; empty if only the framework was running
+     * @return file and line, such as {@code WalkToBall.java:31}; empty if only the framework was running
      */
     public static Optional<String> place(StackTraceElement[] trace) {
         return Arrays.stream(trace)

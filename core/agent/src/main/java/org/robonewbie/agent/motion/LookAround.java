@@ -6,8 +6,9 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.motion.Motors;
 
 /**
- * A smooth, elliptic head scan: down on the way out and up on the way back, so that the camera covers the area from the robot's
- * feet to the goals and nearly 240° around. It uses only the neck, so the body can play any motion at the same time.
+ * A smooth, elliptical head scan: down on the way out and up on the way back, so that the camera covers everything from
+ * the robot's feet to the goals, through nearly 240° horizontally. It uses only the neck, so the body can play any
+ * motion at the same time.
  *
  * <pre>{@code
  * private final LookAround lookAround = new LookAround(motors);
@@ -40,7 +41,7 @@ public final class LookAround {
         this.motors = motors;
     }
 
-    /** Advances the scan by one cycle. Call it in each cycle in which the head should move. */
+    /** Advances the scan by one cycle. Call this method in each cycle in which the head should move. */
     public void look() {
         double phase = 2 * Math.PI * cycle * Cycle.SECONDS / ROUND_SECONDS;
         cycle++;

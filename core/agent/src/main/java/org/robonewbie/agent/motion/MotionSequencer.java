@@ -139,7 +139,7 @@ public final class MotionSequencer implements Motions {
     }
 
     /**
-     * Returns the motion that currently moves a joint.
+     * Returns the name of the motion that currently moves a joint.
      *
      * @param joint the joint
      * @return its name; empty if no motion moves the joint
@@ -224,8 +224,8 @@ public final class MotionSequencer implements Motions {
     }
 
     /**
-     * Inserts transitions to the start state of a motion: a single one if possible, else one to the stance and one from
-     * there.
+     * Inserts transitions to the start state of a motion: a single one if possible, otherwise one to the stance and one
+     * from there.
      */
     private void addTransitionsTo(MotionFile file) {
         for (int i = 0; i < MAX_TRANSITIONS && !states.canStart(file); i++) {
@@ -296,7 +296,10 @@ public final class MotionSequencer implements Motions {
         }
     }
 
-    /** Reports what the robot cannot play exactly as written in the file; throws an exception if the file is invalid. */
+    /**
+     * Reports values that the robot cannot play exactly as written in the file; throws an exception if the file is
+     * invalid.
+     */
     private void check(MotionFile file) {
         file.motion();
         for (MotionProblem finding : file.warnings()) {

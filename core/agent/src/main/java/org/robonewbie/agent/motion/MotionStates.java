@@ -4,9 +4,10 @@ import java.util.List;
 import org.robonewbie.nao.motion.MotionFile;
 
 /**
- * State of the robot after the last motion, so that no motion begins in the middle of a step. Motion files declare in comments
- * the states in which they can start and the state in which they end: {@code // start: stance, walking} and {@code // end:
- * stance}. The names of states are arbitrary; {@code the end of NAME} denotes the end of that particular motion.
+ * Tracks the state in which the last motion left the robot, so that no motion begins in the middle of a step. Motion
+ * files declare in comments the states in which they can start and the state in which they end:
+ * {@code // start: stance, walking} and {@code // end: stance}. The names of states are arbitrary;
+ * {@code the end of NAME} denotes the end of that particular motion.
  */
 final class MotionStates {
 
@@ -34,12 +35,12 @@ final class MotionStates {
         return state.equals(STANCE);
     }
 
-    /** Whether a motion can start now. A motion without a declaration starts whenever the robot stands. */
+    /** Returns whether a motion can start now. A motion without a declaration starts whenever the robot stands. */
     boolean canStart(MotionFile file) {
         return canStart(file, state, lastMotion);
     }
 
-    /** Whether a motion can start immediately after another one. */
+    /** Returns whether a motion can start immediately after another one. */
     static boolean canStartAfter(MotionFile before, MotionFile file) {
         return canStart(file, endOf(before), nameOf(before));
     }
@@ -57,7 +58,7 @@ final class MotionStates {
         return false;
     }
 
-    /** Whether a motion declares that it starts with the robot on its feet. */
+    /** Returns whether a motion declares that it starts with the robot on its feet. */
     static boolean needsFeet(MotionFile file) {
         return file.property("start").filter(start -> !start.startsWith(LYING)).isPresent();
     }

@@ -6,8 +6,8 @@ import org.robonewbie.nao.motion.Motion;
 
 /**
  * Plays keyframe motions by name. A motion runs to its end; the next one can start when {@link #isFinished}. It begins
- * from the current posture; before that, a walking robot stops, and a standing robot that is to walk makes a first
- * step.
+ * from the current posture; if necessary, a walking robot stops first, and a standing robot that is to walk takes a
+ * first step.
  *
  * <pre>{@code
  * if (motions.isFinished()) {
@@ -19,7 +19,7 @@ import org.robonewbie.nao.motion.Motion;
  * example, after {@code // end: walking} the robot stops before it turns. A motion without these comments starts when the robot
  * stands.
  *
- * <p>If a fallen robot is to play a motion that declares that it starts on the feet, it gets up first.
+ * <p>A fallen robot gets up first if the motion declares a start state in which the robot is on its feet.
  *
  * <p>A joint that the program commands while a motion runs follows the program until the next motion starts.
  */
@@ -29,9 +29,9 @@ public interface Motions {
      * Starts a motion, unless another one is running.
      *
      * @param name name of the file {@code motions/NAME.txt} in the working directory, or of a shipped motion
-     * @return whether the motion starts; false while another one is running, or if there is no such motion, which is
-     *     reported; if the file has become invalid since it was last played, this is reported and the last valid
-     *     version is played
+     * @return whether the motion starts; false while another one is running or if there is no such motion. A missing
+     *     motion is reported. If the file has become invalid since it was last played, this is reported, and the last
+     *     valid version is played.
      */
     boolean start(String name);
 
@@ -71,7 +71,10 @@ public interface Motions {
     /** Stops the running motion immediately; a walking robot may fall. */
     void stop();
 
-    /** Stops like {@link #stop}, and assumes that the robot stands with straight legs, as after a beam. */
+    /**
+     * Stops the running motion as {@link #stop} does, and assumes that the robot stands with straight legs, as after a
+     * beam.
+     */
     void reset();
 
     /** {@return whether a new motion can start: the last one is over, or there was none} */
@@ -84,7 +87,8 @@ public interface Motions {
     int keyframe();
 
     /**
-     * Sets whether a fallen robot gets up automatically before a motion that starts on the feet; enabled by default.
+     * Sets whether a fallen robot gets up automatically before a motion that requires it to be on its feet; enabled by
+     * default.
      *
      * @param on false to play motions while the robot is lying on the ground
      */
@@ -100,7 +104,7 @@ public interface Motions {
     /**
      * Sets the interpolation between keyframes for motions that start from now on.
      *
-     * @param interpolation such as a spline
+     * @param interpolation the interpolation, such as a spline
      */
     void setInterpolation(Interpolation interpolation);
 }

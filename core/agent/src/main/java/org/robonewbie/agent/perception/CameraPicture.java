@@ -19,7 +19,8 @@ public record CameraPicture(List<Sighting> sightings, Optional<Truth> truth) {
     /**
      * A recognised object.
      *
-     * @param name such as {@code ball}, {@code GOAL_POST_1_LEFT}, {@code Blue 3 HEAD} or {@code end of a line}
+     * @param name name of the object, such as {@code ball}, {@code GOAL_POST_1_LEFT}, {@code Blue 3 HEAD} or
+     *     {@code end of a line}
      * @param direction direction in which it is seen
      */
     public record Sighting(String name, Direction direction) {}

@@ -6,7 +6,7 @@ import org.robonewbie.nao.math.PortableMath;
 
 /**
  * Detects falls with the accelerometer, whose reading at rest is 9.81 m/s² away from the ground. The impacts of the
- * feet in walking cause much higher but short readings, which are clipped and smoothed.
+ * feet in walking cause much higher but brief readings, which are clipped and smoothed.
  */
 public final class FallDetector {
 
@@ -54,7 +54,7 @@ public final class FallDetector {
         return length == 0 ? 0 : PortableMath.toDegrees(PortableMath.acos(Math.max(-1, Math.min(1, up / length))));
     }
 
-    /** {@return upright, or the side on which the robot lies} */
+    /** {@return the orientation of the torso: upright, or the side on which the robot lies} */
     public BodyPosition bodyPosition() {
         if (up >= COSINE_OF_FALL * length()) {
             return BodyPosition.UPRIGHT;

@@ -113,8 +113,8 @@ public class FieldItem {
     }
 
     /**
-     * Returns the distance along the ground from the point between the robot's feet, which is the distance to walk. The head of
-     * an upright robot is above that point.
+     * Returns the distance along the ground from the point between the robot's feet, that is, the distance to walk. The
+     * head of an upright robot is above that point.
      *
      * @return metres along the ground; infinite if the object was never seen
      */

@@ -11,7 +11,7 @@ import org.robonewbie.nao.Vector3;
  */
 public record FootPressure(Vector3 point, Vector3 force) {
 
-    /** A foot in the air. */
+    /** Reading for a foot in the air. */
     public static final FootPressure NONE = new FootPressure(Vector3.ZERO, Vector3.ZERO);
 
     /** {@return whether the foot touches anything} */

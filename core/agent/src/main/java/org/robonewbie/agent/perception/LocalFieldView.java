@@ -57,7 +57,7 @@ public interface LocalFieldView {
     /**
      * Sets how head rotations are compensated.
      *
-     * @param transformation such as {@link CameraTransformation#KINEMATICS}
+     * @param transformation the transformation, such as {@link CameraTransformation#KINEMATICS}
      */
     void setTransformation(CameraTransformation transformation);
 }

@@ -3,7 +3,7 @@ package org.robonewbie.agent.perception;
 import org.robonewbie.nao.Vector3;
 
 /**
- * Readings of gyroscope and accelerometer in the torso; x is forward, y left and z up.
+ * Readings of the gyroscope and the accelerometer in the torso; x is forward, y left and z up.
  *
  * @param gyro angular velocity in degrees per second: x is positive while the torso tilts to its right, y while it tilts
  *     forward, z while it turns left

@@ -35,7 +35,7 @@ public final class MotionGuide {
 
     /**
      * Inputs that encode the progress of the motion: sin(kπp) and cos(kπp), where p is the completed fraction of the
-     * motion and k is 1, 2 and so on.
+     * motion and k = 1, 2, ….
      */
     public static final List<Quantity> PROGRESS = progress();
 

@@ -17,7 +17,7 @@ public final class Network {
 
     private final List<Layer> layers;
 
-    /** Connects layers; the number of inputs of each must match the number of outputs of the previous one. */
+    /** Connects layers; each layer must have as many inputs as the previous one has outputs. */
     Network(List<Layer> layers) {
         this.layers = List.copyOf(layers);
         for (int i = 1; i < layers.size(); i++) {

@@ -30,7 +30,7 @@ public record Policy(
         List<Quantity> outputs,
         Network network) {
 
-    /** Name of the parameter that sets for how many cycles each action is held; 1 if absent. */
+    /** Name of the parameter that sets the number of cycles for which each action is held (default: 1). */
     public static final String CYCLES_PER_ACTION = "cycles-per-action";
 
     /**

@@ -9,7 +9,7 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 
 /**
- * Text format of policies: one statement per line, words separated by blanks. Lines that begin with # are remarks.
+ * Text format of policies: one statement per line, words separated by blanks. Lines that begin with # are comments.
  *
  * <pre>
  * policy 1 walk
@@ -147,7 +147,7 @@ public final class PolicyText {
      * Formats a policy.
      *
      * @param policy the policy
-     * @return a text that {@link #parse} accepts, with six significant digits for each number
+     * @return text that {@link #parse} accepts, with six significant digits for each number
      */
     public static String format(Policy policy) {
         List<String> lines = new ArrayList<>();

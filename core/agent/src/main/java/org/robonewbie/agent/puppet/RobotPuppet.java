@@ -6,7 +6,7 @@ import org.robonewbie.agent.Options;
 import org.robonewbie.agent.StartUpException;
 import org.robonewbie.protocol.frame.AgentLink;
 
-/** A manually controlled robot that runs its cycle in a thread. */
+/** A manually controlled robot that runs its cycle in its own thread. */
 final class RobotPuppet extends SteeredRobot {
 
     private final AgentLink link;

@@ -48,7 +48,7 @@ public abstract class SteeredRobot implements Puppet {
     }
 
     /**
-     * Sets the commands of this cycle; call it after sensing and before acting.
+     * Sets the commands of this cycle. Call this method after sensing and before acting.
      *
      * @param nao the robot
      */

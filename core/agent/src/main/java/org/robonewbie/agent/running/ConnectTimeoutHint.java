@@ -6,8 +6,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Hint that is printed when the server does not answer: another program may use its port, or the simulator is paused or waits
- * for more players. The robot continues to wait.
+ * Hint that is printed when the server does not answer: another program may use its port, or the simulator is paused or
+ * waiting for more players. The robot continues to wait.
  */
 public final class ConnectTimeoutHint implements AutoCloseable {
 

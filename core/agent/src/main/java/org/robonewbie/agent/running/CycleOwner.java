@@ -2,7 +2,7 @@ package org.robonewbie.agent.running;
 
 import java.util.Locale;
 
-/** Owner of the cycle, which determines the wording of reports about slow programs. */
+/** Owner of the cycle; determines the wording of reports about slow programs. */
 public enum CycleOwner {
 
     /** The framework, which calls {@code think()}. */

@@ -34,7 +34,7 @@ public final class DeadlineMonitor implements MessagePort {
     private double clockAheadSeconds = Double.POSITIVE_INFINITY;
 
     /**
-     * Creates a monitor of a port.
+     * Creates a monitor for a port.
      *
      * @param port the monitored port
      * @param robot receives the reports
@@ -61,7 +61,7 @@ public final class DeadlineMonitor implements MessagePort {
         return received;
     }
 
-    /** Delay of the message in seconds, relative to the last message that was not late. */
+    /** Returns the delay of the message in seconds, relative to the last message that was not late. */
     private double secondsBehind(OptionalDouble messageSeconds) throws IOException {
         if (messageSeconds.isEmpty()) {
             return 0;

@@ -5,7 +5,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
 /**
- * The turn of one robot to join a server; the next robot of the same program waits until it is over. rcssserver3d puts
+ * One robot's turn to join a server; the next robot of the same program waits until the turn is over. rcssserver3d puts
  * robots that join simultaneously at the same position, and the contacts between eleven overlapping robots keep it busy
  * for minutes.
  */

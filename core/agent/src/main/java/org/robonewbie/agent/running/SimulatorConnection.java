@@ -53,7 +53,7 @@ public final class SimulatorConnection implements AutoCloseable {
     /**
      * Connects to a server or starts an embedded simulator. If either is acceptable, prefers the server.
      *
-     * @param wanted which simulator
+     * @param wanted the simulator to connect to
      * @return the connection
      * @throws IOException if there is no such simulator; the message is a sentence for the user
      */

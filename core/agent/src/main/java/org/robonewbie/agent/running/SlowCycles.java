@@ -28,7 +28,7 @@ final class SlowCycles {
     private record SlowCycle(long number, double milliseconds, StackSample cause) {
 
         /**
-         * Whether two slow cycles have the same cause. All cycles spent computing count as the same, because
+         * Returns whether two slow cycles have the same cause. All cycles spent computing count as the same, because
          * computation is spread over many lines.
          */
         boolean isLike(SlowCycle other) {
@@ -62,7 +62,7 @@ final class SlowCycles {
         return counts && !last.cause().place().isEmpty() ? judge(last) : Optional.empty();
     }
 
-    /** The most frequent sample of the most frequent kind. */
+    /** Returns the most frequent sample of the most frequent kind. */
     private StackSample mainCause() {
         long waiting = samples.entrySet().stream()
                 .filter(each -> each.getKey().kind() != StackSample.Kind.COMPUTES)

@@ -59,8 +59,8 @@ public record StackSample(Kind kind, String call, String place) {
     }
 
     /**
-     * Whether a thread waits. Java also reports RUNNABLE for threads that wait for input or output in the operating
-     * system.
+     * Returns whether a thread is waiting. Java also reports RUNNABLE for threads that wait for input or output in the
+     * operating system.
      */
     private static boolean isWaiting(Thread.State state, StackTraceElement innermost) {
         return switch (state) {

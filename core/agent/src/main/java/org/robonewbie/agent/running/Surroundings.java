@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import org.robonewbie.nao.file.PropertiesFile;
 
-/** Environment of a program: environment variables, and property files in the working directory. */
+/** Environment of a program: environment variables, and properties files in the working directory. */
 public final class Surroundings {
 
     private Surroundings() {}
@@ -17,10 +17,10 @@ public final class Surroundings {
     }
 
     /**
-     * Reads a property file, see {@link PropertiesFile}.
+     * Reads a properties file, see {@link PropertiesFile}.
      *
      * @param file its name
-     * @return value by name; empty if there is no such file
+     * @return the values by name; empty if there is no such file
      * @throws IOException if the file is unreadable or ambiguous; the message is for users
      */
     public static Map<String, String> properties(String file) throws IOException {

@@ -41,7 +41,8 @@ public final class ThinkSpelling {
     /**
      * Checks the methods of a program.
      *
-     * @param methods such as {@code thnik()} or {@code think(double)}, of its class and all superclasses below the framework
+     * @param methods signatures of the methods of its class and all superclasses below the framework, such as
+     *     {@code thnik()} or {@code think(double)}
      * @param name displayed name of the class
      * @return what is wrong, as a sentence; empty if the class overrides a step of the cycle
      */

@@ -63,7 +63,7 @@ public final class Watchdog implements CycleWatch, AutoCloseable {
      * @param owner owner of the cycle
      * @param diagnostics receives the reports
      * @param giveUp called after a stall of five seconds; empty to wait indefinitely
-     * @param listener called in the thread of the program when many cycles have been slow
+     * @param listener called in the program's thread once many cycles have been slow
      * @return the watchdog; close it to stop watching
      */
     public static Watchdog start(
@@ -151,9 +151,9 @@ public final class Watchdog implements CycleWatch, AutoCloseable {
     }
 
     /**
-     * Whether the program itself has stalled: it waits for something, or it has used processor time. On a busy computer
-     * even a short cycle may take long, so a program that has used little processor time is given six times as long. A
-     * program that runs the cycle itself may wait for user input.
+     * Returns whether the program itself has stalled: it is waiting for something, or it has used processor time. On a
+     * busy computer even a short cycle may take a long time, so a program that has used little processor time is given
+     * six times as long. A program that runs the cycle itself may wait for user input.
      */
     private boolean isStalled(int patience, StackSample now) {
         if (ticks < patience) {

@@ -47,27 +47,27 @@ final class Balance {
         turnRate = 0;
     }
 
-    /** Forward tilt of the torso, degrees. */
+    /** Returns the forward tilt of the torso in degrees. */
     double pitchDegrees() {
         return pitchDegrees;
     }
 
-    /** Tilt of the torso to the right, degrees. */
+    /** Returns the tilt of the torso to the right in degrees. */
     double rollDegrees() {
         return rollDegrees;
     }
 
-    /** Rate of the forward tilt, degrees per second. */
+    /** Returns the rate of the forward tilt in degrees per second. */
     double pitchRate() {
         return pitchRate;
     }
 
-    /** Rate of the tilt to the right, degrees per second. */
+    /** Returns the rate of the tilt to the right in degrees per second. */
     double rollRate() {
         return rollRate;
     }
 
-    /** Turn rate to the left, degrees per second. */
+    /** Returns the turn rate to the left in degrees per second. */
     double turnRate() {
         return turnRate;
     }

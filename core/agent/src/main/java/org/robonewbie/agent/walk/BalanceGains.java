@@ -8,16 +8,16 @@ package org.robonewbie.agent.walk;
  * correction = perDegree · (tilt − planned tilt) + perDegreePerSecond · rate of tilting
  * </pre>
  *
- * <p>Ankle and hip rotate the torso back (the <em>ankle strategy</em> and the <em>hip strategy</em> of human balance);
- * the step controllers move the target of the swing foot to the side to which the robot is falling. Outputs are degrees
- * for joints and metres for steps.
+ * <p>The ankle and hip controllers rotate the torso back (the <em>ankle strategy</em> and the <em>hip strategy</em> of
+ * human balance); the step controllers move the target of the swing foot in the direction in which the robot is
+ * falling. Outputs are degrees for joints and metres for steps.
  *
- * @param anklePitch ankle against forward tilt
- * @param hipPitch hip against forward tilt
- * @param ankleRoll ankle against tilt to the right
- * @param hipRoll hip against tilt to the right
- * @param stepForward step against forward tilt
- * @param stepRight step against tilt to the right
+ * @param anklePitch gain of the ankle correction for forward tilt
+ * @param hipPitch gain of the hip correction for forward tilt
+ * @param ankleRoll gain of the ankle correction for tilt to the right
+ * @param hipRoll gain of the hip correction for tilt to the right
+ * @param stepForward gain of the step correction for forward tilt
+ * @param stepRight gain of the step correction for tilt to the right
  */
 public record BalanceGains(
         Gain anklePitch, Gain hipPitch, Gain ankleRoll, Gain hipRoll, Gain stepForward, Gain stepRight) {

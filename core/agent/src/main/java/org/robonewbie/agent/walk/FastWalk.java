@@ -3,8 +3,8 @@ package org.robonewbie.agent.walk;
 import java.util.Arrays;
 
 /**
- * Parameters of {@link WalkStyle#FAST}: those of {@link WalkParameter} and eight more, among them the maximum speeds. They were
- * found by CMA-ES on 23 November 2026, in 280 generations with seed 2 and 81 with seed 3.
+ * Parameters of {@link WalkStyle#FAST}: those of {@link WalkParameter} and eight more, including the maximum speeds.
+ * They were found by CMA-ES on 23 November 2026, in 280 generations with seed 2 and 81 with seed 3.
  */
 public final class FastWalk {
 

@@ -7,8 +7,8 @@ import org.robonewbie.agent.policy.Network;
 import org.robonewbie.agent.policy.Policy;
 
 /**
- * A learned walk: a {@link WalkStyle} for the {@link WalkEngine}, and a reflex that corrects its postures. It uses joint
- * angles, gyroscope, accelerometer and foot pressure only, so it works on any SimSpark server.
+ * A learned walk: a {@link WalkStyle} for the {@link WalkEngine}, and a reflex that corrects its postures. It uses only
+ * the joint angles, gyroscope, accelerometer and foot pressure, so it works on any SimSpark server.
  *
  * <pre>{@code
  * public class Fast extends Agent {

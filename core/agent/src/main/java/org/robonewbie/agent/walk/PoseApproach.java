@@ -48,7 +48,7 @@ public record PoseApproach(WalkStyle style) {
                 .within(style.most(), style.backward());
     }
 
-    /** Weight of facing the target: 1 far away, 0 at the target, where the final heading counts. */
+    /** Returns the weight of facing the target: 1 far away, 0 at the target, where the final heading counts. */
     private static double facingWeight(double distance) {
         double share = (distance - FACES_HEADING_METRES) / (FACES_PLACE_METRES - FACES_HEADING_METRES);
         return Math.max(0, Math.min(1, share));

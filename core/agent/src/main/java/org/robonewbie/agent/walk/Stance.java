@@ -16,10 +16,10 @@ public final class Stance {
     /** Half the distance between the feet in the stance, in metres. */
     public static final double HALF_WIDTH = 0.055;
 
-    /** Pose of the left foot: the point of its sole below the ankle. */
+    /** Pose of the left foot, at the point of its sole below the ankle. */
     public static final Pose2d LEFT_FOOT = new Pose2d(0, HALF_WIDTH, 0);
 
-    /** Pose of the right foot. */
+    /** Pose of the right foot, at the point of its sole below the ankle. */
     public static final Pose2d RIGHT_FOOT = new Pose2d(0, -HALF_WIDTH, 0);
 
     private Stance() {}

@@ -50,7 +50,9 @@ public record Step(
         return Posture.of(degrees);
     }
 
-    /** Position of the swing foot on the ground plane; at the end of the step, where it was set down. */
+    /**
+     * Returns the pose of the swing foot on the ground plane; at the end of the step, the pose in which it is set down.
+     */
     Pose2d swingFoot(StepPhase moment, Correction correction) {
         double travelled = moment.travelled();
         return start.interpolate(target, travelled)
@@ -58,8 +60,8 @@ public record Step(
     }
 
     /**
-     * Pose of a standing foot relative to the torso, which is above the midpoint between the feet, apart from sway and
-     * offsets.
+     * Returns the pose of a standing foot relative to the torso, which is above the midpoint between the feet, apart
+     * from sway and offsets.
      */
     private FootPose pose(Pose2d foot, Pose2d middle, Leg leg, StepPhase moment) {
         Translation2d seen = foot.translation().seenFrom(middle);

@@ -7,8 +7,8 @@ import org.robonewbie.nao.math.PortableMath;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * Phase of a step, with the trajectories of swing foot and torso. With the step phase φ from 0 to 1, the double support ratio d
- * and the amplitude a, the swing phase is
+ * Phase of a step, with the trajectories of the swing foot and the torso. With the step phase φ from 0 to 1 and the
+ * double support ratio d, the swing phase is
  *
  * <pre>
  * σ = clamp((φ − d/2) / (1 − d), 0, 1)
@@ -27,32 +27,32 @@ record StepPhase(Gait gait, Leg swing, double phase, TorsoPosture torso) {
 
     private static final double HIPS_BELOW_TORSO = 0.115;
 
-    /** Fraction of the swing foot's path that is completed: σ − e sin(2πσ) / 2π with the easing e. */
+    /** Returns the completed fraction of the swing foot's path: σ − e sin(2πσ) / 2π with the easing e. */
     double travelled() {
         double part = swingPhase();
         return part - gait.swingEasing() * PortableMath.sin(2 * Math.PI * part) / (2 * Math.PI);
     }
 
     /**
-     * Height of the swing foot in metres: h · a · sin(πs)^1.2, where h is the lift height of the gait and s =
-     * σ^exp(−skew) shifts the peak by its lift skew.
+     * Returns the height of the swing foot in metres: h · a · sin(πs)^1.2, where h is the lift height of the gait, a is
+     * the amplitude, and s = σ^exp(−skew) shifts the peak by its lift skew.
      */
     double lift() {
         double skewed = PortableMath.pow(swingPhase(), PortableMath.exp(-gait.liftSkew()));
         return gait.liftHeight() * torso.amplitude() * PortableMath.pow(PortableMath.sin(Math.PI * skewed), 1.2);
     }
 
-    /** Lateral displacement of the torso over the support foot in metres, positive to the left. */
+    /** Returns the lateral displacement of the torso over the support foot in metres, positive to the left. */
     double sway() {
         return sideways() * gait.swayAmplitude();
     }
 
-    /** Tilt of the torso to the right, in degrees. */
+    /** Returns the tilt of the torso to the right in degrees. */
     double rollDegrees() {
         return -sideways() * gait.rollDegrees();
     }
 
-    /** Vertical oscillation of the torso in metres, one period in each step. */
+    /** Returns the vertical oscillation of the torso in metres, with one period in each step. */
     double bounce() {
         return gait.bounceAmplitude()
                 * torso.amplitude()
@@ -67,7 +67,7 @@ record StepPhase(Gait gait, Leg swing, double phase, TorsoPosture torso) {
         return kinematics.solve(Leg.RIGHT, right.on(ground), withLeftLeg).applyTo(withLeftLeg);
     }
 
-    /** Horizontal frame on the ground below the torso, which tilts about the midpoint between the hips. */
+    /** Returns the horizontal frame on the ground below the torso, which tilts about the midpoint between the hips. */
     private CoordinateFrame ground() {
         return CoordinateFrame.ORIGIN
                 .moved(0, 0, -HIPS_BELOW_TORSO)
@@ -76,18 +76,23 @@ record StepPhase(Gait gait, Leg swing, double phase, TorsoPosture torso) {
                 .moved(0, 0, HIPS_BELOW_TORSO - (gait.torsoHeight() + bounce()));
     }
 
-    /** Pitch of the swing foot's toes, in degrees. */
+    /** Returns the pitch of the swing foot's toes in degrees. */
     double toeDegrees() {
         return gait.toeDegrees() * torso.amplitude() * PortableMath.sin(2 * Math.PI * swingPhase());
     }
 
-    /** Hip roll that lifts the swing leg sideways to compensate for the sinking of the pelvis, in degrees. */
+    /**
+     * Returns the hip roll, in degrees, that lifts the swing leg sideways to compensate for the sinking of the pelvis.
+     */
     double hipRollDegrees() {
         double outward = gait.swingHipDegrees() * torso.amplitude() * PortableMath.sin(Math.PI * swingPhase());
         return swing == Leg.LEFT ? outward : -outward;
     }
 
-    /** Lateral oscillation a · sin(π(φ + p)) with the sway's phase lead p, from 1 on the left to −1 on the right. */
+    /**
+     * Returns the lateral oscillation a · sin(π(φ + p)) with the sway's phase lead p, from 1 on the left to −1 on the
+     * right.
+     */
     private double sideways() {
         double side = swing == Leg.LEFT ? -1 : 1;
         return side * torso.amplitude() * PortableMath.sin(Math.PI * (phase + gait.swayPhase()));

@@ -31,11 +31,11 @@ public final class WalkController implements Walk {
     private boolean preparing;
 
     /**
-     * Creates a walk at rest.
+     * Creates a controller for a robot at rest.
      *
      * @param motors receive the joint targets
      * @param motions take precedence over walking
-     * @param diagnostics reports invalid velocities
+     * @param diagnostics receives reports about invalid velocities
      * @param bodyPosition supplies the orientation of the torso
      */
     public WalkController(
@@ -79,7 +79,7 @@ public final class WalkController implements Walk {
         return walking;
     }
 
-    /** {@return {@code walk} while the robot walks, else the name of the running motion, if any} */
+    /** {@return {@code walk} while the robot walks, otherwise the name of the running motion, if any} */
     public Optional<String> current() {
         return walking ? Optional.of("walk") : motions.current();
     }
@@ -89,7 +89,7 @@ public final class WalkController implements Walk {
         return walking ? 0 : motions.keyframe();
     }
 
-    /** Resets the walk after the robot has been placed elsewhere, standing. */
+    /** Resets the walk after the robot has been placed upright at another position. */
     public void reset() {
         wanted = WalkVelocity.ZERO;
         walking = false;
@@ -100,7 +100,7 @@ public final class WalkController implements Walk {
     /**
      * Plays one cycle of walking or of a motion.
      *
-     * @param torso readings of gyroscope and accelerometer
+     * @param torso readings of the gyroscope and the accelerometer
      * @param leftFoot force on the left sole
      * @param rightFoot force on the right sole
      */
@@ -133,7 +133,7 @@ public final class WalkController implements Walk {
         }
     }
 
-    /** Replaces the engine if the style has changed; otherwise it is kept with its tilt estimate. */
+    /** Replaces the engine if the style has changed; otherwise keeps it, along with its tilt estimate. */
     private void updateEngine() {
         if (!selected.equals(active)) {
             engine = new WalkEngine(selected.style(), selected.reflex());

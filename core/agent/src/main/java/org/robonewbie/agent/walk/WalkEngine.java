@@ -25,18 +25,19 @@ import org.robonewbie.nao.motion.Posture;
  * turned = max(0, ± 2 slip · ω · T)
  * </pre>
  *
- * <p>so that the midpoint between the feet moves with v. In a sideways step or a turn, the leg on that side moves
- * outward in one step, twice as far because it does so only in every other step, and the other leg follows in the next.
+ * <p>so that the midpoint between the feet moves with v. When the robot walks sideways or turns, the leg on the side of
+ * the movement steps outward (twice as far, because it does so only in every other step), and the other leg follows in
+ * the next step.
  *
- * <p><b>Motion.</b> In each cycle the step phase φ = t / T determines the positions of feet and torso: {@link Step},
- * with the trajectories of {@link StepPhase}. Inverse kinematics yields the joint angles of the legs. This is an
- * open-loop gait: the plan is a fixed function of the phase, and does not depend on the robot's mass.
+ * <p><b>Motion.</b> In each cycle the step phase φ = t / T determines the positions of the feet and the torso:
+ * {@link Step}, with the trajectories of {@link StepPhase}. Inverse kinematics yields the joint angles of the legs.
+ * This is an open-loop gait: the plan is a fixed function of the phase, and does not depend on the robot's mass.
  *
- * <p><b>Balance.</b> {@link Balance} estimates the tilt of the torso; {@link BalanceGains} converts its deviation from the plan
- * into corrections of ankles, hips and the target of the swing foot.
+ * <p><b>Balance.</b> {@link Balance} estimates the tilt of the torso; {@link BalanceGains} converts its deviation from
+ * the plan into corrections to the ankles, the hips and the target of the swing foot.
  *
- * <p>The walk begins and ends with a step in place whose amplitude a grows from 0 to 1 or back; the posture is (1 − s) · {@link
- * Stance} + s · step with s = a²(3 − 2a).
+ * <p>The walk begins and ends with a step in place whose amplitude a rises from 0 to 1 or falls back to 0; the posture
+ * is (1 − s) · {@link Stance} + s · step with s = a²(3 − 2a).
  *
  * <p>Sources: S. Behnke, <em>Online trajectory generation for omnidirectional biped walking</em>, ICRA 2006 (sway, lift and
  * swing as functions of a gait phase; step lengths from velocities); F. Faber and S. Behnke, <em>Stochastic optimization of
@@ -119,9 +120,9 @@ public final class WalkEngine {
     }
 
     /**
-     * Updates the tilt estimate. Call it in each cycle before {@link #next}.
+     * Updates the tilt estimate. Call this method in each cycle before {@link #next}.
      *
-     * @param motion readings of gyroscope and accelerometer
+     * @param motion readings of the gyroscope and the accelerometer
      */
     public void update(TorsoMotion motion) {
         balance.update(motion);

@@ -4,7 +4,7 @@ import org.robonewbie.agent.perception.FootPressure;
 import org.robonewbie.nao.kinematics.Leg;
 
 /**
- * State of the walk in one cycle, as input of a reflex.
+ * State of the walk in one cycle, as input to a reflex.
  *
  * @param swing the swing leg
  * @param phase step phase, 0 to 1

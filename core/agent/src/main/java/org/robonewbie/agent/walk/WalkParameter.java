@@ -12,7 +12,7 @@ public enum WalkParameter {
     TORSO_HEIGHT("gait: height of the torso", 2.1, 0.335, 0.01, Double.NEGATIVE_INFINITY, 0.375),
     /** Forward tilt of the torso, degrees. */
     LEAN("gait: lean", -1.5, 5, 3),
-    /** Distance of the ankles ahead of the hips, metres; a positive coordinate puts them behind. */
+    /** Distance of the ankles ahead of the hips, metres; a positive coordinate puts the ankles behind the hips. */
     ANKLE_OFFSET("gait: ankle offset", 1.1, 0, -0.01),
     /** Amplitude of the torso's sway over the support foot, metres. */
     SWAY_AMPLITUDE("gait: sway", -1.3, 0.02, 0.008),
@@ -94,7 +94,7 @@ public enum WalkParameter {
         return description;
     }
 
-    /** {@return the coordinates of the standard walk, which were found by a search in the simulator, as a new array} */
+    /** {@return a new array of the coordinates of the standard walk, which were found by a search in the simulator} */
     public static double[] standardCoordinates() {
         return Arrays.stream(values()).mapToDouble(each -> each.standard).toArray();
     }

@@ -60,7 +60,7 @@ public record WalkStyle(
     public static final WalkStyle FAST = FastWalk.style(FastWalk.coordinates());
 
     /**
-     * Maximum forward speed, in metres per second, to request of robots of type 3, which fall at higher speeds. With
+     * Maximum forward speed, in metres per second, to request from robots of type 3, which fall at higher speeds. With
      * their longer steps they actually reach 0.65 m/s.
      */
     private static final double MAX_FORWARD_OF_LONGEST_LEGS = 0.5;

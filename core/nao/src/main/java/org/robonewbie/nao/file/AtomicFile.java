@@ -52,7 +52,7 @@ public final class AtomicFile {
     public static void write(Path file, byte[] bytes) throws UnwritableFileException {
         String unique = UUID.randomUUID().toString().substring(0, DIGITS);
         Path part = file.resolveSibling(
-                "." + unique + UNFINISHED); // without the file's name, which may have maximum length
+                "." + unique + UNFINISHED); // without the file's name, which may already have the maximum length
         try {
             try {
                 Files.write(part, bytes, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);

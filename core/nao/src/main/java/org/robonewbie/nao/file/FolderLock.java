@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Optional;
 
-/** Exclusive lock of one program on a folder. The operating system releases it if the program is killed. */
+/** A program's exclusive lock on a folder. The operating system releases it if the program is killed. */
 public final class FolderLock implements AutoCloseable {
 
     private final FileChannel channel;

@@ -9,8 +9,8 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * The encoding in which Java decodes file names, which depends on the locale of the shell. In a locale without UTF-8, as under
- * cron and in containers, {@code Übung} becomes {@code ??bung}, a different folder.
+ * The encoding with which Java decodes file names; it depends on the locale of the shell. In a locale without UTF-8, as
+ * under cron and in containers, {@code Übung} becomes {@code ??bung}, a different folder.
  */
 public final class PathEncoding {
 
@@ -44,7 +44,7 @@ public final class PathEncoding {
     /**
      * Explains why a path is invalid.
      *
-     * @param refused the exception from Java
+     * @param refused the exception that Java threw
      * @return a sentence with advice
      */
     public static String explain(InvalidPathException refused) {

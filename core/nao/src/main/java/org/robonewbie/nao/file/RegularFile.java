@@ -7,8 +7,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * Safe reading of untrusted files: never opens a device or a pipe, which could block forever, and limits the number of bytes
- * read.
+ * Reads untrusted files safely: never opens a device or a pipe, which could block forever, and limits the number of
+ * bytes read.
  */
 public final class RegularFile {
 
@@ -18,7 +18,7 @@ public final class RegularFile {
      * Reads a file.
      *
      * @param file the file, or a symbolic link to one
-     * @param maxBytes maximum size of such a file in bytes
+     * @param maxBytes maximum accepted size in bytes
      * @return the content of the file
      * @throws UnreadableFileException if the file does not exist, is not a regular file, is larger than {@code maxBytes}, or cannot
      *     be read
@@ -42,7 +42,7 @@ public final class RegularFile {
      * Checks a file without opening it; {@link #read} makes the same checks first.
      *
      * @param file the file, or a symbolic link to one
-     * @param maxBytes maximum size of such a file in bytes
+     * @param maxBytes maximum accepted size in bytes
      * @throws UnreadableFileException if the file does not exist, is not a regular file, or is larger than {@code maxBytes}
      */
     public static void check(Path file, int maxBytes) throws UnreadableFileException {

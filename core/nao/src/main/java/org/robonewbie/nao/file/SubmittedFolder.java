@@ -18,8 +18,8 @@ import org.robonewbie.nao.text.PrintableText;
 
 /**
  * An untrusted folder that was submitted for grading or a competition. It may contain regular files only, within limits
- * on number and total size. Symbolic links are followed within the folder and rejected if they point outside it; hard
- * links count as regular files. Nothing that is rejected is opened.
+ * on their number and total size. Symbolic links are followed within the folder and rejected if they point outside it;
+ * hard links count as regular files. Rejected files are never opened.
  *
  * <pre>{@code
  * new SubmittedFolder(Path.of("submissions/anna"), folder -> folder.endsWith("target")).copyTo(workFolder);
@@ -54,7 +54,7 @@ public record SubmittedFolder(Path root, Predicate<Path> leftOut) {
     }
 
     /**
-     * Copies the files, replacing links by their targets.
+     * Copies the files, replacing links with their targets.
      *
      * @param target the folder for the copies; created if necessary
      * @throws UnreadableFileException if a file is rejected

@@ -18,11 +18,11 @@ public final class UnwritableFileException extends IOException {
     }
 
     /**
-     * Creates an exception whose message explains an error of the operating system.
+     * Creates an exception whose message explains an error from the operating system.
      *
      * @param file the file
      * @param cause the error
-     * @return the exception; {@code cause} itself if it is one already
+     * @return the exception; {@code cause} itself if it already is one
      */
     public static UnwritableFileException of(Path file, IOException cause) {
         return cause instanceof UnwritableFileException known

@@ -65,7 +65,7 @@ public final class BodyPoses {
     /**
      * Returns the corners of a sole.
      *
-     * @param leg the leg of the foot
+     * @param leg the leg
      * @return the front left, front right, rear right and rear left corners, in metres
      */
     public List<Vector3> soleCorners(Leg leg) {
@@ -108,8 +108,8 @@ public final class BodyPoses {
      * Returns the corners of the bounding box of a link.
      *
      * @param link the link's index in {@link NaoModel#links()}
-     * @return eight points in metres; bits 0, 1 and 2 of a corner's index are set on the negative side of the link's x, y and z
-     *     axis in SimSpark's frame
+     * @return eight points in metres; bits 0, 1 and 2 of a corner's index are set on the negative side of the link's x,
+     *     y and z axes, respectively, in SimSpark's frame
      */
     public List<Vector3> corners(int link) {
         Vector3 size = model.links().get(link).shape().size();

@@ -20,8 +20,8 @@ import org.robonewbie.nao.motion.Posture;
  * }
  * }</pre>
  *
- * <p>The world frame has its origin at the centre spot, x towards the right goal, y to the left of that and z up. The axes of
- * the torso are those of the body frame: x forward, y left, z up.
+ * <p>The world frame has its origin at the centre spot, x towards the right goal, y to the left of that direction, and
+ * z up. The axes of the torso are those of the body frame: x forward, y left, z up.
  */
 public final class BodyState {
 
@@ -143,7 +143,7 @@ public final class BodyState {
         return Posture.of(degrees);
     }
 
-    /** {@return the heading of the torso, as for {@link #headingDegrees(Vector3)}} */
+    /** {@return the heading of the torso, as defined by {@link #headingDegrees(Vector3)}} */
     public double headingDegrees() {
         return headingDegrees(torso.rotation().apply(FORWARD));
     }

@@ -23,7 +23,7 @@ final class ConvexHull {
         return hull;
     }
 
-    /** Returns the lower half of the hull without its last point, which is the first one of the other half. */
+    /** Returns the lower half of the hull without its last point, which is the first point of the other half. */
     private static List<Vector3> chain(List<Vector3> sorted) {
         List<Vector3> chain = new ArrayList<>();
         for (Vector3 point : sorted) {

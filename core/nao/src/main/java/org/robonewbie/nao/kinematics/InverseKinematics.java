@@ -63,7 +63,7 @@ public final class InverseKinematics {
     }
 
     /**
-     * Finds the angles, starting the search at a nearby posture, such as that of the previous cycle.
+     * Finds the angles, starting the search from a nearby posture, such as that of the previous cycle.
      *
      * @param leg the leg
      * @param foot target pose of the foot's box relative to the torso; the sole is 1 cm below the box's centre
@@ -75,7 +75,7 @@ public final class InverseKinematics {
     }
 
     /**
-     * Finds the angles for a target frame of the foot, starting the search at a nearby posture.
+     * Finds the angles for a target frame of the foot, starting the search from a nearby posture.
      *
      * @param leg the leg
      * @param foot target frame of the foot's box relative to the torso; the sole is 1 cm below the frame's origin

@@ -7,8 +7,8 @@ import org.robonewbie.nao.model.Link;
 import org.robonewbie.nao.model.NaoModel;
 
 /**
- * The kinematic chain of six hinges from torso to foot, stored in arrays for fast repeated evaluation of foot pose and Jacobian.
- * Matrices are in row-major order.
+ * The kinematic chain of six hinges from torso to foot, stored in arrays for fast repeated evaluation of the foot's
+ * pose and Jacobian. Matrices are in row-major order.
  */
 final class LegChain {
 

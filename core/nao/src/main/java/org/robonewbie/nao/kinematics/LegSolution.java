@@ -21,7 +21,7 @@ public final class LegSolution {
         this.rotationErrorDegrees = rotationErrorDegrees;
     }
 
-    /** {@return whether the target pose is reached, to less than 0.1 mm and 0.05°} */
+    /** {@return whether the target pose is reached to within 0.1 mm and 0.05°} */
     public boolean isReachable() {
         return isReached(positionErrorMetres, rotationErrorDegrees);
     }

@@ -68,7 +68,7 @@ public record Rotation(double w, double x, double y, double z) {
      * Composes two rotations.
      *
      * @param first the rotation that is applied first
-     * @return the rotation with the effect of both
+     * @return the combined rotation
      */
     public Rotation times(Rotation first) {
         return new Rotation(

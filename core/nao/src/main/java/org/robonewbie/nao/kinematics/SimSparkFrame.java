@@ -3,9 +3,9 @@ package org.robonewbie.nao.kinematics;
 import org.robonewbie.nao.Vector3;
 
 /**
- * Converts between the body frame of this framework (x forward, y left, z up) and SimSpark's (x right, y forward, z up). Both
- * have their origin at the centre of the torso. Components are negated as {@code 0 - x}, which unlike {@code -x} never yields a
- * negative zero, so that readings of 0 print as 0.
+ * Converts between the body frame of this framework (x forward, y left, z up) and SimSpark's (x right, y forward, z
+ * up). Both have their origin at the centre of the torso. Components are negated as {@code 0 - x}, which, unlike
+ * {@code -x}, never yields a negative zero, so that readings of 0 print as 0.
  */
 public final class SimSparkFrame {
 

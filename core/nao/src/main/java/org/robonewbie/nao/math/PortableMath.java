@@ -3,20 +3,21 @@ package org.robonewbie.nao.math;
 /**
  * Portable versions of the functions of {@link Math} whose last bit depends on the platform.
  *
- * <p>A walking robot amplifies a difference in the last bit of a sine into a different step within seconds. {@link Math#sin} and
- * similar functions may be off by one unit in the last place, depending on JVM, processor and browser, and compilers to
- * WebAssembly replace others ({@code rint}, {@code round}, {@code IEEEremainder}, {@code toRadians}) by simpler formulas. All
- * code that affects the simulated world therefore calls this class:
+ * <p>A walking robot amplifies a difference in the last bit of a sine into a different step within seconds.
+ * {@link Math#sin} and similar functions may be off by one unit in the last place, depending on the JVM, processor and
+ * browser, and compilers to WebAssembly replace others ({@code rint}, {@code round}, {@code IEEEremainder},
+ * {@code toRadians}) with simpler formulas. All code that affects the simulated world therefore calls this class:
  *
  * <pre>{@code
  * double side = PortableMath.sin(PortableMath.toRadians(30)) * length;
  * }</pre>
  *
- * <p>It uses only operations that IEEE 754 rounds correctly: {@code + - * /}, the square root, comparisons and bit patterns.
- * {@link Math#sqrt}, {@code abs}, {@code min}, {@code max}, {@code floor}, {@code ceil}, {@code signum} and {@code copySign} are
- * exact on every platform and can be called directly. Algorithms and coefficients are those of fdlibm (Sun Microsystems, 1993), on
- * which {@link StrictMath} is based too: the results equal those of {@code StrictMath} bit by bit in all tests, and are always
- * within one unit in the last place. Special values are those of {@code Math}.
+ * <p>It uses only operations that IEEE 754 rounds correctly: {@code + - * /}, the square root, comparisons and bit
+ * patterns. {@link Math#sqrt}, {@code abs}, {@code min}, {@code max}, {@code floor}, {@code ceil}, {@code signum} and
+ * {@code copySign} are exact on every platform and can be called directly. Algorithms and coefficients are those of
+ * fdlibm (Sun Microsystems, 1993), on which {@link StrictMath} is based too: the results equal those of
+ * {@code StrictMath} bit for bit in all tests, and are always within one unit in the last place. Special cases are
+ * handled as in {@code Math}.
  */
 public final class PortableMath {
 
@@ -108,7 +109,7 @@ public final class PortableMath {
     }
 
     /**
-     * {@return the logarithm to the base of ten, NaN for negative numbers}
+     * {@return the base-10 logarithm, NaN for negative numbers}
      *
      * @param x the number
      */
@@ -117,7 +118,7 @@ public final class PortableMath {
     }
 
     /**
-     * {@return a number to the power of another, with the special cases of {@link Math#pow}}
+     * {@return a number raised to the power of another, with the special cases of {@link Math#pow}}
      *
      * @param base the base
      * @param exponent the exponent

@@ -6,7 +6,7 @@ final class Rounding {
     /** Magnitude at and above which every double is an integer. */
     private static final double WHOLE = 0x1p52;
 
-    /** Factor of Veltkamp's splitting of a double into halves (1968). */
+    /** Factor for Veltkamp's splitting of a double into halves (1968). */
     private static final double SPLITTER = 0x1p27 + 1;
 
     private Rounding() {}

@@ -25,7 +25,7 @@ public interface Interpolation {
     /**
      * Returns the angle of a joint within an interval.
      *
-     * @param section the interval between two keyframes, with its neighbours
+     * @param section the interval between two keyframes, with the neighbouring keyframes
      * @param joint the joint
      * @param fraction elapsed fraction of the interval, from 0 at its start to 1 at its end
      * @return the joint's angle in degrees

@@ -1,7 +1,8 @@
 package org.robonewbie.nao.motion;
 
 /**
- * The interval between two consecutive keyframes of a motion, with the neighbours that a smooth curve needs.
+ * The interval between two consecutive keyframes of a motion, with the neighbouring keyframes that a smooth curve
+ * needs.
  *
  * @param start the robot's posture when the motion began
  * @param motion the motion

@@ -49,7 +49,7 @@ public final class MotionFile {
     /**
      * Parses the text of a motion file.
      *
-     * @param name the file's name for messages, such as {@code wave.txt}
+     * @param name the file's name, used in messages, such as {@code wave.txt}
      * @param text the content of the file
      * @return the file; lines that cannot be parsed are kept, see {@link #errors}
      */
@@ -60,7 +60,7 @@ public final class MotionFile {
     /**
      * Decodes and parses the bytes of a motion file.
      *
-     * @param name the file's name for messages, such as {@code wave.txt}
+     * @param name the file's name, used in messages, such as {@code wave.txt}
      * @param bytes text in UTF-8, UTF-16 with a byte order mark, or Windows-1252
      * @return the file; bytes that cannot be decoded and lines that cannot be parsed are kept, see {@link #errors}
      */
@@ -153,8 +153,8 @@ public final class MotionFile {
     }
 
     /**
-     * {@return what a robot cannot play exactly as written, such as angles beyond a joint's range and durations that
-     * are not whole cycles, in the order of the file}
+     * {@return warnings about values that a robot cannot play exactly as written, such as angles beyond a joint's range
+     * and durations that are not whole cycles, in the order of the file}
      */
     public List<MotionProblem> warnings() {
         List<MotionProblem> warnings = new ArrayList<>();
@@ -180,8 +180,8 @@ public final class MotionFile {
     }
 
     /**
-     * Returns where the ball must lie for the motion to kick it. A comment such as {@code // ball: 0.190 m ahead, -0.055 m to
-     * the left} sets this property.
+     * Returns the position at which the ball must lie for the motion to kick it. A comment such as
+     * {@code // ball: 0.190 m ahead, -0.055 m to the left} sets this property.
      *
      * @return the ball's position relative to the torso; empty if the file does not set one
      * @throws NumberFormatException if a distance is not a number
@@ -195,7 +195,7 @@ public final class MotionFile {
     }
 
     /**
-     * Sets where the ball must lie for the motion to kick it.
+     * Sets the position at which the ball must lie for the motion to kick it.
      *
      * @param ball the ball's position relative to the torso
      * @return the changed file
@@ -298,7 +298,7 @@ public final class MotionFile {
         return mirrored;
     }
 
-    /** Replaces every "left" in a text by "right" or, if there is none, every "right" by "left". */
+    /** Replaces every "left" in a string with "right" or, if there is none, every "right" with "left". */
     static String otherSide(String text) {
         return text.contains("left") ? text.replace("left", "right") : text.replace("right", "left");
     }

@@ -119,8 +119,8 @@ sealed interface MotionLine {
         }
 
         /**
-         * Returns what a robot cannot play exactly as written: durations that are not whole cycles, and angles beyond a
-         * joint's range.
+         * Returns warnings about values that a robot cannot play exactly as written: durations that are not whole
+         * cycles, and angles beyond a joint's range.
          */
         List<MotionProblem> warnings(int line) {
             List<Word> words = Word.allIn(text);
@@ -157,7 +157,7 @@ sealed interface MotionLine {
         }
     }
 
-    /** A word of a line; the column counts from 0. */
+    /** A word in a line; columns are counted from 0. */
     record Word(String text, int column) {
 
         private static final Pattern DECIMAL = Pattern.compile("[+-]?(\\d+(\\.\\d*)?|\\.\\d+)([eE][+-]?\\d+)?");
@@ -187,7 +187,9 @@ sealed interface MotionLine {
             return column + text.length();
         }
 
-        /** Returns why this word cannot be the number at an index of the line; empty if it can. */
+        /**
+         * Explains why this word is not a valid number at an index of the line; returns an empty string if it is valid.
+         */
         String problem(int index) {
             if (index == 0) {
                 return INTEGER.matcher(text).matches()

@@ -22,10 +22,11 @@ import org.robonewbie.nao.math.PortableMath;
  * }
  * }</pre>
  *
- * <p>In each cycle a joint gets the speed that moves it from its angle when the speed takes effect ({@link
- * Motors#expectedDegrees}) to the interpolated angle one cycle later. The trajectory passes through the keyframes without
- * stopping. Half of the tracking error is corrected in each cycle, and all of it in the last one. Each keyframe takes a whole
- * number of cycles of 20 ms, at least one; rounding errors do not accumulate. After the last step the player stops all motors.
+ * <p>In each cycle a joint gets the speed that moves it from its angle at the time the speed takes effect
+ * ({@link Motors#expectedDegrees}) to the interpolated angle one cycle later. The trajectory passes through the
+ * keyframes without stopping. Half of the tracking error is corrected in each cycle, and all of it in the last one.
+ * Each keyframe takes a whole number of cycles of 20 ms, at least one; rounding errors do not accumulate. After the
+ * last step the player stops all motors.
  */
 public final class MotionPlayer {
 
@@ -94,7 +95,7 @@ public final class MotionPlayer {
 
     /**
      * Returns whether the motion turns a joint on the way to the current keyframe. On the way to the first keyframe,
-     * which depends on the robot's initial posture, every joint counts that the motion turns later.
+     * which depends on the robot's initial posture, every joint that the motion turns later counts.
      *
      * @param joint the joint
      * @return whether a command for the joint would conflict with the motion
@@ -172,7 +173,7 @@ public final class MotionPlayer {
     }
 
     /**
-     * Returns where the motion exceeds the maximum speed of a motor.
+     * Finds the joints and keyframes for which the motion exceeds the maximum speed of a motor.
      *
      * @param motors the motors, which determine the initial posture
      * @param fromKeyframe index of the first keyframe to check; 1 if the robot may take longer to reach the first keyframe

@@ -16,6 +16,6 @@ public interface MotionSource {
      */
     Optional<byte[]> read(String name) throws IOException;
 
-    /** {@return the names of all motions of this source in alphabetical order} */
+    /** {@return the names of all motions in this source, in alphabetical order} */
     SortedSet<String> names();
 }

@@ -9,9 +9,9 @@ import org.robonewbie.nao.Joint;
  * receives another one. This class adds target angles, which a joint approaches and holds, and stops joints just before
  * they reach their mechanical stops.
  *
- * <p>It compensates the delay of the simulation. The speed that answers message k turns the joint in the step before message k +
- * 2. Until then the speed that answered message k - 1 still acts, so that when the new speed takes effect, the joint will be at its
- * sensed angle plus one step of that speed: {@link #expectedDegrees}.
+ * <p>It compensates for the delay of the simulation. The speed that answers message k turns the joint in the step
+ * before message k + 2. Until then the speed that answered message k - 1 still acts, so when the new speed takes
+ * effect, the joint will be at its sensed angle plus one step at that earlier speed: {@link #expectedDegrees}.
  */
 public final class Motors {
 
@@ -81,7 +81,7 @@ public final class Motors {
         targetDegreesPerSecond[joint.ordinal()] = speed;
     }
 
-    /** Releases all joints for a motion that starts, except those that were commanded in this cycle. */
+    /** Releases all joints for a motion that is starting, except those that were commanded in this cycle. */
     public void release() {
         for (int i = 0; i < Joint.COUNT; i++) {
             commanded[i] = commandedNow[i];

@@ -125,10 +125,10 @@ public final class Posture {
     }
 
     /**
-     * Returns the maximum distance to another posture over all joints.
+     * Returns the largest difference in a joint angle between this posture and another one.
      *
      * @param other the other posture
-     * @return the largest difference between the angles of a joint in degrees, at least 0
+     * @return the largest difference in degrees, at least 0
      */
     public double largestDifference(Posture other) {
         double largest = 0;

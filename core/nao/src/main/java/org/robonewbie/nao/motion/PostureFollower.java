@@ -28,7 +28,9 @@ public final class PostureFollower {
         takePosture();
     }
 
-    /** Starts again at the robot's current posture, with all joints except those that were commanded in this cycle. */
+    /**
+     * Restarts at the robot's current posture, and takes control of all joints except those commanded in this cycle.
+     */
     public void begin() {
         motors.release();
         takePosture();

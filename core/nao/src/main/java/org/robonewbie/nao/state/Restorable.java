@@ -1,7 +1,7 @@
 package org.robonewbie.nao.state;
 
 /**
- * An object whose state can be saved and restored bit by bit.
+ * An object whose state can be saved and restored bit for bit.
  *
  * <p>{@link #restore} reads what {@link #save} wrote, in the same order. A restored object behaves exactly as it would have
  * behaved after {@code save}. An agent whose class implements this interface is restored together with its world if the simulator

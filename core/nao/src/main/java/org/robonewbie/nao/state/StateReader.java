@@ -128,7 +128,7 @@ public final class StateReader {
         return copy;
     }
 
-    /** {@return the next text} */
+    /** {@return the next string} */
     public String getText() {
         return new String(getBytes(), StandardCharsets.UTF_8);
     }
@@ -149,7 +149,7 @@ public final class StateReader {
      *
      * @param <T> type of the elements
      * @param reader reads one element of at least one byte
-     * @return a new list of the elements in their order
+     * @return a new list of the elements, in the order in which they were written
      */
     public <T> List<T> getAll(Supplier<T> reader) {
         int count = getCount();

@@ -8,8 +8,8 @@ import java.util.function.Consumer;
 import org.robonewbie.nao.Vector3;
 
 /**
- * Serializes values to bytes without loss: integers and the bits of doubles in little-endian order, texts in UTF-8,
- * preceded by their length.
+ * Serializes values to bytes without loss: integers and the bits of doubles in little-endian order, and strings in
+ * UTF-8, preceded by their length.
  */
 public final class StateWriter {
 
@@ -94,10 +94,10 @@ public final class StateWriter {
     }
 
     /**
-     * Appends a number of bytes, preceded by their count.
+     * Appends the first bytes of an array, preceded by their count.
      *
-     * @param source array that starts with the bytes
-     * @param count number of bytes
+     * @param source the array
+     * @param count number of bytes to append
      */
     public void putBytes(byte[] source, int count) {
         putInt(count);
@@ -107,9 +107,9 @@ public final class StateWriter {
     }
 
     /**
-     * Appends a text.
+     * Appends a string.
      *
-     * @param text any text
+     * @param text any string
      */
     public void putText(String text) {
         byte[] encoded = text.getBytes(StandardCharsets.UTF_8);

@@ -23,7 +23,7 @@ public record ConfusableCharacter(int number, int codePoint) {
      * Finds the first confusable character in a name, an option or a path. Legitimate uses in other languages do not count: the
      * letters of an entirely Cyrillic word, an apostrophe, a dash between words.
      *
-     * @param text a line or a part of one
+     * @param text a line or part of one
      * @return the first confusable character; empty if there is none
      */
     public static Optional<ConfusableCharacter> firstIn(String text) {
@@ -40,22 +40,22 @@ public record ConfusableCharacter(int number, int codePoint) {
     }
 
     /**
-     * Returns whether two texts look the same, ignoring case.
+     * Returns whether two strings look the same, ignoring case.
      *
-     * @param text a text
-     * @param other another text
-     * @return whether the texts look the same, although their characters may differ
+     * @param text a string
+     * @param other another string
+     * @return whether the strings look the same, although their characters may differ
      */
     public static boolean looksLike(String text, String other) {
         return plain(text).equals(plain(other));
     }
 
     /**
-     * Describes the difference between two texts that look the same.
+     * Describes the difference between two strings that look the same.
      *
-     * @param text the text as written
-     * @param meant the intended text
-     * @return part of a sentence, such as {@code character 4 is a no-break space (U+00A0): type an ordinary space}
+     * @param text the string as written
+     * @param meant the intended string
+     * @return a clause, such as {@code character 4 is a no-break space (U+00A0): type an ordinary space}
      */
     static String difference(String text, String meant) {
         int number = 1;
@@ -160,7 +160,10 @@ public record ConfusableCharacter(int number, int codePoint) {
         return false;
     }
 
-    /** Returns the skeleton of a text: each character replaced by the ASCII character that it looks like, in lower case. */
+    /**
+     * Returns the skeleton of a string: each character is replaced with the ASCII character that it looks like, in
+     * lower case.
+     */
     private static String plain(String text) {
         StringBuilder plain = new StringBuilder();
         text.codePoints().forEach(code -> {

@@ -13,7 +13,7 @@ public final class Csv {
 
     private static final Pattern NUMBER = Pattern.compile("\\s*[+-]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][+-]?\\d+)?\\s*");
 
-    /** Start of a formula, also after white space, and in the full-width forms that some spreadsheets accept. */
+    /** Start of a formula, including after white space and in the full-width forms that some spreadsheets accept. */
     private static final Pattern FORMULA =
             Pattern.compile("(?s)[\\t\\r\\n].*|[\\s\\p{Cc}\\p{Cf}\\p{Z}]*[=+\\-@＝＋－＠].*");
 

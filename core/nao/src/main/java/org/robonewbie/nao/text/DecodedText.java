@@ -25,7 +25,7 @@ import java.util.Optional;
  */
 public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, String content) {
 
-    /** Advice for a text that cannot be decoded; a sentence. */
+    /** Advice about text that cannot be decoded, as a complete sentence. */
     public static final String SAVE_AS_UTF_8 = "Save it as UTF-8 (most editors: Save As, Encoding).";
 
     private static final HexFormat HEXADECIMAL = HexFormat.of();
@@ -79,7 +79,7 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
     }
 
     /**
-     * Returns a note for the user if the encoding was guessed, which explains garbled letters.
+     * Returns a note for the user that explains garbled letters, if the encoding was guessed.
      *
      * @return a note such as {@code line 3 is not UTF-8 and was read as Windows-1252: "// grüße". Save it as UTF-8 …}; empty if
      *     the encoding is certain
@@ -98,8 +98,8 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
     }
 
     /**
-     * Encodes a changed text like the original: in the same encoding with the same byte order mark. Falls back to UTF-8 if that
-     * encoding lacks a character, or if the bytes would be decoded differently.
+     * Encodes changed text in the same way as the original: in the same encoding and with the same byte order mark.
+     * Falls back to UTF-8 if that encoding lacks a character, or if the bytes would be decoded differently.
      *
      * @param changed the changed text
      * @return the bytes of the file
@@ -117,7 +117,10 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
         };
     }
 
-    /** Returns whether bytes decode to a text; "Ã¼" in Windows-1252, for example, has the same bytes as "ü" in UTF-8. */
+    /**
+     * Returns whether bytes decode to a given string. For example, "Ã¼" in Windows-1252 has the same bytes as "ü" in
+     * UTF-8.
+     */
     private static boolean decodesTo(String text, byte[] bytes) {
         try {
             return of(bytes).content().equals(text);
@@ -137,7 +140,10 @@ public record DecodedText(TextEncoding encoding, boolean hasByteOrderMark, Strin
         return new DecodedText(encoding, hasMark, hasMark ? decoded.substring(1) : decoded);
     }
 
-    /** Rejects mostly valid UTF-8, and invalid UTF-8 after its byte order mark: such a file is damaged, not Windows-1252. */
+    /**
+     * Rejects mostly valid UTF-8, and invalid UTF-8 after a UTF-8 byte order mark: such a file is damaged, not
+     * Windows-1252.
+     */
     private static void refuseDamagedUtf8(byte[] bytes) throws UndecodableTextException {
         int letters = 0;
         int wrong = 0;

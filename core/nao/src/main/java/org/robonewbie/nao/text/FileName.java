@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
- * Checks for file names that are valid on Windows, macOS and Linux, in any script. The studio's pages implement the
+ * Checks whether file names, in any script, are valid on Windows, macOS and Linux. The studio's pages implement the
  * same rules in {@code state/file-name.js}.
  *
  * <pre>{@code
@@ -47,7 +47,8 @@ public final class FileName {
      * Checks a name that a user chose.
      *
      * @param name a name without folder and extension
-     * @return the problem, to follow the name in a sentence, such as {@code contains "/"}; empty if the name is valid
+     * @return the problem, phrased to follow the name in a sentence, such as {@code contains "/"}; empty if the name is
+     *     valid
      */
     public static Optional<String> problem(String name) {
         if (name.isEmpty()) {

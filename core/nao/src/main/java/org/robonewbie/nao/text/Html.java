@@ -6,7 +6,7 @@ public final class Html {
     private Html() {}
 
     /**
-     * Escapes a text for HTML.
+     * Escapes text for HTML.
      *
      * @param plain any text
      * @return the text with HTML special characters escaped

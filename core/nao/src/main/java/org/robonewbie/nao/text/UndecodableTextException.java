@@ -16,7 +16,7 @@ public final class UndecodableTextException extends IOException {
         this.problem = problem + ". " + DecodedText.SAVE_AS_UTF_8;
     }
 
-    /** {@return the problem and advice, to follow the line number in a sentence} */
+    /** {@return the problem and advice, phrased to follow the line number in a sentence} */
     public String problem() {
         return problem;
     }

@@ -37,7 +37,7 @@ public final class MotionFiles implements MotionSource {
     private final Path folder;
 
     /**
-     * Creates a source for the files of a folder.
+     * Creates a source for the files in a folder.
      *
      * @param folder the folder, which need not exist
      */
@@ -54,7 +54,7 @@ public final class MotionFiles implements MotionSource {
      * Creates a library with another folder for the user's motions.
      *
      * @param folder the folder, which need not exist
-     * @return the motions of the folder and the shipped ones
+     * @return the motions in the folder and the shipped ones
      */
     public static MotionLibrary library(Path folder) {
         return new MotionLibrary(new MotionFiles(folder), new ShippedMotions());
@@ -123,8 +123,8 @@ public final class MotionFiles implements MotionSource {
     }
 
     /**
-     * Returns why files of the folder are missing from {@link #names}: the name is invalid for a motion, or the file is not a
-     * regular file or is larger than {@link #MAX_BYTES}. No file is opened.
+     * Explains why files in the folder are missing from {@link #names}: the name is invalid for a motion, or the file
+     * is not a regular file or is larger than {@link #MAX_BYTES}. No file is opened.
      *
      * @return a sentence for each such file, in alphabetical order
      */
