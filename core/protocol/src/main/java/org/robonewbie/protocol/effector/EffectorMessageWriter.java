@@ -38,9 +38,9 @@ public final class EffectorMessageWriter {
     }
 
     /**
-     * Rounds a number to the precision of a command.
+     * Rounds a number to the precision used in commands.
      *
-     * @param value a number of a command
+     * @param value the number to send
      * @return the number that the simulator receives
      */
     public static double rounded(double value) {

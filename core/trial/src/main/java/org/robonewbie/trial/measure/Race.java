@@ -22,7 +22,7 @@ public final class Race extends MeasureFromStart {
     }
 
     /**
-     * Creates a measure for any distance.
+     * Creates a measure for a race over a given distance.
      *
      * @param lineMetres distance from the start to the line
      */

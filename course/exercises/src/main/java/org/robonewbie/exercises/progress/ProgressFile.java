@@ -59,7 +59,7 @@ public record ProgressFile(Path file) {
      * Changes the state of one exercise. Renames a damaged file to {@code NAME.damaged} first.
      *
      * @param exercise the exercise
-     * @param change returns the new state for the stored one
+     * @param change computes the new state from the stored one
      * @return the new state
      * @throws IOException if the file cannot be written
      */

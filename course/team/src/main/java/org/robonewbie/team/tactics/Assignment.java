@@ -5,10 +5,10 @@ import java.util.Arrays;
 /**
  * Assignment of players to places with minimum total cost, by the Hungarian method.
  *
- * <p>Sending each player to its nearest place does not work, because two players may want the same one, and a greedy choice for
- * one player after another may leave a long path for the last one. With n players there are n! assignments, for ten more than
- * three million. The method finds the best one in about n³ steps: it adds one player after the other, and moves the previous
- * players to other places where that is cheaper in total.
+ * <p>Sending each player to its nearest place does not work, because two players may want the same one, and a greedy
+ * choice for one player after another may leave a long path for the last one. With n players there are n! assignments:
+ * more than three million for ten players. The method finds the best one in about n³ steps: it adds one player after
+ * the other, and moves the previous players to other places where that is cheaper in total.
  *
  * <p>Source: H. W. Kuhn, <em>The Hungarian method for the assignment problem</em>, 1955, in the form with potentials.
  */

@@ -267,7 +267,7 @@ public final class WorldModel {
         return ball;
     }
 
-    /** {@return the velocity of the ball, metres per second} */
+    /** {@return the velocity of the ball in metres per second} */
     public Translation2d ballVelocity() {
         return ballVelocity;
     }
@@ -288,7 +288,7 @@ public final class WorldModel {
     }
 
     /**
-     * Predicts the ball.
+     * Predicts the position of the ball.
      *
      * @param later seconds from now
      * @return the predicted position
@@ -298,8 +298,8 @@ public final class WorldModel {
     }
 
     /**
-     * Predicts the ball from the robot's own sightings with compensation for the tilt of the torso, which is more precise near
-     * the feet.
+     * Predicts the position of the ball from the robot's own sightings, compensating for the tilt of the torso. This is
+     * more precise near the feet.
      *
      * @param later seconds from now
      * @return the predicted position in the robot's frame

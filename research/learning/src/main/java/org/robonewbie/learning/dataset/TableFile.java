@@ -70,7 +70,7 @@ public final class TableFile implements AutoCloseable {
     /**
      * Completes the table and moves it into place, replacing an older file.
      *
-     * @throws IOException if that fails
+     * @throws IOException if the file cannot be written
      */
     public void finish() throws IOException {
         out.close();

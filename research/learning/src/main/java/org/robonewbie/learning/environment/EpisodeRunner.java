@@ -51,8 +51,8 @@ final class EpisodeRunner implements Controller {
     private double reward;
 
     /**
-     * Creates a runner that rewards increases of a measure, or decreases if smaller values are better. The measure may be
-     * the task itself.
+     * Creates a runner that rewards increases in a measure, or decreases if smaller values are better. The measure may
+     * be the task itself.
      */
     EpisodeRunner(TrainingTask task, Measure measure) {
         this.task = task;
@@ -122,7 +122,7 @@ final class EpisodeRunner implements Controller {
         walk.ifPresent(one -> one.plan(task.velocity(), perceived));
     }
 
-    /** The current observation, clamped to the ranges of the quantities. */
+    /** Returns the current observation, clamped to the ranges of the quantities. */
     double[] observation(List<ObservedQuantity> quantities) {
         double[] all = walk.map(WalkGuide::inputs)
                 .orElseGet(() -> Stream.of(perceived, motionProgress(), task.extras())

@@ -19,7 +19,7 @@ public record Evaluation(double value, double success, double flaws) implements 
     /**
      * Returns the cost for the search.
      *
-     * @param sign 1 if smaller values are better, -1 if larger values are
+     * @param sign 1 if smaller values are better, -1 if larger values are better
      * @param scale the scale of typical values, greater than 0
      * @return the cost; smaller is better
      */
