@@ -104,8 +104,8 @@ public interface Controller extends AutoCloseable {
     default void introduce(String team, int number, TeamSide side) {}
 
     /**
-     * Passes readings before the trial starts, so that programs in other processes can join the game. Commands that they send
-     * are ignored.
+     * Passes readings to the controller before the trial starts, so that programs in other processes can join the game.
+     * Commands that they send are ignored.
      *
      * @param readings the sensor readings
      */

@@ -27,7 +27,7 @@ public final class Performance {
     private Performance() {}
 
     /**
-     * Runs one trial to its end in this thread.
+     * Runs one trial to its end on the current thread.
      *
      * @param exercise the exercise
      * @param seed seed of the random numbers

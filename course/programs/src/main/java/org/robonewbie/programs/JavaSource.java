@@ -117,7 +117,7 @@ public final class JavaSource {
         return classes.isPresent();
     }
 
-    /** Compiles the file; empty if it has errors. */
+    /** Compiles the file. Returns empty if it has errors. */
     Optional<CompiledClasses> compile(List<Path> classPath, CompilerMessages messages) {
         return with(messages, classPath, (task, classes) -> task.call() ? Optional.of(classes) : Optional.empty());
     }

@@ -96,8 +96,8 @@ public final class Program {
     }
 
     /**
-     * Runs the program in this thread. If it throws an exception, the stack trace is printed with only the lines of the
-     * program.
+     * Runs the program on the current thread. If it throws an exception, the stack trace is printed with only the lines
+     * of the program.
      *
      * @param options the arguments for its {@code main}
      * @return the exit code: 0, or 1 if the program threw an exception or a robot failed

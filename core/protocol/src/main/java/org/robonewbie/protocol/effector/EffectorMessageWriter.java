@@ -12,8 +12,8 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.sexp.SexpWriter;
 
 /**
- * Formats the commands of an agent. Numbers have up to nine decimals and no exponent, which all servers accept. Does not
- * allocate.
+ * Formats the commands of an agent. Numbers have up to nine decimals and no exponent, a format that all servers accept.
+ * Does not allocate.
  *
  * <pre>{@code
  * new EffectorMessageWriter(buffer).hingeSpeed("he1", 0.5).synchronise();

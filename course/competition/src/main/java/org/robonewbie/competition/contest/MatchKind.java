@@ -37,7 +37,7 @@ public enum MatchKind {
         return title;
     }
 
-    /** Description of the pairings, as the beginning of a sentence. */
+    /** Returns a description of the pairings, as the beginning of a sentence. */
     String pairing() {
         return pairing;
     }

@@ -7,8 +7,8 @@ import org.robonewbie.nao.text.ConfusableCharacter;
 import org.robonewbie.programs.CalledWronglyException;
 
 /**
- * Name of a team: letters of any language, digits and underscores. SimSpark's messages, file names and options of programs use
- * a transliteration, because league agents and monitors support only ASCII.
+ * Name of a team: letters of any language, digits and underscores. SimSpark's messages, file names and program options
+ * use a transliteration, because league agents and monitors support only ASCII.
  *
  * @param written the original, such as {@code Röt}
  * @param ascii the transliteration, such as {@code Roet}

@@ -80,10 +80,12 @@ public record ClassMarking(
     private Path run(ClassFolder all, KeptMarks kept) throws IOException {
         List<Submission> submissions =
                 all.submissions().values().stream().flatMap(List::stream).toList();
-        CopyCheck.Result copies = CopyCheck.of(submissions); // before any program runs, because it could change the copies
+        CopyCheck.Result copies =
+                CopyCheck.of(submissions); // before any program runs, because it could change the copies
         Map<Submission, Mark> marks = new HashMap<>();
         Map<Submission, String> missing = new LinkedHashMap<>();
-        for (Submission submission : submissions) { // before any program runs, because it could change the stored grades
+        for (Submission submission :
+                submissions) { // before any program runs, because it could change the stored grades
             String fingerprint = fingerprint(submission, submission.folder());
             missing.put(submission, fingerprint);
             kept.find(submission, fingerprint).ifPresent(mark -> marks.put(submission, mark));

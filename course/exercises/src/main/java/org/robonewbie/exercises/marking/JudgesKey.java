@@ -35,8 +35,8 @@ final class JudgesKey {
     }
 
     /**
-     * Returns the key in a file, which is created if it does not exist. If the key cannot be stored, it is valid only during
-     * this process.
+     * Returns the key in a file, which is created if it does not exist. If the key cannot be stored, it is valid only
+     * for the lifetime of this process.
      */
     static JudgesKey of(Path file) {
         byte[] fresh = new byte[BYTES];

@@ -82,7 +82,7 @@ public record ProgressFile(Path file) {
     }
 
     /**
-     * Checks whether the file exists but is not readable as progress, for example because a full disk truncated it.
+     * Checks whether the file exists but cannot be parsed, for example because a full disk truncated it.
      *
      * @return whether the file is damaged, in which case the next update renames it
      * @throws IOException if the file cannot be read

@@ -149,7 +149,10 @@ public final class Hints {
         return aboutImports.isEmpty() ? all : aboutImports;
     }
 
-    /** Suggests a correction for a misspelt import: the framework class of this name, or a package with a similar name. */
+    /**
+     * Suggests a correction for a misspelt import: the framework class with this name, or a package with a similar
+     * name.
+     */
     private Optional<String> meantImport(Remark remark) {
         if (!remark.isAboutImport()) {
             return Optional.empty();

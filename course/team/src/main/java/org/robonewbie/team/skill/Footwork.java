@@ -61,7 +61,7 @@ public final class Footwork {
      * @param world the world model
      * @param place target in the coordinates of the team
      * @param headingDegrees final heading in the coordinates of the team
-     * @return the path, for a drawing
+     * @return the path, for use in drawings
      */
     public List<Translation2d> go(WorldModel world, Translation2d place, double headingDegrees) {
         List<Translation2d> way = PathPlanner.way(world.place(), place, others(world));

@@ -7,8 +7,8 @@ import org.robonewbie.team.world.WorldModel;
 
 /**
  * Gaze control. The camera sees 60° to each side, so the ball need not be in the centre of the image: the head turns
- * away from it towards the goal that is closer in bearing, because the goal's posts and flags help to localise the
- * robot. If the ball is lost, the head scans.
+ * from the ball by a limited angle towards the goal that is closer in bearing, because the goal's posts and flags help
+ * to localise the robot. If the ball is lost, the head scans.
  */
 public final class Gaze {
 

@@ -6,8 +6,9 @@ import org.robonewbie.nao.math.PortableMath;
 /**
  * Kalman filter for position and velocity of the ball.
  *
- * <p>Model: the grass decelerates the ball in proportion to its speed, v(t) = v₀ e<sup>−t/τ</sup>, so it travels v₀ τ (1 −
- * e<sup>−t/τ</sup>), and before it stops τ = 0.677 s times its initial speed v₀. This model is linear, as the filter requires.
+ * <p>Model: the grass decelerates the ball in proportion to its speed, v(t) = v₀ e<sup>−t/τ</sup>, so it travels v₀ τ
+ * (1 − e<sup>−t/τ</sup>) in time t, and v₀ τ in total, where v₀ is its initial speed and τ = 0.677 s. This model is
+ * linear, as the filter requires.
  *
  * <p>Filter: {@link #roll} predicts the motion of the ball, which increases the uncertainty. {@link #see} corrects the
  * estimate with a sighting; the less certain the estimate, the greater the weight of the sighting. A sighting that
@@ -20,7 +21,7 @@ import org.robonewbie.nao.math.PortableMath;
  */
 public final class BallFilter {
 
-    /** Time constant τ: before it stops, the ball travels this number of metres for each metre per second of its speed. */
+    /** Time constant τ: before it stops, the ball travels this many metres for each metre per second of its speed. */
     public static final double ROLLING_SECONDS = 0.677;
 
     private static final double SPEED_NOISE = 0.5;

@@ -25,8 +25,8 @@ import org.robonewbie.team.talk.TeamMessage;
  * World model of a player: its pose, the ball, the other robots, and the referee's decisions. All other classes of this team
  * access the game through it, in the coordinates of the team.
  *
- * <p>What the player's own sensors have not shown for a while is taken from teammates' messages, which contain their poses and
- * ball sightings.
+ * <p>Information that the player's own sensors have not provided for a while is taken from teammates' messages, which
+ * contain their poses and ball sightings.
  */
 public final class WorldModel {
 
@@ -227,7 +227,7 @@ public final class WorldModel {
         return seconds - situationSeconds;
     }
 
-    /** {@return whether the team has just scored, so that the opponents kick off next} */
+    /** {@return whether the team has just scored, so the opponents kick off next} */
     public boolean hasScored() {
         return scored;
     }

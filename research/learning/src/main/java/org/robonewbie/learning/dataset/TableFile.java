@@ -14,8 +14,8 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.text.Csv;
 
 /**
- * Writer of a CSV table (RFC 4180, UTF-8, lines end with a line feed). The file gets its final name only when it is
- * complete.
+ * Writer for a CSV table (RFC 4180 in UTF-8, with line feeds as line terminators). The file gets its final name only
+ * when it is complete.
  */
 public final class TableFile implements AutoCloseable {
 

@@ -77,7 +77,7 @@ final class EpisodeRunner implements Controller {
                 .toList();
     }
 
-    /** Stores the initial posture, which actions are relative to. */
+    /** Stores the initial posture, to which actions are relative. */
     void captureFirstPosture(WorldState first) {
         firstPosture = first.robots().get(task.robot()).joints();
         guide = task.motion().map(motion -> new MotionGuide(motion, firstPosture));

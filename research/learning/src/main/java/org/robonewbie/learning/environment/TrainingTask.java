@@ -128,8 +128,8 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
     }
 
     /**
-     * {@return the motion whose postures an action corrects while it plays, which must move all joints; by default
-     * none, so an action is relative to the initial posture}
+     * {@return the motion to play, which must move all joints; an action corrects its postures. By default none: an
+     * action is relative to the initial posture}
      */
     public Optional<Motion> motion() {
         return Optional.empty();

@@ -34,7 +34,7 @@ import org.robonewbie.trial.measure.Turn;
 
 /**
  * Scripted trial in which a robot plays motions and walks, step by step. Positions are relative to the pose at the
- * beginning of the measurement. By default, a fall ends the trial: all later steps do nothing.
+ * beginning of the measurement. By default, a fall ends the trial, and later steps have no effect.
  *
  * <pre>{@code
  * try (MotionTrial trial = MotionTrial.inStance(seed, 3)) {

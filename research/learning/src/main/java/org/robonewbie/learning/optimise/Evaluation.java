@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Result of a candidate in one trial, or its mean over several.
+ * Result of a candidate in one trial, or its mean result over several trials.
  *
  * @param value the value of the objective, in its unit
  * @param success the fraction of trials that succeeded, 0 to 1

@@ -57,7 +57,7 @@ public final class PolicyModel {
     private final double[] gait;
 
     /**
-     * Creates the model of a task for one robot.
+     * Creates the model for a task with one learning robot.
      *
      * @param spec the task and its options
      * @param inputPattern regular expression for the names of the network's inputs, such as {@link #DEFAULT_INPUTS}
