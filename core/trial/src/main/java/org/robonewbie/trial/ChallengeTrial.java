@@ -6,8 +6,8 @@ import java.util.function.Supplier;
 import org.robonewbie.simulator.recording.RecordingTarget;
 
 /**
- * A trial of a {@link Challenge} that the caller steps manually, for example a page that displays it. It uses neither threads
- * nor clocks.
+ * A trial of a {@link Challenge} that is stepped by its caller, such as a page that displays it. It uses neither
+ * threads nor clocks.
  *
  * <pre>{@code
  * try (ChallengeTrial trial = new ChallengeTrial(challenge, 12, seed, RobotStart.TEAM, contender, TrialListener.NONE, RecordingTarget.NONE)) {

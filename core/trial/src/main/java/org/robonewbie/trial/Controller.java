@@ -54,7 +54,7 @@ public interface Controller extends AutoCloseable {
     }
 
     /**
-     * Returns a controller that walks with a constant velocity, see {@link org.robonewbie.agent.walk.Walk#towards}.
+     * Returns a controller that walks at a constant velocity, see {@link org.robonewbie.agent.walk.Walk#towards}.
      *
      * @param forwardMetresPerSecond forward speed
      * @param leftMetresPerSecond sideways speed, positive to the left
@@ -66,8 +66,8 @@ public interface Controller extends AutoCloseable {
     }
 
     /**
-     * Returns a controller that computes joint speeds from joint angles, gyroscope and accelerometer. A policy that needs more
-     * inputs implements this interface.
+     * Returns a controller that computes joint speeds from joint angles, gyroscope and accelerometer. A policy that
+     * needs more inputs implements this interface directly.
      *
      * @param policy computes the speed of each joint in degrees per second, in the order of {@link org.robonewbie.nao.Joint}
      * @return the controller
@@ -88,7 +88,7 @@ public interface Controller extends AutoCloseable {
     }
 
     /**
-     * Sets the type of the controlled robot. Called first.
+     * Sets the type of the controlled robot. Called before any other method.
      *
      * @param type the robot type
      */
@@ -104,8 +104,8 @@ public interface Controller extends AutoCloseable {
     default void introduce(String team, int number, TeamSide side) {}
 
     /**
-     * Passes readings before the trial starts, so that programs in other processes can join the game. Commands that they send
-     * are ignored.
+     * Passes readings to the controller before the trial starts, so that programs in other processes can join the game.
+     * Commands that they send are ignored.
      *
      * @param readings the sensor readings
      */

@@ -16,7 +16,7 @@ public interface SensorReadings {
      * Returns the angle of a joint.
      *
      * @param joint the joint
-     * @return degrees, rounded to hundredths
+     * @return the angle in degrees, rounded to hundredths
      */
     double degrees(Joint joint);
 

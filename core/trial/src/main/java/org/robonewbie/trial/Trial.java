@@ -269,8 +269,8 @@ public final class Trial implements AutoCloseable {
     }
 
     /**
-     * Executes an order that a human referee could give, such as a kick-off, before the next cycle. Requires a served trial,
-     * because only these have a referee.
+     * Executes an order that a human referee could give, such as a kick-off, before the next cycle. Requires a served
+     * trial, because only served trials have a referee.
      *
      * @param order the order
      */

@@ -64,7 +64,7 @@ final class TrialBody {
         readings = newReadings;
     }
 
-    /** The controller's commands of this cycle. */
+    /** Returns the controller's commands for this cycle. */
     List<EffectorCommand> commands() {
         return commands;
     }
@@ -89,7 +89,7 @@ final class TrialBody {
         writer.joinTeam(start.number(), start.team());
     }
 
-    /** Sends the commands of this cycle to the simulator. */
+    /** Sends the commands for this cycle to the simulator. */
     void send() {
         commands.forEach(writer::write);
         writer.synchronise();

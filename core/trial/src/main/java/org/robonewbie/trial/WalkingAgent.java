@@ -2,7 +2,7 @@ package org.robonewbie.trial;
 
 import org.robonewbie.agent.Agent;
 
-/** An agent that walks with a constant velocity. */
+/** An agent that walks at a constant velocity. */
 final class WalkingAgent extends Agent {
 
     private final double forward;

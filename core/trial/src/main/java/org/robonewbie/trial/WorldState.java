@@ -14,8 +14,8 @@ import org.robonewbie.simulator.landscape.Thing;
  *
  * @param seconds simulated time since the start of the trial
  * @param robots the robots in the order of the scene
- * @param ball centre of the ball, metres
- * @param ballVelocity metres per second
+ * @param ball centre of the ball in metres
+ * @param ballVelocity velocity of the ball in metres per second
  * @param things other objects on the pitch, at their current poses
  * @param playMode the play mode
  * @param leftGoals goals of the left team, which plays towards the right

@@ -1,6 +1,6 @@
 /**
- * Deterministic trials, measured on the ground truth; exercises, contests, learning and experiments are based on them. Read
- * {@link org.robonewbie.trial.Trial} first. An example that measures a motion:
+ * Deterministic trials, measured from the ground truth; exercises, contests, learning and experiments are based on
+ * them. Read {@link org.robonewbie.trial.Trial} first. An example that measures a motion:
  *
  * <pre>{@code
  * Scene scene = Scene.of(RobotStart.at(-3, 0).after(stand)).withBall(-2.8, 0.04);

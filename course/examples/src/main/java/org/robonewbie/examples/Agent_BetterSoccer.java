@@ -115,7 +115,7 @@ public class Agent_BetterSoccer extends Agent {
     }
 
     /**
-     * Walks to a point. It faces a distant point; a near one is reached by stepping in any direction.
+     * Walks to a point. The robot turns towards a distant point, but steps in any direction to reach a near one.
      *
      * @param place target in the robot's frame, in metres
      * @param turn angle by which to turn if the target is near, in degrees; positive is left

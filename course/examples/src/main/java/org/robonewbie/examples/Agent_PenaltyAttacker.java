@@ -54,7 +54,7 @@ public final class Agent_PenaltyAttacker extends Agent_BetterSoccer {
     protected void bring(Vector3 ball, Vector3 goal) {
         double measuredDegrees =
                 Math.toDegrees(Math.asin(limited(-nao.getAcceleration().x() / 9.81, 0.3)));
-        leanDegrees += 0.1 * (measuredDegrees - leanDegrees); // smoothed, since each step shakes the robot
+        leanDegrees += 0.1 * (measuredDegrees - leanDegrees); // smoothed, because each step shakes the robot
         Vector3 place = fromTorso(ball);
         double turn = Math.toDegrees(Math.atan2(goal.y() - ball.y(), goal.x() - ball.x()));
         if (Math.hypot(place.x(), place.y()) > NEAR_METRES || Math.abs(turn) > 40 || place.x() < 0.05) {

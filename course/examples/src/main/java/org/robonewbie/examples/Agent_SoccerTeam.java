@@ -7,8 +7,9 @@ import org.robonewbie.agent.perception.FieldItem;
 import org.robonewbie.agent.perception.HeardMessage;
 
 /**
- * A team with roles: number 1 keeps the goal, the nearest other player to the ball attacks as {@link Agent_SimpleSoccer} does,
- * and the others keep the ball in view. The players broadcast their distances to the ball to find out which of them is nearest.
+ * A team with roles: number 1 keeps goal, the other player nearest to the ball attacks as {@link Agent_SimpleSoccer}
+ * does, and the others keep the ball in view. The players broadcast their distances to the ball to find out which of
+ * them is nearest.
  *
  * <p>{@code Agent_SoccerTeam 3 --team Blue} starts three players with one command. Start it again with another team name to add
  * opponents.

@@ -89,7 +89,7 @@ final class ArmBySideTask implements Task {
         return up ? degrees < UP_DEGREES : degrees > DOWN_DEGREES;
     }
 
-    /** Returns a pose to the left, to the right, or behind the student's robot, out of its view. */
+    /** Returns a pose to the left of the student's robot, to its right, or behind it and out of view. */
     private Pose2d dummyPlace(int side) {
         double distance = places.between(1.2, 2.2);
         double bearing = side == 0 ? places.between(150, 210) : side * places.between(15, 40);

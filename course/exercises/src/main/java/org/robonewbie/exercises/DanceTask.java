@@ -18,7 +18,7 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Task: dance on the spot to the beat of a swinging ball, with at least three limbs and without a fall.
+ * Task: dance on the spot to the beat of a swinging ball, moving at least three limbs and without falling.
  *
  * <p>A joint counts as moving to the beat if at least half of the variance of its angle lies at the frequency of the ball, or
  * at half or twice that frequency. The variance is computed from the Fourier coefficients of these three frequencies over a
@@ -41,7 +41,7 @@ final class DanceTask implements Task {
     private double travelled;
     private boolean fallen;
 
-    /** A limb, with the range through which one of its joints must move; it is smaller for legs. */
+    /** A limb and the range in degrees through which one of its joints must move, which is smaller for legs. */
     private enum Limb {
         HEAD(30),
         LEFT_ARM(30),

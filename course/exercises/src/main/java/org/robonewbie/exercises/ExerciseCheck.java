@@ -21,7 +21,7 @@ public final class ExerciseCheck {
     private ExerciseCheck() {}
 
     /**
-     * Asserts that a program solves an exercise with the seeds 1 to 3.
+     * Asserts that a program solves an exercise for the seeds 1 to 3.
      *
      * @param exercise name or number of the exercise
      * @param student creates an agent with the program

@@ -9,7 +9,7 @@ import org.robonewbie.nao.kinematics.Leg;
 import org.robonewbie.nao.kinematics.Pose;
 import org.robonewbie.simulator.world.BallProperties;
 
-/** Observes where a foot that misses the ball is, relative to the ball, at the most forward point of its swing. */
+/** Observes a foot that misses the ball: its position relative to the ball at the most forward point of its swing. */
 final class FootBesideBall {
 
     private final Pose2d start;

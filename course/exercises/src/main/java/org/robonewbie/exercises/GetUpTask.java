@@ -12,8 +12,8 @@ import org.robonewbie.trial.WorldState;
 import org.robonewbie.trial.measure.SustainedCondition;
 
 /**
- * Task: report whether the robot lies on its back or its front, get up, and report that it stands. It lies on its back with odd
- * seeds and on its front with even ones.
+ * Task: report whether the robot lies on its back or its front, get up, and report that it stands. For odd seeds, it
+ * lies on its back; for even seeds, on its front.
  */
 final class GetUpTask implements Task {
 

@@ -12,8 +12,8 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Task: save two shots that a standing robot would miss, one on each side. Between the shots the robot is moved back to the
- * middle of its goal.
+ * Task: save two shots that a standing robot would not stop, one on each side. Between the shots the robot is moved
+ * back to the middle of its goal.
  */
 final class GoalkeeperTask implements Task {
 

@@ -45,7 +45,7 @@ public final class Grader {
     }
 
     /**
-     * Grades a solution with the seeds 1, 2, 3 and so on.
+     * Grades a solution for the seeds 1, 2, 3 and so on.
      *
      * @param exercise the exercise
      * @param student creates a robot with the student's program; called once for each robot

@@ -15,8 +15,8 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Task: kick a ball with a new motion. The ball lies in front of the left foot with odd seeds and in front of the right one
- * with even seeds. Walking into the ball and the built-in kicks do not count.
+ * Task: kick a ball with a new motion. For odd seeds, the ball lies in front of the left foot; for even seeds, in front
+ * of the right one. Walking into the ball and the built-in kicks do not count.
  */
 final class KickTask implements Task {
 

@@ -56,7 +56,7 @@ public enum Language {
      * Translates a goal, hint or finding.
      *
      * @param english English text
-     * @return the text in this language; parts without a translation stay English
+     * @return the text in this language; parts without a translation stay in English
      */
     public String translated(String english) {
         return phrases().translated(english);

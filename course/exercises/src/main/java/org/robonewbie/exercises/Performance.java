@@ -16,7 +16,7 @@ import org.robonewbie.trial.TrialListener;
 /** Runs one trial of an exercise and scores it. Used by the command line, tests, the studio and competitions. */
 public final class Performance {
 
-    /** Beginning of the finding that reports a step that does not return. */
+    /** Beginning of the finding for a step that does not return. */
     public static final String ENDLESS = "think() has not returned";
 
     private static final String FIX_FIRST = "Fix this first; the remaining checks were skipped.";
@@ -27,7 +27,7 @@ public final class Performance {
     private Performance() {}
 
     /**
-     * Runs one trial to its end in this thread.
+     * Runs one trial to its end on the current thread.
      *
      * @param exercise the exercise
      * @param seed seed of the random numbers
@@ -75,7 +75,7 @@ public final class Performance {
      * Returns the score of a program that has thrown an exception.
      *
      * @param mistake the exception
-     * @return the score, whose finding names the line of the program
+     * @return the score, with the failing line of the program in its finding
      */
     public static Score ofMistake(Throwable mistake) {
         return ofThrown(ProgramPlace.of(mistake));
@@ -88,8 +88,8 @@ public final class Performance {
     /**
      * Adjusts the score of a trial whose robots have left early or whose program failed in a step.
      *
-     * @param score the score without regard to the departure
-     * @param why the reason
+     * @param score the score before the adjustment
+     * @param why the reason for the departure or failure
      * @return the score
      */
     public static Score of(Score score, Departure why) {

@@ -10,7 +10,7 @@ import org.robonewbie.nao.motion.Keyframe;
 import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 
-/** Detects a built-in motion by its leg joints: most of its keyframes must be reached in order, at any speed. */
+/** Detects a built-in motion from the leg joints, which must reach most of its keyframes in order, at any speed. */
 final class RecognisedMotion {
 
     private static final double ALIKE_DEGREES = 4;

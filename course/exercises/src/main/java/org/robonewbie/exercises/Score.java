@@ -6,7 +6,7 @@ import org.robonewbie.agent.log.NegativeZeroFormat;
  * Score of one trial of an exercise.
  *
  * @param passed whether the exercise was solved
- * @param points 0 to 10; 10 requires a solved exercise
+ * @param points 0 to 10; 10 only if the exercise was solved
  * @param finding measured result, as a sentence
  * @param hint what to try next; may be empty
  */
@@ -55,7 +55,7 @@ public record Score(boolean passed, int points, String finding, String hint) {
         return new Score(false, limited, finding, hint);
     }
 
-    /** {@return the score of a trial that was skipped because the program hangs in an earlier one} */
+    /** {@return the score of a trial that was skipped because the program hung in an earlier one} */
     public static Score notTried() {
         return failed(0, "Skipped, because an earlier trial did not end.", "");
     }

@@ -61,8 +61,8 @@ final class SmoothMotionTask implements Task {
     }
 
     /**
-     * Returns the smallest difference in degrees from a keyframe's angle around the keyframe's time; commands take effect two
-     * cycles later.
+     * Returns the smallest deviation in degrees from a keyframe's angle around its time, allowing for the two cycles
+     * until a command takes effect.
      */
     private double nearest(double seconds, double degrees) {
         int expected = (int) Math.round(seconds / Cycle.SECONDS) + 2;

@@ -4,8 +4,8 @@ import java.util.Map;
 import org.robonewbie.trial.Challenge;
 
 /**
- * Challenge for one trial of an exercise, which also computes the score. As a measure, its value is the number of points, so an
- * exercise can also serve as a contest or an optimisation objective.
+ * Challenge for one trial of an exercise; it also computes the score. As a measure, its value is the number of points,
+ * so an exercise can also serve as a contest or an optimisation objective.
  */
 public interface Task extends Challenge {
 

@@ -53,7 +53,8 @@ final class TeamEyesTask implements Task {
     }
 
     /**
-     * Returns the side of the ball in a phase. The order of the sides is A, B, B, A, so that alternating arms blindly fails.
+     * Returns the side of the ball in a phase. The order of the sides is A, B, B, A, so that blindly alternating the
+     * arms fails.
      */
     private int side(int number) {
         return number == 0 || number == PHASES - 1 ? firstSide : -firstSide;

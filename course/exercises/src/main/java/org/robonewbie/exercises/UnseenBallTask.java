@@ -13,7 +13,7 @@ import org.robonewbie.trial.Scene;
 import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
-/** Task: turn away from a ball at rest and keep reporting its bearing. */
+/** Task: turn away from a stationary ball and keep reporting its bearing. */
 final class UnseenBallTask implements Task {
 
     private static final Pose2d STUDENT = new Pose2d(-2, 0, 0);

@@ -20,9 +20,9 @@ import java.util.stream.Stream;
 import org.robonewbie.nao.file.TemporaryFiles;
 
 /**
- * Class path of a Java process. The option {@code -cp} cannot express a path that contains its separator or a character that
- * needs more than 16 bits, such as an emoji. If there is such a path, the option names an empty temporary jar instead, whose
- * manifest lists all entries as URLs.
+ * Class path of a Java process. The option {@code -cp} cannot express a path that contains the path separator or a
+ * character that needs more than 16 bits, such as an emoji. If there is such a path, the option names an empty
+ * temporary jar instead, whose manifest lists all entries as URLs.
  *
  * @param places absolute paths of folders and jars
  */

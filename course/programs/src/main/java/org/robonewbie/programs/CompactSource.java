@@ -36,15 +36,15 @@ final class CompactSource {
                 : Optional.empty();
     }
 
-    /** Returns a sentence that says which version of Java a feature needs, without its full stop. */
+    /** Returns a sentence that says which version of Java a feature needs, without the full stop. */
     static String needsNewerJava(String what, int javaVersion) {
         return what + " needs Java " + Program.JAVA_OF_SHORT_FORMS + " or newer, and this is Java " + javaVersion
                 + ". Install a JDK " + Program.JAVA_OF_SHORT_FORMS + ", for example from https://adoptium.net";
     }
 
     /**
-     * Returns whether a text is a compact source file. If a class precedes the main method, it is not: a surplus brace may only
-     * make the method seem to be outside the class.
+     * Returns whether a text is a compact source file. A text with a class before the main method is not one: a surplus
+     * brace may merely make the method appear to be outside the class.
      */
     private static boolean is(String text, String className) {
         String code = OPAQUE.matcher(text).replaceAll(" ");

@@ -73,7 +73,7 @@ record JavaCompilation(String name, List<Path> sourcePath, List<Path> classPath)
                 + ", since an expression or a block in it is nested too deeply. Split it into several shorter ones.");
     }
 
-    /** Closes a file manager that cannot be kept, because a concurrent compilation has left its own. */
+    /** Closes a file manager that cannot be kept, because a concurrent compilation has already stored its own. */
     private static void close(StandardJavaFileManager other) {
         try {
             other.close();

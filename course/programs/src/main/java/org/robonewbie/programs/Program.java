@@ -64,7 +64,7 @@ public final class Program {
                 .orElseThrow(() -> ProgramFinder.withoutMain(type));
     }
 
-    /** Returns whether the class has a main method that only a newer version of Java can launch. */
+    /** Returns whether the first version of Java with short forms of the main method can launch the class. */
     static boolean isShort(Class<?> type) {
         return of(type, JAVA_OF_SHORT_FORMS).isPresent();
     }
@@ -96,7 +96,8 @@ public final class Program {
     }
 
     /**
-     * Runs the program in this thread. The stack trace of an exception is printed with lines of the program only.
+     * Runs the program on the current thread. If it throws an exception, the stack trace is printed with only the lines
+     * of the program.
      *
      * @param options the arguments for its {@code main}
      * @return the exit code: 0, or 1 if the program threw an exception or a robot failed

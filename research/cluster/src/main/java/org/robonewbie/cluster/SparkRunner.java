@@ -20,7 +20,7 @@ import scala.runtime.AbstractFunction2;
 import scala.runtime.BoxedUnit;
 
 /**
- * Runner of jobs on the Spark cluster that the system property {@code spark.master} names. Jobs are distributed in small
+ * Runs jobs on the Spark cluster specified by the system property {@code spark.master}. Jobs are distributed in small
  * slices. If a worker fails, its slice is run again; the results of a slice are received as soon as it is finished.
  */
 public final class SparkRunner implements BatchRunner {

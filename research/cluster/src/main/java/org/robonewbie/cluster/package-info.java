@@ -1,5 +1,6 @@
 /**
- * Runner of batches on Apache Spark. Read {@link org.robonewbie.cluster.SparkRunner} first, then docs/cluster.md.
+ * Distributed execution of batches on Apache Spark. Read {@link org.robonewbie.cluster.SparkRunner} first, then
+ * docs/cluster.md.
  *
  * <p><strong>Internal</strong>: not part of the API; may change in any version.
  */

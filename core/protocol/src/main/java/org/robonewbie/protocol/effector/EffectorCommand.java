@@ -7,7 +7,7 @@ import org.robonewbie.nao.geometry.Pose2d;
 public sealed interface EffectorCommand {
 
     /**
-     * Creates the robot: {@code (scene rsg/agent/nao/nao_hetero.rsg 0)}. The first command of each agent.
+     * Creates the robot: {@code (scene rsg/agent/nao/nao_hetero.rsg 0)}. Each agent sends this command first.
      *
      * @param path scene file that describes the robot
      * @param parameters further arguments, such as the robot type

@@ -19,9 +19,9 @@ import org.robonewbie.protocol.sexp.SexpReader;
 import org.robonewbie.protocol.sexp.Token;
 
 /**
- * Parses the messages that an agent sends to the simulator, by the rules of rcssserver3d: numbers are parsed like C's {@code
- * atof}, incomplete commands are dropped, and no input causes an exception. Invalid commands are reported and skipped. Not
- * thread-safe.
+ * Parses the messages that an agent sends to the simulator, following the rules of rcssserver3d: numbers are parsed
+ * like C's {@code atof}, incomplete commands are dropped, and no input causes an exception. Invalid commands are
+ * reported and skipped. Not thread-safe.
  */
 public final class EffectorMessageReader {
 
@@ -50,8 +50,8 @@ public final class EffectorMessageReader {
      *
      * @param message the message as received from the agent
      * @param commandListener receives the commands in order
-     * @param problemListener receives a sentence for each skipped command, at most ten per message; a final one states how many
-     *     more were skipped
+     * @param problemListener receives one sentence per skipped command, at most ten per message; a final sentence
+     *     states how many more were skipped
      */
     public void read(
             MessageBuffer message,
@@ -189,7 +189,10 @@ public final class EffectorMessageReader {
         return start.chars().allMatch(character -> character > ' ') ? start : "(unprintable)";
     }
 
-    /** Finds the hinge named by the current atom, starting after the previous hinge, because agents keep the order. */
+    /**
+     * Finds the hinge named by the current atom. Starts after the previous hinge, because agents send hinges in a fixed
+     * order.
+     */
     private String findHinge() {
         for (int i = 0; i < HINGES.length; i++) {
             int candidate = (expectedHinge + i) % HINGES.length;

@@ -12,8 +12,8 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 import org.robonewbie.protocol.sexp.SexpWriter;
 
 /**
- * Formats the commands of an agent. Numbers have up to nine decimals and no exponent, which all servers accept. Does not
- * allocate.
+ * Formats the commands of an agent. Numbers have up to nine decimals and no exponent, a format that all servers accept.
+ * Does not allocate.
  *
  * <pre>{@code
  * new EffectorMessageWriter(buffer).hingeSpeed("he1", 0.5).synchronise();
@@ -38,9 +38,9 @@ public final class EffectorMessageWriter {
     }
 
     /**
-     * Rounds a number to the precision of a command.
+     * Rounds a number to the precision used in commands.
      *
-     * @param value a number of a command
+     * @param value the number to send
      * @return the number that the simulator receives
      */
     public static double rounded(double value) {

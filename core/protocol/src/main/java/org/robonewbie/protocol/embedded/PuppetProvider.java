@@ -13,7 +13,7 @@ public interface PuppetProvider {
      *
      * @param link the puppet's connection to the simulator; the puppet closes it
      * @param team name of the team
-     * @param number shirt number; 0 takes any free one
+     * @param number shirt number; 0 for any free number
      * @param type robot type, 0 to 4
      * @return the puppet
      */

@@ -7,13 +7,14 @@ import java.util.OptionalLong;
 /**
  * Configuration of an embedded simulator.
  *
- * @param agentPort TCP port for agents in other processes; 0 takes any free one
+ * @param agentPort TCP port for agents in other processes; 0 for any free port
  * @param seed random seed; empty to draw one
  * @param fast whether to run as fast as possible instead of in real time
  * @param seconds simulated seconds after which the simulation stops; empty to run until it is closed
  * @param headless whether to run without the studio
  * @param openBrowser whether to open the studio in the user's browser
- * @param truth whether cameras also report the true poses of their robot and the ball, for experiments
+ * @param truth whether camera readings include the true pose of the robot and the true position of the ball, for
+ *     experiments
  * @param scene name of the scene on the pitch; empty for the bare pitch
  * @param report path of the JSON report with ground-truth results, written at the end
  * @param recording path of the file in which the match is recorded

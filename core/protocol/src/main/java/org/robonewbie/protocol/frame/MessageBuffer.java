@@ -66,8 +66,8 @@ public final class MessageBuffer {
     }
 
     /**
-     * Appends a text encoded as UTF-8. No byte of a non-ASCII character equals a parenthesis, so such text cannot break the
-     * syntax.
+     * Appends text encoded as UTF-8. No byte of a non-ASCII character equals a parenthesis, so such text cannot break
+     * the syntax.
      *
      * @param text the text, mostly ASCII
      */

@@ -2,7 +2,7 @@ package org.robonewbie.protocol.monitor;
 
 import java.util.List;
 
-/** A mesh to draw, which is either loaded from a file or one of SimSpark's standard shapes. */
+/** A mesh to draw: either one loaded from a file or one of SimSpark's standard shapes. */
 public final class MeshNode implements SceneNode {
 
     private final Form form;

@@ -12,7 +12,7 @@ import org.robonewbie.nao.PlayMode;
  * @param half the half, 1 or 2
  * @param scoreLeft goals of the left team
  * @param scoreRight goals of the right team
- * @param playMode the play mode; empty before the first message, and for an unknown play mode of a newer server
+ * @param playMode the play mode; empty before the first message, and if a newer server sends an unknown play mode
  * @param passWaitLeftSeconds time in seconds until the left team may score after its pass mode; 0 if it may score
  * @param passWaitRightSeconds time in seconds until the right team may score after its pass mode; 0 if it may score
  */

@@ -27,8 +27,8 @@ public final class MonitoredRobot {
     }
 
     /**
-     * Recognises a robot by its materials: {@code matNum7} is its number, {@code matLeft} its team and {@code matType1} its type.
-     * One mesh must show both number and team.
+     * Recognises a robot by its materials: {@code matNum7} is its number, {@code matLeft} its team and {@code matType1}
+     * its type. One mesh must have both the number and the team material.
      */
     static Optional<MonitoredRobot> of(TransformNode root) {
         return root.meshes()
@@ -51,7 +51,7 @@ public final class MonitoredRobot {
      * Returns the pose of a link in the world frame.
      *
      * @param name a link's name in {@link NaoModel}, such as {@link NaoModel#TORSO}
-     * @return its transform; empty if the robots of this server have no such link
+     * @return its transform; empty if robots on this server have no such link
      */
     public Optional<TransformNode> link(String name) {
         return Optional.ofNullable(links.get(name));
@@ -108,7 +108,7 @@ public final class MonitoredRobot {
         return found;
     }
 
-    /** Identifies a link of an unknown type of robot by the name of its mesh file. */
+    /** Identifies a link of an unknown robot type by the name of its mesh file. */
     private static Optional<String> nameByMesh(TransformNode part, List<Link> expected) {
         return part.meshFiles()
                 .findFirst()

@@ -168,7 +168,7 @@ final class SceneReader {
         return List.copyOf(words);
     }
 
-    /** Reads a number of elements at the start of a list. Anything but a finite number counts as 0. */
+    /** Reads the next {@code count} words as numbers. Any word that is not a finite number counts as 0. */
     private float[] readNumbers(int count) throws MalformedMessageException {
         float[] numbers = new float[count];
         for (int i = 0; i < count; i++) {

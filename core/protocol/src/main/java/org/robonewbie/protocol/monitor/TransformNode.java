@@ -33,9 +33,9 @@ public final class TransformNode implements SceneNode {
     /**
      * Creates a transform without rotation.
      *
-     * @param x first component of the position in metres
-     * @param y second component
-     * @param z third component
+     * @param x x coordinate of the position in metres
+     * @param y y coordinate of the position in metres
+     * @param z z coordinate of the position in metres
      * @param children the child nodes
      * @return the transform
      */
@@ -68,17 +68,17 @@ public final class TransformNode implements SceneNode {
         return column(POSITION);
     }
 
-    /** {@return the direction of the x axis, of length 1; on a robot's link it points to its right} */
+    /** {@return the unit vector along the x axis; for a link of a robot, it points to the robot's right} */
     public Vector3 axisX() {
         return column(0);
     }
 
-    /** {@return the direction of the y axis, of length 1; on a robot's link it points forward} */
+    /** {@return the unit vector along the y axis; for a link of a robot, it points forward} */
     public Vector3 axisY() {
         return column(4);
     }
 
-    /** {@return the direction of the z axis, of length 1; on a robot's link it points up} */
+    /** {@return the unit vector along the z axis; for a link of a robot, it points up} */
     public Vector3 axisZ() {
         return column(8);
     }

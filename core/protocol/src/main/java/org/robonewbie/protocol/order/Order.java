@@ -26,14 +26,14 @@ public sealed interface Order {
     sealed interface Clock extends Order {}
 
     /**
-     * Starts a kick-off, whatever the current play mode.
+     * Starts a kick-off, regardless of the current play mode.
      *
      * @param side the team that kicks off; empty for the team determined by the rules
      */
     record KickOff(Optional<TeamSide> side) implements Trainer {
 
         /**
-         * Creates a kick-off for a team.
+         * Creates a kick-off order for a team.
          *
          * @param side the team that kicks off
          */
@@ -80,7 +80,7 @@ public sealed interface Order {
     record MoveRobot(PlayerNumber player, Vector3 position) implements Trainer {}
 
     /**
-     * Moves a robot upright without waking its bodies if the physics engine has put them to sleep.
+     * Moves a robot to an upright pose. Does not wake its bodies if the physics engine has put them to sleep.
      *
      * @param player the robot
      * @param position new position of the torso's centre in metres
@@ -166,7 +166,7 @@ public sealed interface Order {
     record Resume() implements Clock {}
 
     /**
-     * Runs a number of cycles, then pauses.
+     * Runs the given number of cycles, then pauses.
      *
      * @param cycles number of cycles of 20 ms, at least 1
      */

@@ -16,7 +16,7 @@ final class TrainerExpression {
         this.main = main;
     }
 
-    /** Parses the list whose name is the current atom; empty if the list is incomplete. */
+    /** Parses the list whose name is the current atom. Returns empty if the list is incomplete. */
     static Optional<TrainerExpression> read(SexpReader in) {
         TrainerExpression expression = new TrainerExpression(NamedWords.of(in));
         while (in.next() != Token.CLOSE) {

@@ -60,7 +60,7 @@ public final class TrainerOrderReader {
             case "time" -> readTime(command).ifPresent(out);
             case "score" -> readScore(command).ifPresent(out);
             default -> {
-                // rcssserver3d ignores unknown commands, and monitors rely on it
+                // rcssserver3d ignores unknown commands, and monitors rely on that
             }
         }
     }
@@ -106,7 +106,10 @@ public final class TrainerOrderReader {
         }
     }
 
-    /** Reads the robot of a command: the selected one if number or team is missing, none if the team is unknown. */
+    /**
+     * Creates an order for the robot that a command names, or for the selected robot if the number or the team is
+     * missing. Returns empty if the team is unknown.
+     */
     private static Optional<Order.Trainer> readPlayer(
             TrainerExpression command, Function<Optional<PlayerNumber>, Order.Trainer> create) {
         if (command.numbers("unum").isEmpty() || command.words("team").isEmpty()) {

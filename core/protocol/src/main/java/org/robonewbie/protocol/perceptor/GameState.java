@@ -12,8 +12,8 @@ import org.robonewbie.nao.TeamSide;
  * @param side the side of the robot's team; sent once, together with the number
  * @param leftScore goals of the left team; not sent by older servers
  * @param rightScore goals of the right team; not sent by older servers
- * @param playSeconds game time in seconds, which does not advance before the kick-off and after the game
- * @param playModeName SimSpark's name of the play mode, which may be unknown for a newer server
+ * @param playSeconds game time in seconds, which does not advance before the kick-off or after the game
+ * @param playModeName SimSpark's name of the play mode; may be unknown if the server is newer
  */
 public record GameState(
         OptionalInt number,

@@ -11,8 +11,8 @@ import org.robonewbie.nao.Vector3;
  * <p>The torso frame has x to the robot's right, y forward and z up.
  *
  * @param seconds simulated time since the start of the server in seconds, which increases by 0.02 in each cycle
- * @param gameState state of the game as reported by the referee; a server sends it in every message
- * @param heard voice messages received in this cycle: the robot's own, a teammate's, an opponent's
+ * @param gameState state of the game as reported by the referee; sent in every message
+ * @param heard voice messages received in this cycle from the robot itself, a teammate or an opponent
  * @param gyro angular velocity of the torso about the axes of the torso frame in degrees per second
  * @param accelerometer specific force at the torso's centre in the torso frame, as measured by an IMU, in metres per second
  *     squared: (0, 0, 9.81) at rest, (0, 0, 0) in free fall

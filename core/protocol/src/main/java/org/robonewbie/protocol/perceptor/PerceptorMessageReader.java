@@ -220,7 +220,10 @@ public final class PerceptorMessageReader {
         }
     }
 
-    /** Finds the joint named by the current atom, starting after the previous joint, because servers keep the order. */
+    /**
+     * Finds the joint named by the current atom. Starts after the previous joint, because servers send joints in a
+     * fixed order.
+     */
     private int findJoint() {
         for (int i = 0; i < JOINTS.length; i++) {
             int candidate = (expectedJoint + i) % JOINTS.length;

@@ -5,7 +5,7 @@ import java.util.OptionalDouble;
 import org.robonewbie.nao.Vector3;
 import org.robonewbie.protocol.sexp.SexpReader;
 
-/** Parses the number or vector that follows the current atom; empty if a number is missing. */
+/** Parsers for the number or vector that follows the current atom. They return empty if a number is missing. */
 final class Readings {
 
     private Readings() {}

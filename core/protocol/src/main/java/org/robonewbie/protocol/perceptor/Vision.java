@@ -8,8 +8,8 @@ import org.robonewbie.nao.Landmark;
 import org.robonewbie.nao.Vector3;
 
 /**
- * The objects recognised in one camera image: perceptor {@code See}, sent in every third cycle. The lists are in the order of the
- * message, which has no meaning.
+ * The objects recognised in one camera image: perceptor {@code See}, sent in every third cycle. The lists keep the
+ * order of the message, which is arbitrary.
  *
  * @param landmarks goal posts and flags
  * @param ball the ball's centre
@@ -49,7 +49,7 @@ public record Vision(
     public record SeenLandmark(Landmark landmark, PolarPosition position) {}
 
     /**
-     * A segment of a field line. The order of its ends has no meaning.
+     * A segment of a field line. The order of its ends is arbitrary.
      *
      * @param start one end, whose angles may be NaN
      * @param end the other end, whose angles may be NaN

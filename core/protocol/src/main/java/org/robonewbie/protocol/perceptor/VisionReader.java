@@ -37,7 +37,7 @@ final class VisionReader {
         this.words = words;
     }
 
-    /** Parses the list whose name is the current atom; empty if the list is incomplete. */
+    /** Parses the list whose name is the current atom. Returns empty if the list is incomplete. */
     Optional<Vision> read() {
         clear();
         int depth = reader.depth();
@@ -129,7 +129,7 @@ final class VisionReader {
         }
     }
 
-    /** Finds the next {@code (pol …)} in the list of the given depth and stores it in {@link #position}. */
+    /** Finds the next {@code (pol …)} at the given depth and stores it in {@link #position}. */
     private boolean readPosition(int depth) {
         while (reader.nextList(depth)) {
             if (reader.atomIs("pol")) {

@@ -5,8 +5,8 @@ import java.nio.charset.StandardCharsets;
 /**
  * Converts decimal text to the nearest double by the rules of C's {@code atof}, without allocations for common numbers.
  *
- * <p>Mantissas up to 2^53 and powers of ten up to 10^22 are exact as doubles, so that one division rounds correctly (Clinger 1990,
- * "How to read floating point numbers accurately"). The JDK parses all other numbers.
+ * <p>Mantissas up to 2^53 and powers of ten up to 10^22 are exact as doubles, so a single division of two such numbers
+ * rounds correctly (Clinger 1990, "How to read floating point numbers accurately"). The JDK parses all other numbers.
  */
 final class DecimalParser {
 
@@ -20,7 +20,7 @@ final class DecimalParser {
     private long mantissa;
     private int significantDigits;
 
-    /** Parses the longest prefix of the text that is a number; 0 if there is none. */
+    /** Parses the longest prefix of the text that is a number. Returns 0 if there is none. */
     double parse(byte[] text, int first, int last) {
         start(text, first, last);
         boolean negative = skipSign();

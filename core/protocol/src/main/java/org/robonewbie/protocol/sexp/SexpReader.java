@@ -6,10 +6,10 @@ import org.robonewbie.protocol.frame.MessageBuffer;
 /**
  * Pull parser for the S-expressions of a message. It works on the bytes of the message without allocations.
  *
- * <p>The rules are those of SimSpark's parser (sfsexp): spaces, tabs and line breaks separate words, {@code ;} between words
- * starts a comment that extends to the end of the line, and an unmatched closing parenthesis ends the message. Nested lists
- * need no stack, so deeply nested input is harmless. Quotation marks are ordinary characters, as for SimSpark's clients, unless
- * the reader is created by {@link #withQuotes}, as for servers.
+ * <p>The rules are those of SimSpark's parser (sfsexp): spaces, tabs and line breaks separate words, {@code ;} between
+ * words starts a comment that extends to the end of the line, and an unmatched closing parenthesis ends the message.
+ * Nested lists need no stack, so deeply nested input is harmless. Quotation marks are ordinary characters, as in
+ * SimSpark's clients; a reader created by {@link #withQuotes} parses quoted strings, as SimSpark's server does.
  *
  * <pre>{@code
  * reader.start(message);
@@ -78,7 +78,7 @@ public final class SexpReader {
     /**
      * Advances to the next token.
      *
-     * @return the token; {@link Token#END} at the end of the message, however often it is called
+     * @return the token; always {@link Token#END} once the end of the message has been reached
      */
     public Token next() {
         token = advance();
@@ -227,7 +227,7 @@ public final class SexpReader {
         return Token.ATOM;
     }
 
-    /** Parses a quoted string. A missing closing mark ends the message. */
+    /** Parses a quoted string. An unterminated string ends the message. */
     private Token quotedText() {
         position++;
         atomStart = position;
@@ -243,7 +243,7 @@ public final class SexpReader {
         return Token.ATOM;
     }
 
-    /** Parses a list that is preceded by an apostrophe as one atom. */
+    /** Parses a list preceded by an apostrophe as a single atom. */
     private Token quotedList() {
         position++;
         atomStart = position;

@@ -15,7 +15,7 @@ public final class FrameInput {
     /**
      * Creates an input.
      *
-     * @param stream the stream to read
+     * @param stream the stream to read from
      * @param maxBytes maximum length of a message in bytes
      */
     public FrameInput(InputStream stream, int maxBytes) {

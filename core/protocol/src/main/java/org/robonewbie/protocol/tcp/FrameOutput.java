@@ -16,7 +16,7 @@ public final class FrameOutput {
     /**
      * Creates an output.
      *
-     * @param stream the stream to write; should not be buffered
+     * @param stream the stream to write to; should be unbuffered
      */
     public FrameOutput(OutputStream stream) {
         this.stream = stream;

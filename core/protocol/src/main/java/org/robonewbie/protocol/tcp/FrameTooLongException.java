@@ -2,7 +2,7 @@ package org.robonewbie.protocol.tcp;
 
 import java.io.IOException;
 
-/** Thrown when the other side announces a message that is too long. The connection can no longer be used. */
+/** Thrown when the peer announces a message that is too long. The connection can no longer be used. */
 public final class FrameTooLongException extends IOException {
 
     private static final long serialVersionUID = 1L;

@@ -72,7 +72,7 @@ public final class TelemetryClient implements TelemetrySink, AutoCloseable {
         return Optional.of(tuningRequests);
     }
 
-    /** Spends at most half a second on sending the remaining messages, then closes the connection. */
+    /** Spends at most half a second sending the remaining messages, then closes the connection. */
     @Override
     public void close() {
         closing.countDown();

@@ -43,7 +43,7 @@ public final class TelemetryServer implements AutoCloseable {
     /**
      * Starts listening.
      *
-     * @param port TCP port on 127.0.0.1, see {@link #portFor}; 0 takes any free one
+     * @param port TCP port on 127.0.0.1, see {@link #portFor}; 0 for any free port
      * @param sink receives the telemetry of all robots on threads of this server
      * @return the open server
      * @throws IOException if the port is in use

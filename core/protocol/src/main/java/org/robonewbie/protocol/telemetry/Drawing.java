@@ -3,9 +3,10 @@ package org.robonewbie.protocol.telemetry;
 import org.robonewbie.nao.Vector3;
 
 /**
- * A shape that a robot's program draws into the scene for debugging. Points are relative to the centre of the robot's head
- * along the axes of its torso (x forward, y left, z up), in metres, like the positions in its field view. Colours are CSS names
- * or codes, such as {@code red} or {@code #ff8800}; viewers replace an unknown colour with a default.
+ * A shape that a robot's program draws into the scene for debugging. Points are relative to the centre of the robot's
+ * head along the axes of its torso (x forward, y left, z up), in metres, like positions in the robot's field view.
+ * Colours are CSS names or codes, such as {@code red} or {@code #ff8800}; viewers replace an unknown colour with a
+ * default.
  */
 public sealed interface Drawing {
 
@@ -39,7 +40,7 @@ public sealed interface Drawing {
     record Circle(Vector3 centre, double radius, String colour) implements Drawing {}
 
     /**
-     * A text.
+     * A text label.
      *
      * @param place position of the text
      * @param text the text

@@ -38,7 +38,7 @@ public sealed interface TelemetryItem {
     }
 
     /**
-     * The robot's drawings of one cycle. They replace the previous ones and expire after a second.
+     * The robot's drawings from one cycle. They replace the previous ones and expire after a second.
      *
      * @param drawings the shapes in drawing order
      */

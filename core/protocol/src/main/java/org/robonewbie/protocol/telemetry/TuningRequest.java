@@ -3,8 +3,8 @@ package org.robonewbie.protocol.telemetry;
 import java.util.Optional;
 
 /**
- * A request to change the value of a tunable parameter that a robot's program has declared. As a line of text, separated by
- * tabs:
+ * A request to change the value of a tunable parameter that a robot's program has declared. Its text format is one line
+ * of tab-separated fields:
  *
  * <pre>
  * tune  Blue  3  gain  0.75

@@ -36,7 +36,7 @@ public final class BatchProgress implements AutoCloseable {
     private boolean visible;
 
     /**
-     * Creates the progress of a batch.
+     * Creates the progress display of a batch.
      *
      * @param unit what is counted, such as {@code trials}
      * @param total the number of jobs
@@ -58,15 +58,15 @@ public final class BatchProgress implements AutoCloseable {
     }
 
     /**
-     * Creates the progress of a batch and shows it on standard error.
+     * Creates the progress display of a batch on standard error.
      *
      * @param unit what is counted, such as {@code trials}
      * @param total the number of jobs
      * @param known number of jobs that an earlier run has already finished
-     * @return the progress
+     * @return the progress display
      */
     @SuppressWarnings(
-            "SystemConsoleNull") // never null in Java 22 to 24; there, the line is updated in place even in a log
+            "SystemConsoleNull") // never null in Java 22 to 24, so there the line is updated in place even in a log
     public static BatchProgress of(String unit, int total, int known) {
         return new BatchProgress(unit, total, known, System.console() != null, System.err, System::nanoTime);
     }

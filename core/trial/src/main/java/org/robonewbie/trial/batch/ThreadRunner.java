@@ -10,7 +10,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 
-/** Runs jobs on threads of this process. The receiver is called in the caller's thread. */
+/** Runs jobs on threads of this process. The receiver is called on the caller's thread. */
 public final class ThreadRunner implements BatchRunner {
 
     private final ExecutorService executor;

@@ -9,8 +9,8 @@ import org.robonewbie.nao.text.Spelling;
 import org.robonewbie.trial.jar.OfferedClass;
 
 /**
- * A registry of factories, which finds those of the framework and your own classes by name. A jar that lists its classes in
- * {@code META-INF/services} provides them by their simple names, see {@link java.util.ServiceLoader}.
+ * A registry of factories. It finds the framework's factories and your own classes by name. A jar that lists its
+ * classes in {@code META-INF/services} provides them by their simple names, see {@link java.util.ServiceLoader}.
  *
  * <pre>{@code
  * Catalogue<Measure> measures = new Catalogue<>("measure", Measure.class, Map.of("energy", Energy::new));

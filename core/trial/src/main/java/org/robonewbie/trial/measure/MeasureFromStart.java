@@ -5,7 +5,7 @@ import org.robonewbie.nao.kinematics.BodyState;
 import org.robonewbie.trial.Measure;
 import org.robonewbie.trial.WorldState;
 
-/** A measure of the first robot that compares each state with the first one and detects falls. */
+/** Base class for measures of the first robot. Compares each state with the first observed state and detects falls. */
 public abstract class MeasureFromStart implements Measure {
 
     private final String unit;
@@ -13,7 +13,7 @@ public abstract class MeasureFromStart implements Measure {
     private @Nullable WorldState start;
     private boolean fallen;
 
-    /** Creates a dimensionless measure whose larger values are better. */
+    /** Creates a dimensionless measure for which larger values are better. */
     protected MeasureFromStart() {
         this("", true);
     }

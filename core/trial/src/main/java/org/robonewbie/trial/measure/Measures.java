@@ -5,7 +5,7 @@ import java.util.function.Supplier;
 import org.robonewbie.trial.Measure;
 
 /**
- * A registry of measures, which finds those of the framework and your own classes by name.
+ * A registry of measures. It finds the framework's measures and your own classes by name.
  *
  * <pre>{@code
  * Supplier<Measure> speed = Measures.named("walk-speed", getClass().getClassLoader());

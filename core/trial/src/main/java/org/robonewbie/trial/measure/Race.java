@@ -3,9 +3,9 @@ package org.robonewbie.trial.measure;
 import org.robonewbie.trial.WorldState;
 
 /**
- * The time in seconds that the robot takes to reach a line across the pitch, plus a penalty of 10 s for each metre short of the
- * line. Distance counts only while the robot is upright. The line lies towards the right goal, whatever the initial heading of
- * the robot.
+ * The time in seconds that the robot takes to reach a line across the pitch, plus a penalty of 10 s for each metre
+ * short of the line. Distance counts only while the robot is upright. The line lies towards the right goal, regardless
+ * of the robot's initial heading.
  */
 public final class Race extends MeasureFromStart {
 
@@ -22,7 +22,7 @@ public final class Race extends MeasureFromStart {
     }
 
     /**
-     * Creates a measure for any distance.
+     * Creates a measure for a race over a given distance.
      *
      * @param lineMetres distance from the start to the line
      */

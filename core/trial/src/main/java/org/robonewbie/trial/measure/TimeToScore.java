@@ -24,7 +24,7 @@ public final class TimeToScore extends MeasureFromStart {
     }
 
     /**
-     * Creates a measure for any pitch.
+     * Creates a measure for a given pitch.
      *
      * @param field dimensions of the pitch
      */

@@ -44,7 +44,7 @@ public final class WatchedTrial implements SimulationControl, TrialListener {
     }
 
     /**
-     * Creates the view of the next trial, which keeps the playback speed of this one.
+     * Creates the view of the next trial, with the same playback speed as this view.
      *
      * @param name identity of the next trial
      * @return the view of a trial that has not started

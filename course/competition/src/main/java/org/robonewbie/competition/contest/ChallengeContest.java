@@ -20,7 +20,7 @@ import org.robonewbie.trial.Challenge;
  * @param start start pose passed to the programs
  * @param seconds length of a trial in simulated seconds
  * @param rounds trials per team; the seed increases by one with each round
- * @param criteria columns of the table; each one breaks the ties of the preceding ones
+ * @param criteria columns of the table; each column breaks ties in the preceding ones
  * @param conditions seeds and variations
  */
 public record ChallengeContest(

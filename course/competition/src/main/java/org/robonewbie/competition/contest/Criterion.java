@@ -16,11 +16,11 @@ import java.util.Optional;
 public record Criterion(String figure, String title, String format, int better, double missing) {
 
     /**
-     * Creates a criterion whose larger values are better.
+     * Creates a criterion for which larger values are better.
      *
      * @param figure name of the measured value
      * @param title column heading
-     * @param format pattern of the value
+     * @param format {@link String#format} pattern for the value
      * @return the criterion
      */
     public static Criterion most(String figure, String title, String format) {
@@ -28,11 +28,11 @@ public record Criterion(String figure, String title, String format, int better, 
     }
 
     /**
-     * Creates a criterion whose smaller values are better.
+     * Creates a criterion for which smaller values are better.
      *
      * @param figure name of the measured value
      * @param title column heading
-     * @param format pattern of the value
+     * @param format {@link String#format} pattern for the value
      * @return the criterion
      */
     public static Criterion least(String figure, String title, String format) {

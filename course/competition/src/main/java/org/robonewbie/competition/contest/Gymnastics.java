@@ -90,7 +90,7 @@ final class Gymnastics implements Measure {
         return elements;
     }
 
-    /** Returns the number of elements, and the time of the last one if there was one. */
+    /** Returns the number of elements and, if there are any, the time of the last one. */
     Map<String, Double> figures() {
         return elements == 0
                 ? Map.of("elements", 0.0)

@@ -13,7 +13,7 @@ public enum MatchKind {
     /** Full teams on the league's pitch under its rules; double round robin with swapped sides. */
     LEAGUE("league", "League", "Every team plays every other team twice, home and away,");
 
-    /** Time by which the referee's half is longer than the match, so that the contest ends the match and not the referee. */
+    /** Time by which the referee's half exceeds the match, so that the contest, not the referee, ends the match. */
     private static final double SPARE_SECONDS = 60;
 
     private static final double MAX_PLAYERS = 11;
@@ -37,12 +37,12 @@ public enum MatchKind {
         return title;
     }
 
-    /** Description of the pairings, as the beginning of a sentence. */
+    /** Returns a description of the pairings, as the beginning of a sentence. */
     String pairing() {
         return pairing;
     }
 
-    /** Returns pitch and rules of a match of the given length. */
+    /** Returns the pitch and rules for a match of the given length. */
     SoccerParameters parameters(double seconds) {
         return this == LEAGUE ? league(seconds) : beginners();
     }

@@ -4,8 +4,8 @@ import java.util.Map;
 import org.robonewbie.simulator.WorldSnapshot;
 
 /**
- * Judge of a penalty kick. The attack ends when a goal is scored, when the ball is out, or when the attacker leaves the pitch;
- * pass mode does not end it.
+ * Judge for a penalty kick. The attack ends when a goal is scored, when the ball is out, or when the attacker leaves
+ * the pitch; pass mode does not end it.
  */
 final class PenaltyJudge implements Judge {
 

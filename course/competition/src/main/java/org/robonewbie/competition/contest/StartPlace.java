@@ -8,9 +8,9 @@ import org.robonewbie.nao.Vector3;
  * Start pose of a robot in its team's coordinates: the origin is the centre spot, x points to the opponents' goal and y to the left.
  *
  * @param number number of the robot, 1 to 11
- * @param x metres
- * @param y metres
- * @param degrees heading; 0 is towards the opponents' goal, positive is left
+ * @param x x coordinate in metres
+ * @param y y coordinate in metres
+ * @param degrees heading in degrees; 0 is towards the opponents' goal, positive is left
  */
 public record StartPlace(int number, double x, double y, double degrees) {
 
@@ -30,7 +30,7 @@ public record StartPlace(int number, double x, double y, double degrees) {
      * Returns the position in the world frame.
      *
      * @param side the team's half
-     * @return centre of the torso, metres
+     * @return position of the torso's centre in metres
      */
     public Vector3 position(TeamSide side) {
         return side == TeamSide.LEFT ? new Vector3(x, y, TORSO_METRES) : new Vector3(-x, -y, TORSO_METRES);
@@ -40,7 +40,7 @@ public record StartPlace(int number, double x, double y, double degrees) {
      * Returns the heading in the world frame.
      *
      * @param side the team's half
-     * @return degrees, 0 towards the right goal, counter-clockwise
+     * @return heading in degrees; 0 is towards the right goal, positive is counter-clockwise
      */
     public double heading(TeamSide side) {
         return side == TeamSide.LEFT ? degrees : degrees + 180;

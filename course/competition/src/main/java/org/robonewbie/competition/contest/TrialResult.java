@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * Result of a trial. It does not depend on the computer: repeating a trial on another one gives the same result.
+ * Result of a trial. It does not depend on the computer: repeating a trial on another computer gives the same result.
  *
  * @param id name of the trial
  * @param seed seed of all random numbers

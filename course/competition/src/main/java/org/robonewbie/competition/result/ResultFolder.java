@@ -80,17 +80,17 @@ public final class ResultFolder implements Results, AutoCloseable {
     }
 
     /**
-     * Returns the recording of a trial.
+     * Returns the path of a trial's recording.
      *
      * @param trialId name of the trial
-     * @return the file, for {@code robonewbie studio}
+     * @return the file, which {@code robonewbie studio} can open
      */
     public Path recording(String trialId) {
         return folder.resolve("recordings").resolve(trialId + ".rec");
     }
 
     /**
-     * Loads the result of a trial if it was saved under the same circumstances.
+     * Loads the result of a trial, unless something that it depends on has changed since it was saved.
      *
      * @param trialId name of the trial
      * @param circumstances checksum of everything that the result depends on
@@ -139,7 +139,7 @@ public final class ResultFolder implements Results, AutoCloseable {
     }
 
     /**
-     * Detects files that something else has modified during the contest, and restores the results.
+     * Detects files that other programs have modified during the contest, and restores the results.
      *
      * @return one sentence per modified file
      * @throws IOException if a file cannot be read or written

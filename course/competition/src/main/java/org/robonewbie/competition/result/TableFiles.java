@@ -38,7 +38,7 @@ public final class TableFiles {
      *
      * @param table the table
      * @param seed the seed of the contest
-     * @param notes notes on how it was run
+     * @param notes notes on how the contest was run
      * @throws IOException if a file cannot be written
      */
     public void write(Table table, long seed, List<String> notes) throws IOException {

@@ -27,7 +27,7 @@ final class TrialJson {
             List<TeamResult> teams,
             @Nullable String recordingSha256) {}
 
-    /** A result with the checksum of its recording, which is empty if there is none. */
+    /** A result and the checksum of its recording; the checksum is empty if there is no recording. */
     record Kept(TrialResult result, String recordingSha256) {}
 
     /**
@@ -47,7 +47,10 @@ final class TrialJson {
                 + "\n";
     }
 
-    /** Reads a result; empty if it was saved with a different checksum or is damaged, in which case the trial is repeated. */
+    /**
+     * Reads a result. Returns empty if it is damaged or was saved with a different checksum; the trial is then
+     * repeated.
+     */
     static Optional<Kept> read(String text, String circumstances) {
         try {
             Finished found = PRETTY.fromJson(text, Finished.class);

@@ -5,11 +5,11 @@ import java.util.Optional;
 import org.robonewbie.competition.contest.Role;
 
 /**
- * Entry for a team in a contest.
+ * A team's entry in a contest.
  *
- * @param name at most 20 ASCII letters, digits and underscores; the title may contain any letters
+ * @param name name of the team, at most 20 ASCII letters, digits and underscores; the title may contain any letters
  * @param program its program, given as a folder, a jar, a Java file, the name of a class, or a command
- * @param settings its settings, by their names in {@link TeamList}
+ * @param settings its settings by name, see {@link TeamList}
  */
 public record TeamEntry(String name, String program, Map<String, String> settings) {
 
@@ -38,7 +38,7 @@ public record TeamEntry(String name, String program, Map<String, String> setting
         return settings.getOrDefault(TeamList.TOGETHER, "no").equals("yes");
     }
 
-    /** Returns the main class that is set for a role, else the one that is set for all roles. */
+    /** Returns the main class that is set for a role, or else the one that is set for all roles. */
     Optional<String> mainClass(Role role) {
         return Optional.ofNullable(settings.get(role.key()))
                 .or(() -> Optional.ofNullable(settings.get(Role.MAIN.key())));

@@ -44,8 +44,8 @@ public final class TeamList {
             Set.of(TITLE, MEMBERS, SEED, TOGETHER, FOLDER, "main", "attacker", "goalkeeper");
 
     /**
-     * Matches a line without a name. An {@code =} in an option of a command is part of the command; any other one separates a
-     * name.
+     * Matches a line without a name. An {@code =} in an option of a command is part of the command; any other {@code =}
+     * separates a name from a program.
      */
     private static final Pattern COMMAND = Pattern.compile("[^=]*|[^\\s=-][^\\s=]*(\\s[^=]*)?\\s-[^\\s=]*=.*");
 
@@ -81,8 +81,9 @@ public final class TeamList {
     /**
      * Parses teams.
      *
-     * @param lines {@code NAME = PROGRAM}, {@code NAME.SETTING = VALUE}, or just a program, after which the team is named
-     * @return the teams in their order
+     * @param lines {@code NAME = PROGRAM}, {@code NAME.SETTING = VALUE}, or just a program, which then also determines
+     *     the name of the team
+     * @return the teams in the order of the lines
      * @throws CalledWronglyException if a line cannot be parsed; the message says what to do
      */
     public static List<TeamEntry> parse(List<String> lines) {

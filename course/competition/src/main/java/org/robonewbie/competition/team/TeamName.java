@@ -7,8 +7,8 @@ import org.robonewbie.nao.text.ConfusableCharacter;
 import org.robonewbie.programs.CalledWronglyException;
 
 /**
- * Name of a team: letters of any language, digits and underscores. SimSpark's messages, file names and options of programs use
- * a transliteration, because league agents and monitors support only ASCII.
+ * Name of a team: letters of any language, digits and underscores. SimSpark's messages, file names and program options
+ * use a transliteration, because league agents and monitors support only ASCII.
  *
  * @param written the original, such as {@code Röt}
  * @param ascii the transliteration, such as {@code Roet}
@@ -23,7 +23,7 @@ record TeamName(String written, String ascii) {
     private static final Pattern OF_WINDOWS =
             Pattern.compile("con|prn|aux|nul|com[0-9]|lpt[0-9]", Pattern.CASE_INSENSITIVE);
 
-    /** Pairs of a letter and its transliteration, for letters that are not an accented ASCII letter. */
+    /** Alternating letters and transliterations, for letters that are not transliterated by removing an accent. */
     private static final String[] SPELLINGS = ("ä ae ö oe ü ue ß ss æ ae œ oe ø o đ d ð d ł l þ th ı i ħ h"
                     + " а a б b в v г g д d е e ё e ж zh з z и i й y к k л l м m н n о o п p р r с s т t у u ф f х kh ц ts"
                     + " ч ch ш sh щ shch ъ _ ы y ь _ э e ю yu я ya і i ї yi є ye ґ g"
@@ -66,7 +66,7 @@ record TeamName(String written, String ascii) {
         return of(shortened(written, MAX_LETTERS - LETTERS_OF_NUMBER) + "_" + number);
     }
 
-    /** Returns whether the names are equal in messages or in file names, some of which ignore case. */
+    /** Returns whether the names are equal in messages, or in file names on a system that ignores case. */
     boolean collidesWith(TeamName other) {
         return ascii.equalsIgnoreCase(other.ascii);
     }

@@ -25,7 +25,7 @@ import org.robonewbie.programs.process.SandboxPolicy;
 /** A team's program, prepared so that it can be started. */
 public sealed interface TeamProgram {
 
-    /** {@return the checksum of the program; results with another checksum are not reused} */
+    /** {@return the checksum of the program; results with a different checksum are not reused} */
     String fingerprint();
 
     /** {@return the files of the team, which each trial copies into its working directory} */
@@ -57,7 +57,7 @@ public sealed interface TeamProgram {
     List<String> words(Start start);
 
     /**
-     * Returns the files that the program may read in addition to those of the system and its own folder.
+     * Returns the files that the program may read in addition to system files and its own folder.
      *
      * @param hidden files and folders that the program must not see
      * @return files and folders

@@ -35,8 +35,8 @@ import org.robonewbie.simulator.server.SimulatorSettings;
 import org.robonewbie.simulator.server.TeamEndpoint;
 
 /**
- * Runs trials on a complete simulator: starts the simulator and the teams' programs. The clock starts when all robots have
- * joined, so a slow program start has no effect.
+ * Runs trials on a complete simulator: starts the simulator and the teams' programs. The clock starts when all robots
+ * have joined, so it does not matter how long the programs take to start.
  */
 public final class TrialRunner implements TrialPlayer {
 

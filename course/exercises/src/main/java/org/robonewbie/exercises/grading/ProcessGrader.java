@@ -21,11 +21,11 @@ import org.robonewbie.trial.TrialListener;
 import org.robonewbie.trial.batch.BatchRunner;
 
 /**
- * Grades programs that run in a child process. The simulated world and the scoring are in this process; the program can
- * influence them only through its robots. A program that exits, exhausts its memory or never returns fails its trial and
- * affects no other program.
+ * Grades programs that run in a child process. The simulated world and the scoring run in this process; the program can
+ * influence them only through its robots. A program that exits, exhausts its memory or never returns fails its trial
+ * and affects no other program.
  *
- * @param seeds the number of trials, with the seeds 1, 2, 3 and so on
+ * @param seeds the number of trials, which use the seeds 1, 2, 3 and so on
  * @param threads the number of trials to run in parallel, at least 1
  * @param sandbox the sandbox of the program
  * @param recording file for a recording of the first trial; empty for none
@@ -38,7 +38,7 @@ public record ProcessGrader(
     private static final int SECONDS_PER_TRIAL = 20;
 
     /**
-     * Result of a grading.
+     * Result of grading a program.
      *
      * @param grade the grade; empty if the program could not be started
      * @param exitCode exit code of a program that could not be started; otherwise 0

@@ -33,7 +33,7 @@ import org.robonewbie.trial.batch.ThreadRunner;
  * @param exercises the exercises to grade
  * @param seeds the number of trials for each program
  * @param results folder for tables and stored grades
- * @param version version of the grader; grades of another version are not reused
+ * @param version version of the grader; grades from another version are not reused
  * @param sandbox the sandbox of the programs
  * @param progress receives a line for each grade
  */
@@ -62,7 +62,7 @@ public record ClassMarking(
      *
      * @return the page with the table
      * @throws IOException if a file cannot be written
-     * @throws CalledWronglyException if there is nothing to grade, or another process uses the folder for the results
+     * @throws CalledWronglyException if there is nothing to grade, or another process is using the results folder
      */
     public Path run() throws IOException {
         Path kept = results.resolve("kept");
@@ -80,10 +80,12 @@ public record ClassMarking(
     private Path run(ClassFolder all, KeptMarks kept) throws IOException {
         List<Submission> submissions =
                 all.submissions().values().stream().flatMap(List::stream).toList();
-        CopyCheck.Result copies = CopyCheck.of(submissions); // before a program runs that could change the copies
+        CopyCheck.Result copies =
+                CopyCheck.of(submissions); // before any program runs, because it could change the copies
         Map<Submission, Mark> marks = new HashMap<>();
         Map<Submission, String> missing = new LinkedHashMap<>();
-        for (Submission submission : submissions) { // before a program runs that could change the stored grades
+        for (Submission submission :
+                submissions) { // before any program runs, because it could change the stored grades
             String fingerprint = fingerprint(submission, submission.folder());
             missing.put(submission, fingerprint);
             kept.find(submission, fingerprint).ifPresent(mark -> marks.put(submission, mark));

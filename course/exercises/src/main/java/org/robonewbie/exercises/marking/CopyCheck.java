@@ -68,7 +68,7 @@ final class CopyCheck {
 
     private record Program(String student, String text, SourceShape shape) {}
 
-    /** Compares all programs with those of the same exercise. */
+    /** Compares each program with the other programs for the same exercise. */
     static Result of(List<Submission> submissions) {
         List<Pair> pairs = new ArrayList<>();
         List<Comparison> comparisons = new ArrayList<>();
@@ -128,7 +128,7 @@ final class CopyCheck {
         return program.shape().ownRuns(given) >= MIN_OWN_RUNS;
     }
 
-    /** Returns the text without what editors change: line endings, a byte order mark and trailing whitespace. */
+    /** Normalises what editors may change: line endings, a byte order mark and trailing whitespace. */
     private static String plain(String text) {
         return text.replace("\uFEFF", "")
                 .lines()

@@ -14,8 +14,9 @@ import javax.crypto.Mac;
 import javax.crypto.spec.SecretKeySpec;
 
 /**
- * Key that signs stored grades (HMAC-SHA256, RFC 2104), so that a grade forged by a program is ignored. The key is stored in
- * the home folder, and only its owner can read it. That includes programs that run as the owner outside a sandbox.
+ * Key that signs stored grades (HMAC-SHA256, RFC 2104), so that a grade forged by a program is ignored. The key is
+ * stored in the home folder and is readable only by its owner, so programs that the owner runs outside a sandbox can
+ * read it too.
  */
 final class JudgesKey {
 
@@ -34,8 +35,8 @@ final class JudgesKey {
     }
 
     /**
-     * Returns the key in a file, which is created if it does not exist. If the key cannot be stored, it is valid only during
-     * this process.
+     * Returns the key in a file, which is created if it does not exist. If the key cannot be stored, it is valid only
+     * for the lifetime of this process.
      */
     static JudgesKey of(Path file) {
         byte[] fresh = new byte[BYTES];
@@ -53,7 +54,7 @@ final class JudgesKey {
     /** Stores a new key, unless another process has just stored one. */
     private static void keep(byte[] fresh, Path file) throws IOException {
         Path folder = Files.createDirectories(Objects.requireNonNull(file.getParent()));
-        Path draft = Files.createTempFile(folder, "judges-key", ".new"); // readable for its owner only
+        Path draft = Files.createTempFile(folder, "judges-key", ".new"); // readable only by its owner
         try {
             Files.writeString(draft, HexFormat.of().formatHex(fresh));
             Files.move(draft, file);
@@ -75,7 +76,7 @@ final class JudgesKey {
         }
     }
 
-    /** Returns whether a signature belongs to a text. */
+    /** Returns whether a signature matches a text. */
     boolean hasSigned(String text, String signature) {
         return MessageDigest.isEqual(
                 sign(text).getBytes(StandardCharsets.UTF_8), signature.getBytes(StandardCharsets.UTF_8));

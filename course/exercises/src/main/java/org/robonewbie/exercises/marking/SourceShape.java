@@ -28,7 +28,7 @@ record SourceShape(Set<String> runs, List<String> numbers) {
             |(?<name>[\\p{L}_$][\\p{L}\\p{N}_$]*)\
             |(?<sign>->|::|[-+*/%&|^=!<>]=|&&|\\|\\||\\+\\+|--|[^\\s])""");
 
-    /** Keywords that may precede a declared name as its type, like the name of a class. */
+    /** Keywords that, like a class name, may precede a declared name as its type. */
     private static final Set<String> PRIMITIVE_TYPES =
             Set.of("boolean", "byte", "char", "double", "float", "int", "long", "short", "void");
 

@@ -59,7 +59,7 @@ public record ProgressFile(Path file) {
      * Changes the state of one exercise. Renames a damaged file to {@code NAME.damaged} first.
      *
      * @param exercise the exercise
-     * @param change returns the new state for the stored one
+     * @param change computes the new state from the stored one
      * @return the new state
      * @throws IOException if the file cannot be written
      */
@@ -82,7 +82,7 @@ public record ProgressFile(Path file) {
     }
 
     /**
-     * Checks whether the file exists but is not readable as progress, for example because a full disk truncated it.
+     * Checks whether the file exists but cannot be parsed, for example because a full disk truncated it.
      *
      * @return whether the file is damaged, in which case the next update renames it
      * @throws IOException if the file cannot be read

@@ -13,7 +13,7 @@ public interface ProgressStore {
      * Changes and stores the state of one exercise.
      *
      * @param exercise the exercise
-     * @param change returns the new state for the stored one
+     * @param change computes the new state from the stored one
      * @return the new state
      */
     ExerciseProgress update(Exercise exercise, UnaryOperator<ExerciseProgress> change);

@@ -133,8 +133,8 @@ public record SolutionRepository(Source source) {
     }
 
     /**
-     * Returns whether a solution is locked; all are if {@code locked.txt} cannot be read or contains an unknown name. Lines
-     * that start with {@code #} or contain several words are comments.
+     * Returns whether a solution is locked. All solutions are locked if {@code locked.txt} cannot be read or contains
+     * an unknown name. Lines that start with {@code #} or contain several words are comments.
      */
     private boolean isLocked(Exercise exercise) {
         try {

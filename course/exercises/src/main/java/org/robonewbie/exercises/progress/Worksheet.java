@@ -45,7 +45,7 @@ public record Worksheet(String title, List<String> hints) {
         }
     }
 
-    /** Parses the title, and the list below the heading of the hints. An indented line continues the previous item. */
+    /** Parses the title and the list below the hints heading. An indented line continues the previous item. */
     static Worksheet parse(String markdown) {
         String title = "";
         List<String> hints = new ArrayList<>();

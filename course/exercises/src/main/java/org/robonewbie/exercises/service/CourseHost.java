@@ -15,7 +15,7 @@ public interface CourseHost {
         /** {@return the current status} */
         Status status();
 
-        /** Ends the attempt, whatever its state. */
+        /** Ends the attempt, regardless of its state. */
         @Override
         void close();
     }

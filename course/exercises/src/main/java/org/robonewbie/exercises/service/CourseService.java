@@ -79,7 +79,7 @@ public final class CourseService implements AutoCloseable {
      *
      * @param method HTTP method
      * @param path decoded segments of the path below {@code course}
-     * @param parameters returns the value of a query parameter, empty if it is missing
+     * @param parameters returns the value of the query parameter with a given name; empty if it is missing
      * @return JSON
      * @throws IOException if a file cannot be written, or no port is available
      * @throws IllegalArgumentException if the request is rejected; the message gives the reason

@@ -28,7 +28,7 @@ public final class CommentCollector extends TreePathScanner<@Nullable Void, Stri
      *
      * @param unit the file
      * @param trees the syntax trees of the compiler that has parsed the file
-     * @return the comments as plain text, by keys, such as {@code Robot.setJointSpeed/2}
+     * @return the comments as plain text, by key, such as {@code Robot.setJointSpeed/2}
      */
     public static Map<String, String> read(CompilationUnitTree unit, Trees trees) {
         CommentCollector collector = new CommentCollector(trees);

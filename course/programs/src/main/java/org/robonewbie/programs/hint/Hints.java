@@ -22,7 +22,8 @@ public final class Hints {
             Pattern.compile("symbol: +method[^\\n]*\\n.*\\b(?:class|interface|of type) (?:\\w+\\.)*(\\w+)");
 
     /**
-     * Matches the message for an unknown class that is followed by two or more names, which the compiler takes for a package.
+     * Matches the message for an unknown class that the compiler takes for a package, because two or more names follow
+     * it.
      */
     private static final Pattern TAKEN_FOR_PACKAGE = Pattern.compile("package ([A-Z]\\w*) does not exist");
 
@@ -148,7 +149,10 @@ public final class Hints {
         return aboutImports.isEmpty() ? all : aboutImports;
     }
 
-    /** Suggests a correction for a misspelt import: the framework class of this name, or a package with a similar name. */
+    /**
+     * Suggests a correction for a misspelt import: the framework class with this name, or a package with a similar
+     * name.
+     */
     private Optional<String> meantImport(Remark remark) {
         if (!remark.isAboutImport()) {
             return Optional.empty();
@@ -178,7 +182,7 @@ public final class Hints {
                 .filter(question -> !question.isEmpty());
     }
 
-    /** Lists the methods of the class, as advice when no name is similar. */
+    /** Lists the methods of the class, as advice if none has a similar name. */
     private Optional<String> offers(Remark remark) {
         Optional<String> owner = remark.isUnknownName() ? owner(remark) : Optional.empty();
         return owner.map(type -> type + " has the methods " + String.join(", ", names.methodsOf(owner)) + ".");

@@ -55,7 +55,7 @@ public final class ChildProcess implements AutoCloseable {
     }
 
     /**
-     * Starts a program. With limits, environment variables that configure a JVM are removed.
+     * Starts a program. If there are limits, environment variables that configure a JVM are removed.
      *
      * @param command program and arguments
      * @param folder its working directory
@@ -97,7 +97,7 @@ public final class ChildProcess implements AutoCloseable {
     }
 
     /**
-     * Sends a call to the program, which receives it by {@link ParentProcess#nextCall}.
+     * Sends a call to the program, which receives it through {@link ParentProcess#nextCall}.
      *
      * @param line the call
      * @return whether it could be sent
@@ -196,7 +196,7 @@ public final class ChildProcess implements AutoCloseable {
         }
     }
 
-    /** {@return the limit for which the program was killed; empty if there is none} */
+    /** {@return the limit that the program was killed for exceeding; empty if there is none} */
     public Optional<Excess> excess() {
         if (excess.isEmpty() && !isRunning()) {
             output.await();

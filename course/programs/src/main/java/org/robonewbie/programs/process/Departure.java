@@ -9,7 +9,7 @@ package org.robonewbie.programs.process;
  */
 public record Departure(Cause cause, String text, String advice) {
 
-    /** The cause. */
+    /** Cause of a departure. */
     public enum Cause {
         /** None: the robot stayed until the trial was over. */
         NONE,

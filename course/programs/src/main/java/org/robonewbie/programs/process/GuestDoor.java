@@ -18,8 +18,8 @@ import java.util.function.Predicate;
 import org.robonewbie.trial.Controller;
 
 /**
- * Port on which agents in other processes join a trial. It uses the protocol of the simulator, so that agents in any language
- * can join.
+ * Port through which agents in other processes join a trial. It uses the protocol of the simulator, so that agents in
+ * any language can join.
  *
  * <pre>{@code
  * try (GuestDoor door = GuestDoor.open(0)) {
@@ -57,7 +57,7 @@ public final class GuestDoor implements AutoCloseable {
      * Opens a port with access control.
      *
      * @param address a TCP port, or the file of a Unix domain socket, which is created
-     * @param welcome decides whether a client that connects by TCP is accepted, based on its address
+     * @param welcome decides whether a client that connects over TCP is accepted, based on its address
      * @return the open port
      * @throws IOException if the port is in use
      */
@@ -101,7 +101,7 @@ public final class GuestDoor implements AutoCloseable {
         return guest.orElseThrow(() -> new AbsentProgramException("The program ended before it asked for a robot."));
     }
 
-    /** Waits a short time for an agent. */
+    /** Waits briefly for an agent. */
     private Optional<Controller> look() {
         try {
             selector.select(LOOK_MILLISECONDS);

@@ -5,9 +5,9 @@ package org.robonewbie.programs.process;
  *
  * @param memoryMegabytes memory for its data; for a Java program, the heap
  * @param processorSeconds processor time of all its processes
- * @param silentSeconds maximum time to respond in seconds, measured as computing and sleeping time if its robots are alone on
- *     the pitch, otherwise as elapsed time
- * @param startSeconds time to connect its robots in seconds, measured in the same way
+ * @param silentSeconds maximum response time in seconds, measured as computing and sleeping time if its robots are
+ *     alone on the pitch, otherwise as elapsed time
+ * @param startSeconds maximum time in seconds to connect its robots, measured in the same way
  * @param realSeconds maximum elapsed time of a trial with two teams, and maximum total sleeping time in other trials, in
  *     seconds
  */

@@ -19,7 +19,7 @@ public final class ProcessTree implements AutoCloseable {
     private static final String MARK = "ROBONEWBIE_PROGRAM";
     private static final long SECONDS_TO_END = 3;
 
-    /** Number of passes when killing, because a process may fork just before it is killed. */
+    /** Number of times that the tree is killed, because a process may fork just before it is killed. */
     private static final int ROUNDS = 3;
 
     private final Process process;

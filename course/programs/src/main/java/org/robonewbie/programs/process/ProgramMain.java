@@ -82,8 +82,8 @@ public final class ProgramMain {
     }
 
     /**
-     * In a sandbox, copies the program's files into the empty home folder and opens a local port that leads to the simulator.
-     * For grading, where each trial has a separate port, only links the files.
+     * In a sandbox, copies the program's files into the empty home folder and opens a local port that leads to the
+     * simulator. For grading, in which each trial has a separate port, it only links the files.
      */
     private static void prepare() throws IOException {
         if (Files.isDirectory(Sandbox.DOOR)) {

@@ -153,7 +153,7 @@ final class RobotHost {
                 List<EffectorCommand> commands = driver.respond(reader.read(message));
                 commands.forEach(writer::write);
                 if (commands.isEmpty()) {
-                    writer.synchronise(); // keeps a robot still that has left the game
+                    writer.synchronise(); // holds the robot still after it has left the game
                 }
                 if (driver.hasFailed()) {
                     departure = new Departure(Cause.FAILED_STEP, "", "");
@@ -177,7 +177,7 @@ final class RobotHost {
             }
         }
 
-        /** Reports why the robot leaves, once and before its connection is closed. */
+        /** Reports why the robot leaves and then closes its connection. Has no effect if called again. */
         private synchronized void leave(Departure why) {
             if (!gone) {
                 gone = true;

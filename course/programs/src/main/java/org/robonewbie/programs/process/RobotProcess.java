@@ -44,7 +44,9 @@ import org.robonewbie.trial.SensorReadings;
  */
 public final class RobotProcess implements AutoCloseable {
 
-    /** Prefix of each line that the student's program prints, so that none can be mistaken for output of the grader. */
+    /**
+     * Prefix of each line that the student's program prints, so that no line can be mistaken for output of the grader.
+     */
     public static final String MARK = "  program| ";
 
     private static final double SECONDS_TO_LEAVE = 3;

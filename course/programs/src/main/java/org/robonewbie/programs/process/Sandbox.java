@@ -40,8 +40,8 @@ public final class Sandbox {
     private static final String SHARED_BYTES = Long.toString(32L << 20);
 
     /**
-     * Shell script that opens the file with the system call filter, its first argument, and executes the other arguments as a
-     * command.
+     * Shell script that opens its first argument, the file with the system call filter, and executes its other
+     * arguments as a command.
      */
     private static final String WITH_FILTER = "exec 9<\"$1\"; shift; exec \"$@\"";
 

@@ -30,7 +30,7 @@ public final class NewProject {
 
     /** Initial content of a project. */
     public enum Origin {
-        /** An agent that waves and turns to the ball. */
+        /** An agent that waves and turns towards the ball. */
         AGENT,
         /** A copy of the example team. */
         TEAM

@@ -18,8 +18,8 @@ record BallOnWay(Translation2d ball, double turn) {
     private static final double MAX_TURN = 25;
 
     /**
-     * Creates the position from the ball's predicted position at the time when the robot's next steps take effect; the path
-     * leads from the ball's current position to a target on the map.
+     * Creates the position from the ball's predicted position at the time when the robot's next steps take effect; the
+     * path leads from the ball's current position to the target, both in the coordinates of the team.
      */
     static BallOnWay of(WorldModel world, Translation2d expected, Translation2d now, Translation2d target) {
         double way = target.minus(now).degrees();

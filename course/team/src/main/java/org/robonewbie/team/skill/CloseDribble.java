@@ -47,7 +47,7 @@ public final class CloseDribble {
     }
 
     /**
-     * Creates the skill with other parameters, for a search.
+     * Creates the skill with different parameters, for a parameter search.
      *
      * @param walk the walk, with the style of the parameters
      * @param feet navigation, which makes the robot walk to positions

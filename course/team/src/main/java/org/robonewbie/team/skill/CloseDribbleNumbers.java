@@ -43,7 +43,7 @@ public record CloseDribbleNumbers(
         3.643, 3.554, 9.091, 4.551, 2.993, 2.955, 3.528, -1.110, 4.366, 6.770
     };
 
-    /** The parameters that were found. */
+    /** The parameters found by the search. */
     public static final CloseDribbleNumbers FOUND = of(COORDINATES);
 
     /**

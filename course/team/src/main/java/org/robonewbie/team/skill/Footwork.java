@@ -55,13 +55,13 @@ public final class Footwork {
     }
 
     /**
-     * Walks to a pose, avoiding all other robots, and stops there. At maximum speed, even an undisturbed robot stumbles about once
-     * in two minutes. In a small team no other player can take over, so its players walk more slowly.
+     * Walks to a pose, avoiding all other robots, and stops there. At maximum speed, even an undisturbed robot stumbles
+     * about once every two minutes. In a small team no other player can take over, so its players walk more slowly.
      *
      * @param world the world model
      * @param place target in the coordinates of the team
      * @param headingDegrees final heading in the coordinates of the team
-     * @return the path, for a drawing
+     * @return the path, for use in drawings
      */
     public List<Translation2d> go(WorldModel world, Translation2d place, double headingDegrees) {
         List<Translation2d> way = PathPlanner.way(world.place(), place, others(world));

@@ -6,9 +6,9 @@ import org.robonewbie.nao.geometry.Translation2d;
 import org.robonewbie.team.world.WorldModel;
 
 /**
- * Gaze control. The camera sees 60° to each side, so the ball need not be in the centre of the image: the head turns from the
- * ball towards the goal with the closer bearing, whose posts and flags help to localise the robot. If the ball is lost, the
- * head scans.
+ * Gaze control. The camera sees 60° to each side, so the ball need not be in the centre of the image: the head turns
+ * from the ball by a limited angle towards the goal that is closer in bearing, because the goal's posts and flags help
+ * to localise the robot. If the ball is lost, the head scans.
  */
 public final class Gaze {
 

@@ -24,7 +24,7 @@ public final class PathPlanner {
      * A circular obstacle.
      *
      * @param centre position
-     * @param radius minimum distance of the robot's centre, metres
+     * @param radius minimum distance of the robot's centre in metres
      */
     public record Obstacle(Translation2d centre, double radius) {}
 

@@ -3,12 +3,12 @@ package org.robonewbie.team.tactics;
 import java.util.Arrays;
 
 /**
- * Assignment of players to places with minimum total cost, by the Hungarian method.
+ * Assignment of players to positions with minimum total cost, by the Hungarian method.
  *
- * <p>Sending each player to its nearest place does not work, because two players may want the same one, and a greedy choice for
- * one player after another may leave a long path for the last one. With n players there are n! assignments, for ten more than
- * three million. The method finds the best one in about n³ steps: it adds one player after the other, and moves the previous
- * players to other places where that is cheaper in total.
+ * <p>Sending each player to its nearest position does not work, because two players may want the same one, and a greedy
+ * choice for one player after another may leave a long path for the last one. With n players there are n! assignments:
+ * more than three million for ten players. The method finds the best one in about n³ steps: it adds one player after
+ * the other, and moves the previous players to other positions where that is cheaper in total.
  *
  * <p>Source: H. W. Kuhn, <em>The Hungarian method for the assignment problem</em>, 1955, in the form with potentials.
  */
@@ -20,8 +20,8 @@ public final class Assignment {
     private final double[] playerPotential;
     private final double[] placePotential;
     /**
-     * For each place, from index 1 on, the player assigned to it; players are counted from 1, and 0 means none. Element 0 is
-     * the player that is being added.
+     * For each position, from index 1 on, the player assigned to it; players are counted from 1, and 0 means none.
+     * Element 0 is the player that is being added.
      */
     private final int[] playerOf;
 
@@ -40,9 +40,9 @@ public final class Assignment {
     /**
      * Computes an optimal assignment.
      *
-     * @param cost cost of each place for each player, as {@code cost[player][place]}; there must be at least as many places as
-     *     players
-     * @return the index of the place of each player
+     * @param cost cost of each position for each player, as {@code cost[player][position]}; there must be at least as
+     *     many positions as players
+     * @return the index of the position of each player
      */
     public static int[] cheapest(double[][] cost) {
         Assignment assignment = new Assignment(cost);
@@ -65,7 +65,7 @@ public final class Assignment {
         augment(place);
     }
 
-    /** Finds the next place on a shortest augmenting path and updates the potentials. */
+    /** Finds the next position on a shortest augmenting path and updates the potentials. */
     private int nextPlace(int place, double[] least, boolean... used) {
         int player = playerOf[place];
         int next = 0;
@@ -98,7 +98,7 @@ public final class Assignment {
         }
     }
 
-    /** Moves each player on the augmenting path to the next place on it, ending at the free place. */
+    /** Moves each player on the augmenting path to the next position on it, ending at the free position. */
     private void augment(int free) {
         int place = free;
         while (place != 0) {

@@ -42,7 +42,7 @@ public final class Formation {
      *
      * @param ball position of the ball in the coordinates of the team
      * @param players number of players
-     * @return that many positions by role, at most nine
+     * @return one position per player, at most nine, by role
      */
     public Map<TeamRole, Translation2d> places(Translation2d ball, int players) {
         Map<TeamRole, Translation2d> places = new LinkedHashMap<>();

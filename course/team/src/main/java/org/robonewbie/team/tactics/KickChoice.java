@@ -67,7 +67,7 @@ public final class KickChoice {
     }
 
     /**
-     * An option.
+     * An option for playing the ball.
      *
      * @param plan what the player would do
      * @param gain expected gain per second
@@ -88,7 +88,7 @@ public final class KickChoice {
         return option.gain + (same ? LOYALTY * Math.abs(option.gain) : 0);
     }
 
-    /** {@return all options, for a drawing} */
+    /** {@return all options, for use in drawings} */
     public List<Option> options() {
         return options;
     }

@@ -87,9 +87,9 @@ public final class SetPlay {
     }
 
     /**
-     * Returns whether a goal would count. For ten seconds after pass mode it does not count, unless two players of the team
-     * have touched the ball; the time that the ball takes to reach the goal is taken into account. Kick-ins and most free kicks
-     * are indirect.
+     * Returns whether a goal would count. For ten seconds after pass mode, a goal does not count unless two players of
+     * the team have touched the ball; the time that the ball takes to reach the goal is taken into account. Kick-ins
+     * and most free kicks are indirect.
      *
      * @param world the world model
      * @return whether a shot makes sense

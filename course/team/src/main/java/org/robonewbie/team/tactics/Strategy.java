@@ -152,8 +152,8 @@ public final class Strategy {
     }
 
     /**
-     * Estimates the time until the player could play the ball, from the point at which it intercepts the rolling ball and the
-     * turns that this requires.
+     * Estimates the time until the player could play the ball, based on the point at which it intercepts the rolling
+     * ball and the turns that this requires.
      *
      * @return seconds; {@link #NEVER_SECONDS} if the player does not claim the ball
      */

@@ -3,8 +3,9 @@ package org.robonewbie.team.talk;
 import java.util.Optional;
 
 /**
- * Bit stream that is encoded as the text of a voice message. Such a message has at most 20 characters; spaces and parentheses
- * are forbidden, and quotation marks confuse some servers. Of the other characters, 64 are used, so that each holds six bits.
+ * Bit stream that is encoded as the text of a voice message. Such a message has at most 20 characters; spaces and
+ * parentheses are forbidden, and quotation marks confuse some servers. Of the other characters, 64 are used, so each
+ * holds six bits.
  *
  * <p>The last five bits are a checksum, so that messages from other programs are not mistaken for messages from this team.
  */
@@ -19,7 +20,7 @@ final class Characters {
     private final boolean[] bits = new boolean[ALL_BITS];
     private int next;
 
-    /** Decodes a text; empty if it is not a message from this team. */
+    /** Decodes a text. Returns empty if it is not a message from this team. */
     static Optional<Characters> of(String text) {
         if (text.length() != LENGTH || text.chars().anyMatch(letter -> ALPHABET.indexOf(letter) < 0)) {
             return Optional.empty();

@@ -11,7 +11,7 @@ import org.robonewbie.nao.geometry.Translation2d;
  * <table>
  * <caption>Bits and resolution</caption>
  * <tr><td>number</td><td>4</td></tr>
- * <tr><td>place</td><td>10 + 10: 4 cm</td></tr>
+ * <tr><td>position</td><td>10 + 10: 4 cm</td></tr>
  * <tr><td>heading</td><td>7: 3 degrees</td></tr>
  * <tr><td>fallen</td><td>1</td></tr>
  * <tr><td>role</td><td>4</td></tr>

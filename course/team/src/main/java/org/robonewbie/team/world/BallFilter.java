@@ -6,12 +6,13 @@ import org.robonewbie.nao.math.PortableMath;
 /**
  * Kalman filter for position and velocity of the ball.
  *
- * <p>Model: the grass decelerates the ball in proportion to its speed, v(t) = v₀ e<sup>−t/τ</sup>, so it travels v₀ τ (1 −
- * e<sup>−t/τ</sup>), and before it stops τ = 0.677 s times its initial speed v₀. This model is linear, as the filter requires.
+ * <p>Model: the grass decelerates the ball in proportion to its speed, v(t) = v₀ e<sup>−t/τ</sup>, so it travels v₀ τ
+ * (1 − e<sup>−t/τ</sup>) in time t, and v₀ τ in total, where v₀ is its initial speed and τ = 0.677 s. This model is
+ * linear, as the filter requires.
  *
- * <p>Filter: {@link #roll} predicts the ball, which increases the uncertainty. {@link #see} corrects the estimate by a
- * sighting; the less certain the estimate, the greater the weight of the sighting. A sighting that contradicts the estimate
- * indicates a kick, after which the velocity is unknown until the next image.
+ * <p>Filter: {@link #roll} predicts the motion of the ball, which increases the uncertainty. {@link #see} corrects the
+ * estimate with a sighting; the less certain the estimate, the greater the weight of the sighting. A sighting that
+ * contradicts the estimate indicates a kick, after which the velocity is unknown until the next image.
  *
  * <p>Both axes have the same uncertainty, so three numbers replace the matrix: the variances of position and velocity, and
  * their covariance.
@@ -20,7 +21,7 @@ import org.robonewbie.nao.math.PortableMath;
  */
 public final class BallFilter {
 
-    /** Time constant τ: before it stops, the ball travels this number of metres for each metre per second of its speed. */
+    /** Time constant τ: before it stops, the ball travels this many metres for each metre per second of its speed. */
     public static final double ROLLING_SECONDS = 0.677;
 
     private static final double SPEED_NOISE = 0.5;
@@ -51,7 +52,7 @@ public final class BallFilter {
     }
 
     /**
-     * Advances the estimate by a prediction.
+     * Advances the estimate by a time step.
      *
      * @param seconds elapsed time
      */
@@ -66,7 +67,7 @@ public final class BallFilter {
     }
 
     /**
-     * Corrects the estimate by a sighting.
+     * Corrects the estimate with a sighting.
      *
      * @param seen measured position
      * @param deviation standard deviation of the measurement in metres, above 0
@@ -104,12 +105,12 @@ public final class BallFilter {
         return position;
     }
 
-    /** {@return the velocity of the ball, metres per second} */
+    /** {@return the velocity of the ball in metres per second} */
     public Translation2d velocity() {
         return velocity.length() < REST_METRES_PER_SECOND ? Translation2d.ORIGIN : velocity;
     }
 
-    /** {@return the standard deviation of the position, metres; infinite if the ball was never seen} */
+    /** {@return the standard deviation of the position in metres; infinite if the ball was never seen} */
     public double deviation() {
         return Math.sqrt(positionVariance);
     }
@@ -118,8 +119,8 @@ public final class BallFilter {
      * Predicts a position of the ball.
      *
      * @param position current position
-     * @param velocity current velocity, metres per second
-     * @param seconds time ahead
+     * @param velocity current velocity in metres per second
+     * @param seconds time ahead in seconds
      * @return the predicted position
      */
     public static Translation2d predict(Translation2d position, Translation2d velocity, double seconds) {

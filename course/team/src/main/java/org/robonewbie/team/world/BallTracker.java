@@ -30,7 +30,7 @@ final class BallTracker {
         this.exact = exact;
     }
 
-    /** Predicts the ball for one cycle. */
+    /** Advances the estimate by one cycle. */
     void roll() {
         if (filter.isKnown()) {
             filter.roll(Cycle.SECONDS);

@@ -5,7 +5,7 @@ import org.robonewbie.nao.TeamSide;
 
 /** State of the game from the perspective of one team. */
 public enum Situation {
-    /** Time before the kick-off and after a goal, in which robots may beam. */
+    /** Time before the kick-off and after a goal, during which robots may beam. */
     LINE_UP,
     /** Both teams may play the ball. */
     OPEN_PLAY,

@@ -25,8 +25,8 @@ import org.robonewbie.team.talk.TeamMessage;
  * World model of a player: its pose, the ball, the other robots, and the referee's decisions. All other classes of this team
  * access the game through it, in the coordinates of the team.
  *
- * <p>What the player's own sensors have not shown for a while is taken from teammates' messages, which contain their poses and
- * ball sightings.
+ * <p>Information that the player's own sensors have not provided for a while is taken from teammates' messages, which
+ * contain their poses and ball sightings.
  */
 public final class WorldModel {
 
@@ -227,7 +227,7 @@ public final class WorldModel {
         return seconds - situationSeconds;
     }
 
-    /** {@return whether the team has just scored, so that the opponents kick off next} */
+    /** {@return whether the team has just scored, so the opponents kick off next} */
     public boolean hasScored() {
         return scored;
     }
@@ -267,7 +267,7 @@ public final class WorldModel {
         return ball;
     }
 
-    /** {@return the velocity of the ball, metres per second} */
+    /** {@return the velocity of the ball in metres per second} */
     public Translation2d ballVelocity() {
         return ballVelocity;
     }
@@ -288,7 +288,7 @@ public final class WorldModel {
     }
 
     /**
-     * Predicts the ball.
+     * Predicts the position of the ball.
      *
      * @param later seconds from now
      * @return the predicted position
@@ -298,8 +298,8 @@ public final class WorldModel {
     }
 
     /**
-     * Predicts the ball from the robot's own sightings with compensation for the tilt of the torso, which is more precise near
-     * the feet.
+     * Predicts the position of the ball from the robot's own sightings, compensating for the tilt of the torso. This is
+     * more precise near the feet.
      *
      * @param later seconds from now
      * @return the predicted position in the robot's frame

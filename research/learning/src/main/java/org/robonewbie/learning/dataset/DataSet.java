@@ -66,7 +66,7 @@ public final class DataSet {
      * @param facts additional properties for the description, such as versions and settings
      * @return the data set
      * @throws IOException if the folder cannot be written
-     * @throws IllegalArgumentException if the folder contains a complete data set, or an incomplete one with other
+     * @throws IllegalArgumentException if the folder contains a complete data set, or an incomplete one with different
      *     settings
      */
     public static DataSet create(Path folder, boolean withMessages, Map<String, String> facts) throws IOException {
@@ -147,7 +147,7 @@ public final class DataSet {
      *
      * @param run the number of the run, from 1
      * @param seed the seed of the run
-     * @return the tables, an observer of the simulation
+     * @return the tables, which must be added to the simulation as an observer
      * @throws IOException if a file cannot be written
      */
     public RunTables begin(int run, long seed) throws IOException {

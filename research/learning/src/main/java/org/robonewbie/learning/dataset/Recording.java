@@ -26,7 +26,7 @@ import org.robonewbie.trial.batch.ThreadRunner;
  * @param runs the number of runs
  * @param robots the number of robots that the program connects
  * @param seconds simulated length of each run
- * @param firstSeed seed of the first run; each following run has the next higher one
+ * @param firstSeed seed of the first run; the seed increases by one for each further run
  */
 public record Recording(DataSet set, int runs, int robots, double seconds, long firstSeed) {
 

@@ -48,7 +48,7 @@ final class RobotMessages {
         return degreesPerSecond[joint.ordinal()];
     }
 
-    /** The message that the agent sends to other robots in this cycle; empty for none. */
+    /** Returns the message that the agent sends to other robots in this cycle; empty if there is none. */
     String said() {
         return said;
     }

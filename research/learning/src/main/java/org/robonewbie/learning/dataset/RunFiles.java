@@ -78,8 +78,8 @@ record RunFiles(Path folder) {
     }
 
     /**
-     * Returns the files in the order of their first runs; of several with the same first run, those with the most runs
-     * come first.
+     * Returns the files in the order of their first runs. Among files with the same first run, the one with the most
+     * runs comes first.
      */
     private List<Span> spans() throws IOException {
         try (Stream<Path> files = Files.list(folder)) {

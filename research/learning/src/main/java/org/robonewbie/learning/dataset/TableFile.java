@@ -14,8 +14,8 @@ import org.robonewbie.nao.file.AtomicFile;
 import org.robonewbie.nao.text.Csv;
 
 /**
- * Writer of a CSV table (RFC 4180, UTF-8, lines end with a line feed). The file gets its final name only when it is
- * complete.
+ * Writer for a CSV table (RFC 4180 in UTF-8, with line feeds as line terminators). The file gets its final name only
+ * when it is complete.
  */
 public final class TableFile implements AutoCloseable {
 
@@ -70,7 +70,7 @@ public final class TableFile implements AutoCloseable {
     /**
      * Completes the table and moves it into place, replacing an older file.
      *
-     * @throws IOException if that fails
+     * @throws IOException if the file cannot be written
      */
     public void finish() throws IOException {
         out.close();

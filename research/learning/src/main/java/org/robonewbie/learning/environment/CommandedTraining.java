@@ -20,7 +20,7 @@ abstract class CommandedTraining extends TrainingTask {
     /** Draws the next command from the previous one, which is zero at first. */
     abstract WalkVelocity draw(RandomSource random, WalkVelocity previous);
 
-    /** The number of completed cycles. */
+    /** Returns the number of completed cycles. */
     final int cycle() {
         return cycle;
     }

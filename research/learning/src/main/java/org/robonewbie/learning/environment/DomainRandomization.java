@@ -146,7 +146,7 @@ public final class DomainRandomization {
         return ranges.containsKey(Name.CYCLES) ? this : with(Name.CYCLES.word(), Integer.toString(cycles));
     }
 
-    /** The range of an option; empty if the option is not set. */
+    /** Returns the range of an option; empty if the option is not set. */
     Optional<Range> range(Name name) {
         return Optional.ofNullable(ranges.get(name));
     }
@@ -176,7 +176,7 @@ public final class DomainRandomization {
         return Arrays.stream(names).anyMatch(ranges::containsKey);
     }
 
-    /** Sets friction, mass and positions of an episode. Call before {@link TrainingTask#begin}. */
+    /** Applies the options for friction, mass and positions to an episode. Call before {@link TrainingTask#begin}. */
     void apply(Trial trial) {
         trial.setGrip(of(Name.FRICTION, 1));
         for (int i = 0; i < trial.now().robots().size(); i++) {
@@ -197,7 +197,7 @@ public final class DomainRandomization {
         }
     }
 
-    /** The commanded velocity of an episode; empty if the task draws it. */
+    /** Returns the commanded velocity of an episode; empty if the task draws it. */
     Optional<WalkVelocity> command() {
         return isAnySet(Name.FORWARD, Name.LEFT, Name.TURN)
                 ? Optional.of(new WalkVelocity(of(Name.FORWARD, 0), of(Name.LEFT, 0), of(Name.TURN, 0)))

@@ -35,7 +35,7 @@ public final class EnvironmentServer implements AutoCloseable {
      * Starts a server on 127.0.0.1.
      *
      * @param port the port; 0 for any free one
-     * @param classes the class loader of custom tasks and measures
+     * @param classes the class loader for custom tasks and measures
      * @param viewer shows an environment on request
      * @param console receives messages about broken connections
      * @return the server

@@ -75,7 +75,7 @@ public record EnvironmentSpec(String task, List<String> options) {
     /**
      * Creates an environment.
      *
-     * @param classes the class loader of custom tasks and measures
+     * @param classes the class loader for custom tasks and measures
      * @return the environment at the start of its first episode
      * @throws IllegalArgumentException if the task, the reward or an option does not exist; the message lists those that do
      */

@@ -51,8 +51,8 @@ final class EpisodeRunner implements Controller {
     private double reward;
 
     /**
-     * Creates a runner that rewards increases of a measure, or decreases if smaller values are better. The measure may be
-     * the task itself.
+     * Creates a runner that rewards increases in a measure, or decreases if smaller values are better. The measure may
+     * be the task itself.
      */
     EpisodeRunner(TrainingTask task, Measure measure) {
         this.task = task;
@@ -77,7 +77,7 @@ final class EpisodeRunner implements Controller {
                 .toList();
     }
 
-    /** Stores the initial posture, which actions are relative to. */
+    /** Stores the initial posture, to which actions are relative. */
     void captureFirstPosture(WorldState first) {
         firstPosture = first.robots().get(task.robot()).joints();
         guide = task.motion().map(motion -> new MotionGuide(motion, firstPosture));
@@ -122,7 +122,7 @@ final class EpisodeRunner implements Controller {
         walk.ifPresent(one -> one.plan(task.velocity(), perceived));
     }
 
-    /** The current observation, clamped to the ranges of the quantities. */
+    /** Returns the current observation, clamped to the ranges of the quantities. */
     double[] observation(List<ObservedQuantity> quantities) {
         double[] all = walk.map(WalkGuide::inputs)
                 .orElseGet(() -> Stream.of(perceived, motionProgress(), task.extras())

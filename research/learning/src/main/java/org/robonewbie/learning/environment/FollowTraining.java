@@ -11,8 +11,8 @@ import org.robonewbie.trial.WorldState;
 
 /**
  * Follow a commanded velocity, which is redrawn every 3 s. Reward per second: 1 minus the velocity error over the last
- * 0.4 s, in which 0.3 m/s or 90°/s counts as 1 and the sum is limited to 1.5; −5 for a fall, so that diving forward does
- * not pay off.
+ * 0.4 s. The velocity error is the linear error divided by 0.3 m/s plus the turn rate error divided by 90°/s, at most
+ * 1.5. A fall costs 5, so that diving forward does not pay off.
  */
 class FollowTraining extends CommandedTraining {
 
@@ -76,7 +76,10 @@ class FollowTraining extends CommandedTraining {
         }
     }
 
-    /** {@return whether the robot has not fallen and has half of the maximum return, as with a mean error of 0.15 m/s or 45°/s} */
+    /**
+     * {@return whether the robot has not fallen and has reached half of the maximum return, which corresponds to a mean
+     * error of 0.15 m/s or 45°/s}
+     */
     @Override
     public boolean isDone() {
         return !hasFallen() && maxReward > 0 && totalReward >= DONE_SHARE * maxReward;

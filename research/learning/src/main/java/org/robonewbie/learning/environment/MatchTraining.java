@@ -15,9 +15,9 @@ import org.robonewbie.trial.Trial;
 import org.robonewbie.trial.WorldState;
 
 /**
- * Self-play of two teams until the first goal. Reward for a team: 10 for a goal and 1 per metre of forward motion of the
- * ball; the other team gets the negative of it. Additional reward for each robot: 0.2 per metre by which it approaches
- * the ball, −1 for a fall. A ball that leaves the pitch beside the goal is put back.
+ * Self-play of two teams until the first goal. Reward for a team: 10 for a goal and 1 per metre of forward motion of
+ * the ball; the other team gets the same reward with the opposite sign. Additional reward for each robot: 0.2 per metre
+ * by which it approaches the ball, −1 for a fall. A ball that leaves the pitch beside the goal is put back.
  */
 final class MatchTraining extends TrainingTask {
 

@@ -38,7 +38,7 @@ public final class Perception {
     private final double[] ball;
 
     /**
-     * Creates a perception that has received no readings yet.
+     * Creates a converter that has not received any readings yet.
      *
      * @param camera whether to observe the ball with the camera
      */

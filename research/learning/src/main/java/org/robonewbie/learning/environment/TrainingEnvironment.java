@@ -69,12 +69,12 @@ public final class TrainingEnvironment implements AutoCloseable {
         return runners.get(0).task();
     }
 
-    /** The number of learning robots. */
+    /** Returns the number of learning robots. */
     int robots() {
         return runners.size();
     }
 
-    /** The names of the learning robots, such as {@code left_1}. */
+    /** Returns the names of the learning robots, such as {@code left_1}. */
     List<String> names() {
         return scene.robots().stream()
                 .limit(robots())
@@ -131,7 +131,7 @@ public final class TrainingEnvironment implements AutoCloseable {
     }
 
     /**
-     * Sets the options of the following episodes.
+     * Sets the options for all following episodes.
      *
      * @param newOptions the options
      */
@@ -139,16 +139,13 @@ public final class TrainingEnvironment implements AutoCloseable {
         options = newOptions;
     }
 
-    /** Sets the listener of the following cycles. */
+    /** Sets the listener for all following cycles. */
     void setListener(TrialListener newListener) {
         listener = newListener;
         listener.cycleEnded(trial);
     }
 
-    /**
-     * Returns the controllers of all robots: those of the learning robots, and for the others controllers that hold
-     * still.
-     */
+    /** Returns a controller for each robot. Robots that do not learn hold still. */
     private Controller[] controllers() {
         Controller[] controllers = new Controller[scene.robots().size()];
         Arrays.setAll(controllers, i -> i < robots() ? runners.get(i) : Controller.ofSpeeds());
@@ -156,7 +153,7 @@ public final class TrainingEnvironment implements AutoCloseable {
     }
 
     /**
-     * Applies an action of the only learning robot for the number of cycles per action, or until the episode is
+     * Applies the action of the only learning robot for the number of cycles per action, or until the episode is
      * terminated.
      *
      * @param action values from -1 to 1; see {@link TrainingTask}
@@ -165,7 +162,7 @@ public final class TrainingEnvironment implements AutoCloseable {
         act(new double[][] {action});
     }
 
-    /** Applies an action of each robot. */
+    /** Applies one action for each learning robot. */
     void act(double[]... actions) {
         runners.forEach(EpisodeRunner::beginReward);
         int run = 0;
@@ -200,7 +197,7 @@ public final class TrainingEnvironment implements AutoCloseable {
         return now;
     }
 
-    /** The true state of a robot, in the order of {@link PrivilegedState#NAMES}. */
+    /** Returns the true state of a robot, in the order of {@link PrivilegedState#NAMES}. */
     double[] privilegedState(int robot) {
         return PrivilegedState.of(
                 now, trial.robot(robot).torsoVelocity(), runners.get(robot).task());
@@ -215,7 +212,7 @@ public final class TrainingEnvironment implements AutoCloseable {
         return runners.get(robot).reward();
     }
 
-    /** {@return whether the task has ended the episode, such as by a fall} */
+    /** {@return whether the task has ended the episode, for example because of a fall} */
     public boolean isTerminated() {
         return runners.stream().anyMatch(EpisodeRunner::isTerminated);
     }

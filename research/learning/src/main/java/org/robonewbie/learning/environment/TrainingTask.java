@@ -128,8 +128,8 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
     }
 
     /**
-     * {@return the motion, moving all joints, whose postures an action corrects while it plays; by default none, so that
-     * an action is relative to the initial posture}
+     * {@return the motion to play, which must move all joints; an action corrects its postures. By default none: an
+     * action is relative to the initial posture}
      */
     public Optional<Motion> motion() {
         return Optional.empty();
@@ -239,8 +239,8 @@ public abstract class TrainingTask extends MeasureFromStart implements Challenge
     }
 
     /**
-     * {@return the force in newtons by which each push exceeds the previous one, once per second; 0, the default, for no
-     * pushes}
+     * {@return the increase in force from one push to the next, in newtons, with one push per second; 0 (the default)
+     * for no pushes}
      */
     public double pushNewtons() {
         return 0;

@@ -81,7 +81,10 @@ final class VectorEnvironment implements AutoCloseable {
         return all.array();
     }
 
-    /** The answer of one environment: the state of each robot, and the initial observations if it was reset after the step. */
+    /**
+     * The answer from one environment: the state of each robot, and the initial observations if it was reset after the
+     * step.
+     */
     @SuppressWarnings("ArrayRecordComponent")
     private record Answer(byte[] states, byte[] fresh) {}
 

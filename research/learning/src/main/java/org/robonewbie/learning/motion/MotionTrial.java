@@ -34,7 +34,7 @@ import org.robonewbie.trial.measure.Turn;
 
 /**
  * Scripted trial in which a robot plays motions and walks, step by step. Positions are relative to the pose at the
- * beginning of the measurement. By default, a fall ends the trial: all later steps do nothing.
+ * beginning of the measurement. By default, a fall ends the trial, and later steps have no effect.
  *
  * <pre>{@code
  * try (MotionTrial trial = MotionTrial.inStance(seed, 3)) {
@@ -48,7 +48,7 @@ public final class MotionTrial implements AutoCloseable {
     /** A robot of the standard type at the default position of trials on the beginners' pitch. */
     public static final RobotStart ROBOT = RobotStart.at(-4.5, 1.5);
 
-    /** Position of a ball that is out of the way. */
+    /** Ball position that keeps the ball out of the robot's way. */
     public static final Vector3 BALL_ASIDE = new Vector3(0, -3.5, 0);
 
     private static final double NOISE_DEGREES = 1;
@@ -196,7 +196,7 @@ public final class MotionTrial implements AutoCloseable {
      * Plays a motion to its end.
      *
      * @param motion the motion
-     * @return whether the trial continues, without a fall that ends it
+     * @return whether the trial continues; false if a fall has ended it
      */
     public boolean play(Motion motion) {
         if (!isOver()) {
@@ -213,7 +213,7 @@ public final class MotionTrial implements AutoCloseable {
      * Holds the joints still, for example between two motions.
      *
      * @param seconds the duration
-     * @return whether the trial continues, without a fall that ends it
+     * @return whether the trial continues; false if a fall has ended it
      */
     public boolean hold(double seconds) {
         double latest = trial.seconds() + seconds - Cycle.SECONDS / 2;
@@ -225,7 +225,7 @@ public final class MotionTrial implements AutoCloseable {
      *
      * @param velocity supplies the velocity of each cycle
      * @param condition evaluated in each cycle
-     * @return whether the trial continues, without a fall that ends it
+     * @return whether the trial continues; false if a fall has ended it
      */
     public boolean walk(Supplier<WalkVelocity> velocity, BooleanSupplier condition) {
         return runWhile(() -> {
@@ -237,7 +237,7 @@ public final class MotionTrial implements AutoCloseable {
     /**
      * Stops walking.
      *
-     * @return whether the trial continues, without a fall that ends it
+     * @return whether the trial continues; false if a fall has ended it
      */
     public boolean stopWalking() {
         robot.walk(WalkVelocity.ZERO);
@@ -259,7 +259,7 @@ public final class MotionTrial implements AutoCloseable {
     }
 
     /**
-     * {@return whether the robot is in the stance after it has held its joints for 0.6 s without a fall that ends the
+     * {@return whether the robot is in the stance after holding its joints for 0.6 s; false if a fall has ended the
      * trial; see {@link #isInStance}}
      */
     public boolean endsInStance() {

@@ -159,8 +159,8 @@ public final class AgentParametrization implements Parametrization {
     }
 
     /**
-     * Returns the value for a coordinate: the current value for 0, otherwise clamped to the range and rounded to three
-     * digits relative to the range.
+     * Returns the value for a coordinate. Coordinate 0 yields the current value; any other value is clamped to the
+     * range and rounded to about a thousandth of the range.
      */
     private double value(int index, double coordinate) {
         TunableNumber number = numbers.get(index);

@@ -20,7 +20,8 @@ import org.robonewbie.trial.measure.Standing;
  * @param place the robot's position, in metres from the centre of the field
  * @param degrees the robot's heading; 0 is towards the opponents' goal, positive is left
  * @param ball the position of the ball
- * @param spreadMetres largest offset of robot and ball along each axis, 0 to 3; the heading varies by 60 degrees per metre of it
+ * @param spreadMetres largest offset of robot and ball along each axis, 0 to 3; the heading varies by 60 degrees per
+ *     metre of this offset
  * @param seconds maximum length of a trial, above 0 and at most 3600
  */
 public record AgentScene(Vector3 place, double degrees, Vector3 ball, double spreadMetres, double seconds)

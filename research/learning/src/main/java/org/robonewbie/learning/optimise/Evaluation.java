@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Result of a candidate in one trial, or its mean over several.
+ * Result of a candidate in one trial, or its mean result over several trials.
  *
  * @param value the value of the objective, in its unit
  * @param success the fraction of trials that succeeded, 0 to 1
@@ -19,7 +19,7 @@ public record Evaluation(double value, double success, double flaws) implements 
     /**
      * Returns the cost for the search.
      *
-     * @param sign 1 if smaller values are better, -1 if larger values are
+     * @param sign 1 if smaller values are better, -1 if larger values are better
      * @param scale the scale of typical values, greater than 0
      * @return the cost; smaller is better
      */

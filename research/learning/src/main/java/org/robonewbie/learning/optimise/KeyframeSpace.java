@@ -11,7 +11,7 @@ import org.robonewbie.nao.motion.Motion;
 import org.robonewbie.nao.motion.Posture;
 
 /**
- * Search space of changes to a motion: to the duration of each keyframe and to its joint angles, except those of the
+ * Search space for a motion: changes to the duration of each keyframe and to its joint angles, except those of the
  * head. A posture that is its own mirror image stays symmetric, and so does a walk whose second half mirrors its first.
  * In all other motions, the last keyframe is fixed, because the next motion begins there.
  */

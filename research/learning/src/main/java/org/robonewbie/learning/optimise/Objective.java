@@ -25,7 +25,7 @@ public record Objective(String label, Supplier<Measure> measure) {
      * Looks up an objective.
      *
      * @param label the name of a measure or of a class, as for {@link Measures#named}
-     * @param classes the class loader of custom measures
+     * @param classes the class loader for custom measures
      * @return the objective
      * @throws IllegalArgumentException if there is no such measure; the message lists all measures
      */
@@ -48,7 +48,10 @@ public record Objective(String label, Supplier<Measure> measure) {
         return measure.get().isLargerBetter();
     }
 
-    /** Whether a motion that moves less gets a better value, so that the effect of the motion must be preserved. */
+    /**
+     * Returns whether a motion that moves less gets a better value, in which case the effect of the motion must be
+     * preserved.
+     */
     boolean rewardsInaction() {
         Measure one = measure.get();
         return one instanceof Energy || one instanceof Upright;
@@ -63,8 +66,8 @@ public record Objective(String label, Supplier<Measure> measure) {
     }
 
     /**
-     * Whether the measure is the time until an event. If so, a trial succeeds if the event occurs; otherwise, it succeeds
-     * if there is no fall.
+     * Returns whether the measure is the time until an event. If so, a trial succeeds if the event occurs; otherwise,
+     * it succeeds if there is no fall.
      */
     boolean isTimeToEvent() {
         return measure.get() instanceof SustainedCondition || isTimeToScore();

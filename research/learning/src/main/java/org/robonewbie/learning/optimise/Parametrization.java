@@ -7,9 +7,9 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Mapping of the parameters of a motion, the walk engine or an agent to the coordinates of a search. A coordinate is the
- * difference from the current value, in units that have a small but noticeable effect; the search starts at the origin.
- * Implementations are thread-safe.
+ * Mapping between the parameters of a motion, the walk engine or an agent and the coordinates of a search. A coordinate
+ * is the difference from the current value, in units that have a small but noticeable effect; the search starts at the
+ * origin. Implementations are thread-safe.
  */
 public interface Parametrization {
 
@@ -32,7 +32,7 @@ public interface Parametrization {
      */
     List<Parameter> numbers(double[] coordinates);
 
-    /** {@return a hash of the current values, used to refuse to resume a search with other values} */
+    /** {@return a hash of the current values; a search is not resumed if they have changed} */
     String fingerprint();
 
     /**
@@ -44,14 +44,14 @@ public interface Parametrization {
      */
     Evaluation evaluate(double[] coordinates, long seed);
 
-    /** Serializable factory of a parametrization, for workers of a cluster. */
+    /** Serializable factory for a parametrization, sent to the workers of a cluster. */
     @FunctionalInterface
     interface Recipe extends Serializable {
 
         /**
          * Creates the parametrization.
          *
-         * @param classes the class loader of agents and measures
+         * @param classes the class loader for agents and measures
          * @return the parametrization
          * @throws IllegalArgumentException if a class is missing; the message names it
          */

@@ -43,7 +43,7 @@ public final class PolicyModel {
     private static final double GAIT_SCALE = 3;
     private static final String RANGE = "range-degrees";
 
-    /** Typical magnitude of an input by its unit; other units use half of their range. */
+    /** Typical magnitude of an input by its unit. For inputs with other units, it is half of their range. */
     private static final Map<String, Double> TYPICAL =
             Map.of("degrees", 30.0, "degrees/s", 100.0, "m/s²", 10.0, "N", 50.0, "1", 1.0);
 
@@ -57,12 +57,12 @@ public final class PolicyModel {
     private final double[] gait;
 
     /**
-     * Creates the model of a task for one robot.
+     * Creates the model for a task with one learning robot.
      *
      * @param spec the task and its options
      * @param inputPattern regular expression for the names of the network's inputs, such as {@link #DEFAULT_INPUTS}
      * @param hidden the number of hidden neurons; 0 for a network without a hidden layer
-     * @param classes the class loader of custom tasks
+     * @param classes the class loader for custom tasks
      * @throws IllegalArgumentException if there is no such task, option or input, or if several robots learn in the task
      */
     public PolicyModel(EnvironmentSpec spec, String inputPattern, int hidden, ClassLoader classes) {

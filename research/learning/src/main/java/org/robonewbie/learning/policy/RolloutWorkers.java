@@ -23,7 +23,7 @@ final class RolloutWorkers implements AutoCloseable {
         this.model = model;
     }
 
-    /** Plays a number of episodes; two functions supply the policy and the seed of each by its index. */
+    /** Plays {@code count} episodes. The functions return the policy and the seed for the index of an episode. */
     RolloutStatistics play(int count, IntFunction<Policy> policies, IntToLongFunction seeds) throws IOException {
         return new RolloutStatistics(runner.run(
                 IntStream.range(0, count).boxed().toList(), i -> play(policies.apply(i), seeds.applyAsLong(i))));

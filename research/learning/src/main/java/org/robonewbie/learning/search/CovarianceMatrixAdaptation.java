@@ -167,12 +167,12 @@ public final class CovarianceMatrixAdaptation implements AskAndTell {
                 .toArray();
     }
 
-    /** The standard deviation of the next candidates along the longest principal axis. */
+    /** Returns the standard deviation of the next candidates along the longest principal axis. */
     double maxSpread() {
         return step * Math.sqrt(eigenvalues().max().orElseThrow());
     }
 
-    /** The condition number of the covariance matrix. */
+    /** Returns the condition number of the covariance matrix. */
     double condition() {
         return eigenvalues().max().orElseThrow()
                 / Math.max(Double.MIN_NORMAL, eigenvalues().min().orElseThrow());

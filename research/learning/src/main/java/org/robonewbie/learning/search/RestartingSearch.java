@@ -74,8 +74,8 @@ public final class RestartingSearch implements AskAndTell {
     }
 
     /**
-     * Whether a run with a small population must stop, because such runs have used more evaluations than those with large
-     * populations.
+     * Returns whether a run with a small population must stop, because such runs have used more evaluations than those
+     * with large populations.
      */
     private boolean isBudgetSpent() {
         return !isLarge && trialsOfSmall + trialsOfRun > trialsOfLarge;

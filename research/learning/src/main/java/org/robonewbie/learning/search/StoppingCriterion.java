@@ -57,7 +57,9 @@ final class StoppingCriterion {
         return Collections.max(last) - Collections.min(last) < MIN_DIFFERENCE;
     }
 
-    /** Whether the median of the newest costs in the recent history is no smaller than that of the oldest ones. */
+    /**
+     * Returns whether the median of the newest costs in the recent history is no smaller than that of the oldest costs.
+     */
     private boolean stagnates(List<Double> history) {
         int length = Math.min(MAX_HISTORY, Math.max(minHistory, (int) (SHARE_OF_HISTORY * history.size())));
         if (history.size() < length) {

@@ -37,7 +37,7 @@ public record ExperimentPlan(
     /** Matches the text before a comment; {@code #} within quotation marks does not start a comment. */
     private static final Pattern CONTENT = Pattern.compile("^(?:[^\"#]|\"[^\"]*(?:\"|$))*+");
 
-    /** Names that are not parameters of the experiment. */
+    /** Names in a plan that are not parameters of the experiment. */
     private static final List<String> RESERVED = List.of("experiment", "trials", "seed");
 
     private static final int MAX_TRIALS = 100_000_000;

@@ -138,7 +138,7 @@ public final class ExperimentRun implements AutoCloseable {
     /**
      * Deletes the journal. Call after the table has been written.
      *
-     * @throws IOException if that fails
+     * @throws IOException if the file cannot be deleted
      */
     public void delete() throws IOException {
         journal.delete();
