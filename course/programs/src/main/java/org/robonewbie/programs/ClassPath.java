@@ -20,9 +20,9 @@ import java.util.stream.Stream;
 import org.robonewbie.nao.file.TemporaryFiles;
 
 /**
- * Class path of a Java process. The option {@code -cp} cannot express a path that contains its separator or a character that
- * needs more than 16 bits, such as an emoji. If there is such a path, the option names an empty temporary jar instead, whose
- * manifest lists all entries as URLs.
+ * Class path of a Java process. The option {@code -cp} cannot express a path that contains the path separator or a
+ * character that needs more than 16 bits, such as an emoji. If the class path contains one, the option names an empty
+ * temporary jar instead, whose manifest lists all entries as URLs.
  *
  * @param places absolute paths of folders and jars
  */
@@ -68,8 +68,8 @@ public record ClassPath(List<Path> places) {
     /**
      * Appends entries.
      *
-     * @param more folders and jars
-     * @return the longer class path
+     * @param more folders and jars to append
+     * @return the extended class path
      */
     public ClassPath with(List<Path> more) {
         return new ClassPath(Stream.concat(places.stream(), more.stream()).toList());
@@ -98,7 +98,7 @@ public record ClassPath(List<Path> places) {
      * Returns the argument for the option {@code -cp}.
      *
      * @return the argument
-     * @throws CalledWronglyException if the path of the temporary folder cannot be expressed in this option either
+     * @throws CalledWronglyException if the option cannot express the path of the temporary folder either
      */
     public String option() {
         return files().stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator));

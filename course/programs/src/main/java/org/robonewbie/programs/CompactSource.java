@@ -36,15 +36,15 @@ final class CompactSource {
                 : Optional.empty();
     }
 
-    /** Returns a sentence that says which version of Java a feature needs, without its full stop. */
+    /** Returns a sentence, without its final full stop, that says which version of Java a feature needs. */
     static String needsNewerJava(String what, int javaVersion) {
         return what + " needs Java " + Program.JAVA_OF_SHORT_FORMS + " or newer, and this is Java " + javaVersion
                 + ". Install a JDK " + Program.JAVA_OF_SHORT_FORMS + ", for example from https://adoptium.net";
     }
 
     /**
-     * Returns whether a text is a compact source file. If a class precedes the main method, it is not: a surplus brace may only
-     * make the method seem to be outside the class.
+     * Returns whether a text is a compact source file. If the expected class precedes the main method, it is not: a
+     * surplus brace may make the method appear to be outside the class.
      */
     private static boolean is(String text, String className) {
         String code = OPAQUE.matcher(text).replaceAll(" ");

@@ -4,7 +4,7 @@ import java.util.Optional;
 import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
 
-/** Provides the compiler of the Java installation that runs RoboNewbie. A JDK contains one, a JRE does not. */
+/** Provides the compiler of the Java installation that runs RoboNewbie. A JDK contains one; a JRE does not. */
 public final class CompilerOfThisJava {
 
     private CompilerOfThisJava() {}

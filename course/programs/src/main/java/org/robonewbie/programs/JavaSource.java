@@ -21,7 +21,7 @@ import org.robonewbie.programs.completion.PartialWord;
 import org.robonewbie.programs.completion.Proposal;
 import org.robonewbie.programs.hint.FrameworkNames;
 
-/** A student's Java file. It is compiled in memory together with those files in its folder that it uses. */
+/** A student's Java file. It is compiled in memory together with the files in its folder that it uses. */
 public final class JavaSource {
 
     private static final Pattern PACKAGE = Pattern.compile("^\\s*package\\s+([\\w.]+)\\s*;", Pattern.MULTILINE);
@@ -73,7 +73,8 @@ public final class JavaSource {
     }
 
     /**
-     * Compiles the file. The returned supplier loads the class anew in each call, so that each copy has its own static fields.
+     * Compiles the file. The returned supplier loads the class anew on each call, so that each copy has its own static
+     * fields.
      *
      * @param classPath the user's folders and jars
      * @return a supplier that loads the class of the file
@@ -116,7 +117,7 @@ public final class JavaSource {
         return classes.isPresent();
     }
 
-    /** Compiles the file; empty if it has errors. */
+    /** Compiles the file; returns an empty result if it has errors. */
     Optional<CompiledClasses> compile(List<Path> classPath, CompilerMessages messages) {
         return with(messages, classPath, (task, classes) -> task.call() ? Optional.of(classes) : Optional.empty());
     }

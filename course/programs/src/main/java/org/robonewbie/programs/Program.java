@@ -96,7 +96,8 @@ public final class Program {
     }
 
     /**
-     * Runs the program in this thread. The stack trace of an exception is printed with lines of the program only.
+     * Runs the program in this thread. If it throws an exception, prints a stack trace that contains only the program's
+     * own lines.
      *
      * @param options the arguments for its {@code main}
      * @return the exit code: 0, or 1 if the program threw an exception or a robot failed

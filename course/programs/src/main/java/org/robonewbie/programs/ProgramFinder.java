@@ -41,8 +41,8 @@ public final class ProgramFinder {
     }
 
     /**
-     * Finds a class and returns a supplier that loads it anew in each call, so that each copy has its own static fields.
-     * Classes of RoboNewbie are not loaded anew.
+     * Finds a class and returns a supplier that loads it anew on each call, so that each copy has its own static
+     * fields. RoboNewbie's own classes are not reloaded.
      *
      * @param name simple name of an example, a class or a Java file
      * @return a supplier of the class
@@ -60,8 +60,8 @@ public final class ProgramFinder {
     }
 
     /**
-     * Finds a program and returns a supplier that loads it anew in each call, so that each copy has its own static fields.
-     * Classes of RoboNewbie are not loaded anew.
+     * Finds a program and returns a supplier that loads it anew on each call, so that each copy has its own static
+     * fields. RoboNewbie's own classes are not reloaded.
      *
      * @param name simple name of an example, a class or a Java file
      * @return a supplier of the program

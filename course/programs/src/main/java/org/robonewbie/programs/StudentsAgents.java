@@ -9,14 +9,14 @@ import org.robonewbie.agent.Agent;
 /**
  * Creates robots that run a student's program, each with its own copy of the static fields.
  *
- * @param types loads the class, with a new class loader in each call
+ * @param types loads the class, with a new class loader on each call
  */
 public record StudentsAgents(Supplier<Class<?>> types) implements Supplier<Agent> {
 
     /**
      * Checks that the class is an agent that can be created.
      *
-     * @throws CalledWronglyException if it is not an agent that can be created; the message says why
+     * @throws CalledWronglyException if it is not; the message says why
      */
     public StudentsAgents {
         constructor(types.get());

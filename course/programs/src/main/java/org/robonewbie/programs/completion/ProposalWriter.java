@@ -49,7 +49,7 @@ final class ProposalWriter {
         };
     }
 
-    /** The simple name of a type. */
+    /** Returns the simple name of a type. */
     private static String shortName(TypeMirror type) {
         return type.toString().replaceAll("@\\S+ ", "").replaceAll("\\b[a-z]\\w*\\.", "");
     }

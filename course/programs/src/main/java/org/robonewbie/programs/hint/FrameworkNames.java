@@ -57,7 +57,7 @@ public record FrameworkNames(
             .map(PACKAGE::concat)
             .toList();
 
-    /** The packages of {@link #TYPES}, and the packages of Java that students' programs use most often. */
+    /** The packages of {@link #TYPES}, and the Java packages that students' programs use most often. */
     public static final List<String> PACKAGES = Stream.concat(
                     TYPES.stream().map(name -> name.substring(0, name.lastIndexOf('.'))),
                     Stream.of(

@@ -16,8 +16,8 @@ import java.util.TimerTask;
 import java.util.concurrent.TimeUnit;
 
 /**
- * A running program with all of its descendant processes, which are killed together. Output is read as it arrives; resource use
- * is checked against the limits ten times per second.
+ * A running program and all of its descendant processes, which are killed together. Output is read as it arrives;
+ * resource use is checked against the limits ten times per second.
  */
 public final class ChildProcess implements AutoCloseable {
 
@@ -55,7 +55,7 @@ public final class ChildProcess implements AutoCloseable {
     }
 
     /**
-     * Starts a program. With limits, environment variables that configure a JVM are removed.
+     * Starts a program. If there are limits, removes the environment variables that configure a JVM.
      *
      * @param command program and arguments
      * @param folder its working directory
@@ -97,7 +97,7 @@ public final class ChildProcess implements AutoCloseable {
     }
 
     /**
-     * Sends a call to the program, which receives it by {@link ParentProcess#nextCall}.
+     * Sends a call to the program, which receives it from {@link ParentProcess#nextCall}.
      *
      * @param line the call
      * @return whether it could be sent
@@ -196,7 +196,7 @@ public final class ChildProcess implements AutoCloseable {
         }
     }
 
-    /** {@return the limit for which the program was killed; empty if there is none} */
+    /** {@return the limit whose excess ended the program; empty if there is none} */
     public Optional<Excess> excess() {
         if (excess.isEmpty() && !isRunning()) {
             output.await();
@@ -210,7 +210,7 @@ public final class ChildProcess implements AutoCloseable {
         return excess.isPresent() || isRunning() ? OptionalInt.empty() : OptionalInt.of(process.exitValue());
     }
 
-    /** Kills the program and its descendants. Output captured until then can still be read. */
+    /** Kills the program and its descendants. The output captured so far can still be read. */
     @Override
     public void close() {
         timer.cancel();

@@ -7,13 +7,15 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.robonewbie.programs.ClassPath;
 
-/** Command lines of Java processes. The processes use the JVM of this one, and other processes cannot attach to them. */
+/**
+ * Command lines of Java processes. They use the same JVM as this process, and other processes cannot attach to them.
+ */
 public final class JavaCommand {
 
     /** Default maximum heap of a program in megabytes. */
     public static final int MEGABYTES = 512;
 
-    /** JVM option for programs that compute little: start faster, without the optimising compiler. */
+    /** JVM option for programs that compute little: they start faster without the optimising compiler. */
     public static final String QUICK_START = "-XX:TieredStopAtLevel=1";
 
     private static final String ARCHIVE = "-XX:SharedArchiveFile=";

@@ -11,15 +11,15 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 
 /**
- * The process of an untrusted program with all its descendants. On Linux, daemons are found by a mark in their environment or
- * by their working directory.
+ * The process of an untrusted program and all of its descendants. On Linux, daemons are found by a mark in their
+ * environment or by their working directory.
  */
 public final class ProcessTree implements AutoCloseable {
 
     private static final String MARK = "ROBONEWBIE_PROGRAM";
     private static final long SECONDS_TO_END = 3;
 
-    /** Number of passes when killing, because a process may fork just before it is killed. */
+    /** Number of kill passes; more than one, because a process may fork just before it is killed. */
     private static final int ROUNDS = 3;
 
     private final Process process;

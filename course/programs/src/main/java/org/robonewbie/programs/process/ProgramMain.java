@@ -82,8 +82,8 @@ public final class ProgramMain {
     }
 
     /**
-     * In a sandbox, copies the program's files into the empty home folder and opens a local port that leads to the simulator.
-     * For grading, where each trial has a separate port, only links the files.
+     * In a sandbox, copies the program's files into the empty home folder and opens a local port that leads to the
+     * simulator. For grading, where each trial has its own port, links the files instead and opens no port.
      */
     private static void prepare() throws IOException {
         if (Files.isDirectory(Sandbox.DOOR)) {
@@ -139,7 +139,10 @@ public final class ProgramMain {
         return new StudentsAgents(types);
     }
 
-    /** Rejects programs that extend the example team, which would solve exercises that require the students' own ideas. */
+    /**
+     * Rejects programs that extend the example team, because it would solve exercises that require the students' own
+     * ideas.
+     */
     private static void rejectExampleTeam(Class<?> program) {
         for (Class<?> type = program; type != null; type = type.getSuperclass()) {
             if (type.getName().startsWith(EXAMPLE_TEAM)) {

@@ -115,7 +115,7 @@ final class RobotHost {
             } catch (VirtualMachineError exhausted) {
                 throw exhausted;
             } catch (IOException disconnected) {
-                // The trial has closed the connection; no reason to report.
+                // The trial has closed the connection; there is no reason to report.
             } catch (RuntimeException | Error mistake) {
                 leave(new Departure(Cause.THROWN, ProgramPlace.of(mistake), ""));
             } finally {
@@ -153,7 +153,7 @@ final class RobotHost {
                 List<EffectorCommand> commands = driver.respond(reader.read(message));
                 commands.forEach(writer::write);
                 if (commands.isEmpty()) {
-                    writer.synchronise(); // keeps a robot still that has left the game
+                    writer.synchronise(); // a robot that has left the game stays still but keeps answering
                 }
                 if (driver.hasFailed()) {
                     departure = new Departure(Cause.FAILED_STEP, "", "");

@@ -13,8 +13,8 @@ import java.util.concurrent.LinkedBlockingQueue;
 import org.robonewbie.programs.ClassPath;
 
 /**
- * Pool of child processes that run one program repeatedly, each time with fresh static fields. Standard output of the program
- * is discarded; its error output is printed. A program that terminates its process affects no run but its own.
+ * Pool of child processes that run one program repeatedly, each time with fresh static fields. The program's standard
+ * output is discarded; its error output is printed. A program that terminates its process affects only its own run.
  */
 public final class WorkerPool implements AutoCloseable {
 
@@ -80,7 +80,7 @@ public final class WorkerPool implements AutoCloseable {
                     command, folder, false, ProgramOutput.of(this::print, answers::add), Limits.NONE);
         }
 
-        /** Prints a line, and remembers the first one of each run. */
+        /** Prints a line and remembers the first line of each run. */
         private void print(String line) {
             System.err.println(line);
             if (complaint.isEmpty()) {
